@@ -83,7 +83,7 @@ internal static unsafe class ContactModes
             }
 
             system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
-            system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
             evaluations++;
             for (int i = 0; i < system.Count; i++)
             {
@@ -119,7 +119,7 @@ internal static unsafe class ContactModes
             system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
             evaluations++;
             Vector3d free = acceleration;
-            system.Solve(in at.Spin, ref acceleration, ref spinAcceleration);
+            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
             system.Acceleration = acceleration;
             system.SpinAcceleration = spinAcceleration;
             int bearer = BearerOf(in system);

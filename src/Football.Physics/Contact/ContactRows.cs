@@ -12,7 +12,7 @@ internal static unsafe class ContactRows
     public const int Most = 3 * ContactSystem.Most;
 
     /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
-    private const double Singular = 1e-9;
+    public const double Singular = 1e-9;
 
     /// <summary>Added to the diagonal of G Gᵀ, as a share of it, and taken away again by refinement.</summary>
     private const double Ridge = 1e-6;
@@ -109,7 +109,7 @@ internal static unsafe class ContactRows
     /// <param name="least">A smaller pivot is none.</param>
     /// <param name="sides">Number of right-hand sides.</param>
     /// <returns>False where a pivot is too small.</returns>
-    private static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
+    public static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
     {
         for (int column = 0; column < size; column++)
         {

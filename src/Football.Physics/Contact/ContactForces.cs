@@ -1,0 +1,453 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for each contact that sticks.
+/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is α/(1+α) of what would start a slip.
+/// So one equation is left for each contact that slips, and three for each further contact that sticks.
+/// </summary>
+internal static unsafe class ContactForces
+{
+    /// <summary>A smaller pivot, as a share of the largest entry, makes the solution not unique.</summary>
+    private const double Singular = ContactRows.Singular;
+
+    /// <summary>Adds the forces of the contacts to the accelerations, and stores the load and the friction of each contact.</summary>
+    /// <param name="system">The contacts, with their normals and slips at this state.</param>
+    /// <param name="spin">Spin of the ball, rad/s.</param>
+    /// <param name="acceleration">Acceleration without the contacts, m/s²; replaced by the acceleration with them.</param>
+    /// <param name="spinAcceleration">The same for the spin, rad/s².</param>
+    public static void Solve(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
+    {
+        if (system.Bearer >= 0)
+        {
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n
+            ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+            spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
+        }
+
+        int stuck = StuckOf(in system);
+        bool eliminates = !system.Pinned && (!system.HoldsSpin || stuck < 0 || stuck == system.Bearer);
+        if (!eliminates || !Eliminate(ref system, stuck, in spin, ref acceleration, ref spinAcceleration))
+        {
+            SolveAll(ref system, in spin, ref acceleration, ref spinAcceleration);
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref SetContact contact = ref system.Contacts[i];
+            contact.Opening = Vector3d.Dot(in contact.Normal, in acceleration) + contact.Centripetal;
+        }
+    }
+
+    /// <summary>The contact to eliminate: the bearer if it sticks, else the first one that sticks; −1 for none.</summary>
+    private static int StuckOf(in ContactSystem system)
+    {
+        if (system.Bearer >= 0 && system.Contacts[system.Bearer].Width == 3)
+        {
+            return system.Bearer;
+        }
+
+        for (int i = 0; i < system.Count; i++)
+        {
+            if (system.Contacts[i].Width == 3)
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    /// <summary>Solves for the other contacts, each with what the eliminated contact adds to it.</summary>
+    /// <returns>False if the solution is not unique, or more than two contacts stick: then nothing has changed.</returns>
+    [SkipLocalsInit]
+    private static bool Eliminate(ref ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
+    {
+        ForceRow* rows = stackalloc ForceRow[ContactRows.Most];
+        int pair = -1;
+        int pairRow = 0;
+        int size = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (i == stuck || !contact.Bears)
+            {
+                continue;
+            }
+
+            if (contact.Sticks)
+            {
+                if (pair >= 0)
+                {
+                    return false;
+                }
+
+                pair = i;
+                pairRow = size;
+            }
+
+            size += SetRows(in system, i, in spin, rows + size);
+        }
+
+        Vector3d a = acceleration;
+        Vector3d w = spinAcceleration;
+        if (system.HoldsSpin)
+        {
+            HoldSpin(ref system, in spin, ref w, rows, size);
+        }
+
+        // The eliminated contact responds to the free motion, and to a unit of every other force.
+        ForceRow own = default;
+        if (stuck >= 0)
+        {
+            ref readonly SetContact contact = ref system.Contacts[stuck];
+            double r = system.World.Ball.Radius;
+            double alpha = system.World.Ball.InertiaFactor;
+            SetLoad(in system, stuck, ref own);
+            var elimination = new StickElimination(in contact.Normal, in own, r, alpha);
+            elimination.Respond(own.Asked, contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin)), ref a, ref w, out own.OwnLoad, out own.OwnFriction);
+            for (int i = 0; i < size; i++)
+            {
+                ref ForceRow row = ref rows[i];
+                elimination.Respond(0, Vector3d.Zero, ref row.PushV, ref row.PushW, out row.OwnLoad, out row.OwnFriction);
+            }
+        }
+
+        double* x = stackalloc double[ContactRows.Most];
+        double* z = stackalloc double[ContactRows.Most];
+        if (!SolveRows(rows, x, z, size, in a, in w, in system, stuck, pair, pairRow))
+        {
+            return false;
+        }
+
+        if (pair >= 0)
+        {
+            Brace(rows, x, z, size, in own, in system.Contacts[stuck], in system.Contacts[pair], pairRow);
+        }
+
+        double load = own.OwnLoad;
+        Vector3d friction = own.OwnFriction;
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly ForceRow row = ref rows[i];
+            a += x[i] * row.PushV;
+            w += x[i] * row.PushW;
+            load += x[i] * row.OwnLoad;
+            friction += x[i] * row.OwnFriction;
+            system.HeldSpin += x[i] * row.HeldSpin;
+        }
+
+        acceleration = a;
+        spinAcceleration = w;
+        Store(ref system, x, stuck);
+        if (stuck >= 0)
+        {
+            system.Contacts[stuck].Load = load;
+            system.Contacts[stuck].Friction = friction;
+        }
+
+        return true;
+    }
+
+    /// <summary>Solves G x = b for what the elimination has left.</summary>
+    /// <returns>False if the solution is not unique.</returns>
+    [SkipLocalsInit]
+    private static bool SolveRows(
+        ForceRow* rows, double* x, double* z, int size, in Vector3d a, in Vector3d w, in ContactSystem system, int stuck, int pair, int pairRow)
+    {
+        double* g = stackalloc double[ContactRows.Most * ContactRows.Most];
+        double largest = 1;
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly ForceRow row = ref rows[i];
+            x[i] = row.Asked - Vector3d.Dot(in row.AlongV, in a) - Vector3d.Dot(in row.AlongW, in w);
+            for (int j = 0; j < size; j++)
+            {
+                double entry = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
+                g[(i * size) + j] = entry;
+                largest = Math.Max(largest, Math.Abs(entry));
+            }
+        }
+
+        if (pair < 0)
+        {
+            return ContactRows.Eliminate(g, x, size, Singular * largest);
+        }
+
+        // Two contacts that stick: along the line from one contact point to the other both conditions are the same.
+        for (int i = 0; i < size; i++)
+        {
+            z[i] = 0;
+        }
+
+        SetLine(in system.Contacts[pair], in system.Contacts[stuck], z + pairRow);
+        return ContactRows.SolveBraced(g, x, z, size);
+    }
+
+    /// <summary>Takes the least forces of two contacts that stick, or those that are nearest to them and inside both friction cones.</summary>
+    [SkipLocalsInit]
+    private static void Brace(ForceRow* rows, double* x, double* z, int size, in ForceRow own, in SetContact first, in SetContact second, int row)
+    {
+        double load = own.OwnLoad;
+        Vector3d friction = own.OwnFriction;
+        double loadBrace = 0;
+        Vector3d frictionBrace = default;
+        double along = 0;
+        double square = 0;
+        for (int i = 0; i < size; i++)
+        {
+            load += x[i] * rows[i].OwnLoad;
+            friction += x[i] * rows[i].OwnFriction;
+            loadBrace += z[i] * rows[i].OwnLoad;
+            frictionBrace += z[i] * rows[i].OwnFriction;
+            along += x[i] * z[i];
+            square += z[i] * z[i];
+        }
+
+        along += (load * loadBrace) + Vector3d.Dot(in friction, in frictionBrace);
+        square += (loadBrace * loadBrace) + frictionBrace.LengthSquared;
+        double least = -along / square;
+        load += least * loadBrace;
+        friction += least * frictionBrace;
+        for (int i = 0; i < size; i++)
+        {
+            x[i] += least * z[i];
+        }
+
+        double* own3 = stackalloc double[3] { load, Vector3d.Dot(in friction, in first.First), Vector3d.Dot(in friction, in first.Second) };
+        double* brace3 = stackalloc double[3] { loadBrace, Vector3d.Dot(in frictionBrace, in first.First), Vector3d.Dot(in frictionBrace, in first.Second) };
+        double share = FrictionBrace.Share(own3, brace3, in first, x + row, z + row, in second);
+        for (int i = 0; i < size; i++)
+        {
+            x[i] += share * z[i];
+        }
+    }
+
+    /// <summary>Solves for all forces at once, without an elimination; if the solution is not unique, for the one with the least sum of squares.</summary>
+    [SkipLocalsInit]
+    private static void SolveAll(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
+    {
+        ForceRow* rows = stackalloc ForceRow[ContactRows.Most];
+        double* g = stackalloc double[ContactRows.Most * ContactRows.Most];
+        double* x = stackalloc double[ContactRows.Most];
+        int first = -1;
+        int second = -1;
+        int sticking = 0;
+        int firstRow = 0;
+        int secondRow = 0;
+        int size = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            if (system.Contacts[i].Width == 3)
+            {
+                sticking++;
+                secondRow = size;
+                firstRow = first < 0 ? size : firstRow;
+                second = i;
+                first = first < 0 ? i : first;
+            }
+
+            size += system.Contacts[i].Bears ? SetRows(in system, i, in spin, rows + size) : 0;
+        }
+
+        // What holds a standing ball, and its spin, is no load and no friction force. It is eliminated first, so that it does not count in the sum of squares.
+        Vector3d normal = system.Bearer >= 0 ? system.Contacts[system.Bearer].Normal : Vector3d.Zero;
+        Vector3d turning = Vector3d.Cross(in normal, in system.Along) / system.World.Ball.Radius;
+        double held = 0;
+        if (system.Pinned)
+        {
+            held = Vector3d.Dot(system.Contacts[system.Bearer].MaterialRate - acceleration, in system.Along);
+            acceleration += held * system.Along;
+            spinAcceleration += held * turning;
+            for (int i = 0; i < size; i++)
+            {
+                rows[i].Held = -Vector3d.Dot(in rows[i].PushV, in system.Along);
+                rows[i].PushV += rows[i].Held * system.Along;
+                rows[i].PushW += rows[i].Held * turning;
+            }
+        }
+
+        if (system.HoldsSpin)
+        {
+            HoldSpin(ref system, in spin, ref spinAcceleration, rows, size);
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly ForceRow row = ref rows[i];
+            x[i] = row.Asked - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
+            for (int j = 0; j < size; j++)
+            {
+                g[(i * size) + j] = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
+            }
+        }
+
+        if (size > 0 && (sticking != 2 || !SolvePair(g, x, size, in system.Contacts[first], firstRow, in system.Contacts[second], secondRow)))
+        {
+            ContactRows.Solve(g, x, size);
+        }
+
+        for (int i = 0; i < size; i++)
+        {
+            acceleration += x[i] * rows[i].PushV;
+            spinAcceleration += x[i] * rows[i].PushW;
+            held += x[i] * rows[i].Held;
+            system.HeldSpin += x[i] * rows[i].HeldSpin;
+        }
+
+        system.Held = held;
+        Store(ref system, x, -1);
+    }
+
+    /// <summary>Solves for all forces where exactly two contacts stick.</summary>
+    /// <returns>False if more is not determined than the force along the line between the contact points; then b is as it was.</returns>
+    [SkipLocalsInit]
+    private static bool SolvePair(double* g, double* b, int size, in SetContact first, int firstRow, in SetContact second, int secondRow)
+    {
+        double* z = stackalloc double[ContactRows.Most];
+        double* copy = stackalloc double[ContactRows.Most * ContactRows.Most];
+        for (int i = 0; i < size; i++)
+        {
+            z[i] = 0;
+        }
+
+        for (int i = 0; i < size * size; i++)
+        {
+            copy[i] = g[i];
+        }
+
+        SetLine(in first, in second, z + firstRow);
+        SetLine(in second, in first, z + secondRow);
+        if (!ContactRows.SolveBraced(copy, b, z, size))
+        {
+            return false;
+        }
+
+        double share = FrictionBrace.Share(b + firstRow, z + firstRow, in first, b + secondRow, z + secondRow, in second);
+        for (int k = 0; k < size; k++)
+        {
+            b[k] += share * z[k];
+        }
+
+        return true;
+    }
+
+    /// <summary>Drilling friction holds the spin about the bearer's normal: d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.</summary>
+    private static void HoldSpin(ref ContactSystem system, in Vector3d spin, ref Vector3d spinAcceleration, ForceRow* rows, int size)
+    {
+        ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+        system.HeldSpin = -Vector3d.Dot(in spin, in bearer.Turning) - Vector3d.Dot(in spinAcceleration, in bearer.Normal);
+        spinAcceleration += system.HeldSpin * bearer.Normal;
+        for (int i = 0; i < size; i++)
+        {
+            ref ForceRow row = ref rows[i];
+            row.HeldSpin = -Vector3d.Dot(in row.PushW, in bearer.Normal);
+            row.PushW += row.HeldSpin * bearer.Normal;
+        }
+    }
+
+    /// <summary>Stores the solution, except for the contact that was eliminated.</summary>
+    private static void Store(ref ContactSystem system, double* x, int stuck)
+    {
+        int next = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref SetContact contact = ref system.Contacts[i];
+            if (i == stuck)
+            {
+                continue;
+            }
+
+            contact.Load = contact.Bears ? x[next++] : 0;
+            contact.Friction = default;
+            if (contact.Width == 3)
+            {
+                contact.Friction = (x[next] * contact.First) + (x[next + 1] * contact.Second);
+                next += 2;
+            }
+        }
+    }
+
+    /// <summary>The unknowns of a contact that bears: its load, and its friction if it sticks.</summary>
+    /// <returns>How many there are.</returns>
+    private static int SetRows(in ContactSystem system, int index, in Vector3d spin, ForceRow* rows)
+    {
+        ref readonly SetContact contact = ref system.Contacts[index];
+        SetLoad(in system, index, ref rows[0]);
+        if (!contact.Sticks)
+        {
+            return 1;
+        }
+
+        double r = system.World.Ball.Radius;
+        double perTurn = 1.0 / (system.World.Ball.InertiaFactor * r);
+        Vector3d asked = contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
+        SetStick(ref rows[1], in contact.Normal, in contact.First, r, perTurn, in asked);
+        SetStick(ref rows[2], in contact.Normal, in contact.Second, r, perTurn, in asked);
+        return 3;
+    }
+
+    /// <summary>A load: n·v̇ = −(qᵀHq − A_s·n). If the contact slips, friction pushes along with it.</summary>
+    private static void SetLoad(in ContactSystem system, int index, ref ForceRow row)
+    {
+        ref readonly SetContact contact = ref system.Contacts[index];
+        row.AlongV = contact.Normal;
+        row.AlongW = default;
+        row.Asked = -contact.Centripetal;
+        row.PushV = contact.Normal;
+        row.PushW = default;
+        row.Held = 0;
+        row.HeldSpin = 0;
+        if (!contact.Sticks)
+        {
+            Vector3d direction = contact.SlipDirection;
+            double perTurn = 1.0 / (system.World.Ball.InertiaFactor * system.World.Ball.Radius);
+            row.PushV -= contact.Sliding * direction;
+            row.PushW += contact.Sliding * perTurn * Vector3d.Cross(in contact.Normal, in direction);
+        }
+
+        if (index == system.Bearer)
+        {
+            AddResistance(in system, in contact, ref row);
+        }
+    }
+
+    /// <summary>Rolling resistance takes (c₀ + c₁|v|) N/m from the motion, spin and all; drilling friction takes b μ_s N/I from the spin about the normal.</summary>
+    private static void AddResistance(in ContactSystem system, in SetContact contact, ref ForceRow load)
+    {
+        load.PushW -= system.SpinSign * contact.Drilling * contact.Normal;
+        if (!contact.Sticks || system.Pinned || system.Along == Vector3d.Zero)
+        {
+            return;
+        }
+
+        double speed = contact.RollingVelocity.Length;
+        Vector3d direction = speed > 0 && !(Vector3d.Dot(in contact.RollingVelocity, in system.Along) < 0) ? contact.RollingVelocity / speed : system.Along;
+        double share = contact.Rolling + (contact.RollingBySpeed * speed);
+        load.PushV -= share * direction;
+        load.PushW -= share / system.World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
+    }
+
+    /// <summary>A friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω); a push t turns the ball by −n × t/(α r).</summary>
+    private static void SetStick(ref ForceRow row, in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked)
+    {
+        row.AlongV = along;
+        row.AlongW = r * Vector3d.Cross(in along, in normal);
+        row.Asked = Vector3d.Dot(in asked, in along);
+        row.PushV = along;
+        row.PushW = -perTurn * Vector3d.Cross(in normal, in along);
+        row.Held = 0;
+        row.HeldSpin = 0;
+    }
+
+    /// <summary>The unit force that two sticking contacts exert against each other along the line between the contact points: n₁ − n₂, at the first contact.</summary>
+    private static void SetLine(in SetContact contact, in SetContact other, double* into)
+    {
+        Vector3d line = contact.Normal - other.Normal;
+        line = 1.0 / (Math.Sqrt(2.0) * line.Length) * line;
+        into[0] = Vector3d.Dot(in line, in contact.Normal);
+        into[1] = Vector3d.Dot(in line, in contact.First);
+        into[2] = Vector3d.Dot(in line, in contact.Second);
+    }
+}
