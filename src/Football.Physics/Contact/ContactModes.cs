@@ -116,7 +116,7 @@ internal static unsafe class ContactModes
         system.IsTied = false;
         for (int round = 0; round < MostBearers; round++)
         {
-            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out system.AirSpeed);
             evaluations++;
             Vector3d free = acceleration;
             ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);

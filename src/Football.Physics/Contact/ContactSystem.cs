@@ -37,6 +37,9 @@ internal unsafe struct ContactSystem : IMotionSystem
     public Vector3d Acceleration;
     public Vector3d SpinAcceleration;
 
+    /// <summary>The speed relative to the air there, m/s.</summary>
+    public double AirSpeed;
+
     /// <summary>Which way it spins about the bearer's normal, relative to that: drilling friction keeps to it.</summary>
     public double SpinSign;
 

@@ -7,6 +7,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 {
     public int Stages => 4;
 
+    public bool LastStageAtEnd => true;
+
     public int Order => 4;
 
     public double ShareInPath => 0.5;
@@ -81,15 +83,14 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         step.AirDistance = air.HasField ? sixth * (sumS + sumS - startS + s) : 0;
     }
 
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
         double sixth = h / 6.0;
 
         // The rates at the start, twice in the middle and at the end; for the position they are the stages' velocities.
-        system.Rates(time, in from, out MotionRates k1);
-        Motion second = from.After(half, in from.Velocity, in k1);
+        Motion second = from.After(half, in from.Velocity, in start);
         system.Rates(time + half, in second, out MotionRates k2);
         Motion third = from.After(half, in second.Velocity, in k2);
         system.Rates(time + half, in third, out MotionRates k3);
@@ -98,16 +99,16 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
         Vector3d velocity = from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity;
-        Vector3d acceleration = k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
-        Vector3d spinAcceleration = k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
+        Vector3d acceleration = start.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
+        Vector3d spinAcceleration = start.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
         step.End = new Motion(
             from.Position + (sixth * velocity),
             from.Velocity + (sixth * acceleration),
             from.Spin + (sixth * spinAcceleration),
-            from.AirDistance + (sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
+            from.AirDistance + (sixth * (start.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
 
         // The axis may turn on the way: from the spins at start, middle and end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
-        step.StartRates = k1;
+        step.StartRates = start;
     }
 }

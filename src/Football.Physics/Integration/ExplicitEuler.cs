@@ -7,6 +7,8 @@ internal readonly struct ExplicitEuler : IIntegrator
 {
     public int Stages => 1;
 
+    public bool LastStageAtEnd => false;
+
     public int Order => 1;
 
     public double ShareInPath => 0;
@@ -43,10 +45,10 @@ internal readonly struct ExplicitEuler : IIntegrator
         step.Turn = h * w;
     }
 
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
-        system.Rates(time, in from, out step.StartRates);
+        step.StartRates = start;
         step.End = from.After(h, in from.Velocity, in step.StartRates);
         step.Rotation = h * from.Spin;
     }

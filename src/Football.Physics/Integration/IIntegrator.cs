@@ -6,6 +6,9 @@ internal interface IIntegrator
     /// <summary>Right-hand sides a step.</summary>
     int Stages { get; }
 
+    /// <summary>True if the last stage is at the end of the step.</summary>
+    bool LastStageAtEnd { get; }
+
     /// <summary>Order of accuracy.</summary>
     int Order { get; }
 
@@ -31,8 +34,9 @@ internal interface IIntegrator
     /// <param name="system">Gives the rates.</param>
     /// <param name="time">Time at the start, s.</param>
     /// <param name="from">Where the step starts.</param>
+    /// <param name="start">The rates there: the first stage.</param>
     /// <param name="h">Its length, s.</param>
     /// <param name="step">Where it ends.</param>
-    void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem;
 }

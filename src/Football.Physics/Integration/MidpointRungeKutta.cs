@@ -7,6 +7,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 {
     public int Stages => 2;
 
+    public bool LastStageAtEnd => false;
+
     public int Order => 2;
 
     public double ShareInPath => 0.5;
@@ -56,13 +58,13 @@ internal readonly struct MidpointRungeKutta : IIntegrator
         step.AirDistance = air.HasField ? h * s : 0;
     }
 
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
 
         // Half a step by the rates at the start, and the whole one by those in the middle.
-        system.Rates(time, in from, out step.StartRates);
+        step.StartRates = start;
         Motion middle = from.After(half, in from.Velocity, in step.StartRates);
         system.Rates(time + half, in middle, out MotionRates k2);
         step.End = from.After(h, in middle.Velocity, in k2);

@@ -7,6 +7,8 @@ internal readonly struct SemiImplicitEuler : IIntegrator
 {
     public int Stages => 1;
 
+    public bool LastStageAtEnd => false;
+
     public int Order => 1;
 
     public double ShareInPath => 1;
@@ -41,10 +43,10 @@ internal readonly struct SemiImplicitEuler : IIntegrator
         step.Turn = h * ew;
     }
 
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
-        system.Rates(time, in from, out step.StartRates);
+        step.StartRates = start;
 
         // Velocity first, then the place with it.
         Vector3d velocity = from.Velocity + (h * step.StartRates.Acceleration);

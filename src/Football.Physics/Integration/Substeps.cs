@@ -17,6 +17,8 @@ internal struct Substeps : IIntegrator
     /// <summary>Right-hand sides of the step before.</summary>
     public int Stages { get; private set; }
 
+    public readonly bool LastStageAtEnd => true;
+
     public readonly int Order => default(ClassicalRungeKutta).Order;
 
     public readonly double ShareInPath => default(ClassicalRungeKutta).ShareInPath;
@@ -31,7 +33,7 @@ internal struct Substeps : IIntegrator
         method.Fly(ref air, in start, ref motion, in wind, branch, upward, h, out step);
     }
 
-    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, double h, out MotionStep step)
+    public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
         // What is taken of a step does not depend on how long the step is, but for its last part: a step that is taken again goes on from where it did not end yet.
@@ -45,7 +47,13 @@ internal struct Substeps : IIntegrator
         {
             bool isLast = done + part >= h;
             Motion at = step.End;
-            method.Advance(ref system, time + done, in at, isLast ? h - done : part, out MotionStep next);
+            MotionRates rates = start;
+            if (done > 0)
+            {
+                system.Rates(time + done, in at, out rates);
+            }
+
+            method.Advance(ref system, time + done, in at, in rates, isLast ? h - done : part, out MotionStep next);
             Stages += method.Stages;
             double jerk = JerkIn(in at, in next, part);
 

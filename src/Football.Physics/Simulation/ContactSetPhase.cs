@@ -16,6 +16,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>A slip of less than this, m/s, has ended.</summary>
     private const double Sticking = 1e-7;
 
+    /// <summary>A state that changes by less than this, m/s, keeps the rates that were found for it.</summary>
+    private const double Unmoved = 1e-12;
+
     /// <summary>A normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
@@ -114,8 +117,16 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         Stick(in system, ref s);
-        from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        TakePiece(ref s, ref run, ref system, set, in from);
+        var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        if (!((stuck.Velocity - from.Velocity).Length + (_around.Radius * (stuck.Spin - from.Spin).Length) <= Unmoved))
+        {
+            system.Rates(s.Time, in stuck, out MotionRates rates);
+            run.Log.Evaluations++;
+            system.Acceleration = rates.Acceleration;
+            system.SpinAcceleration = rates.SpinAcceleration;
+        }
+
+        TakePiece(ref s, ref run, ref system, set, in stuck);
         return true;
     }
 
@@ -225,7 +236,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         int order = default(TMethod).Order;
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
-        var sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
+        var sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         SetMargin<TMethod>.Start(ref sweep, in s, in from, starts);
         sweep.Step(h);
         double whole = sweep.Length;

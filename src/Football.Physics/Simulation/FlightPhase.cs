@@ -165,7 +165,9 @@ internal sealed class FlightPhase<TIntegrator>
         system.Branch = s.Branch;
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
-        var sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        system.Rates(s.Time, in from, out MotionRates start);
+        run.Log.Evaluations++;
+        var sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
         DragBranch next = s.Branch;
         bool goes = true;

@@ -15,6 +15,9 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
     /// <summary>A piece that ends at a slip or a load goes so far beyond, as a share of its length: the next one finds the change done.</summary>
     private const double Beyond = 1e-9;
 
+    /// <summary>This share of the value at the start is far from zero.</summary>
+    private const double Clear = 0.25;
+
     private const int Limits = (int)Limit.HoldSpin + 1;
 
     /// <summary>Values of a piece at most.</summary>
@@ -74,6 +77,12 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         double length = sweep.Length;
         bool shortened = false;
 
+        // The last stage is next to the end: a value that is far from zero there is not searched for.
+        if (default(TIntegrator).LastStageAtEnd && IsClear(ref sweep, in s, starts))
+        {
+            return false;
+        }
+
         // Searched for is only what is positive at the start and negative at the end.
         Look(ref sweep, s.Time);
         for (int i = 0; i < Limits * sweep.System.Count; i++)
@@ -93,6 +102,20 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         }
 
         return shortened;
+    }
+
+    /// <summary>True if every value keeps a good share of what it is at the start.</summary>
+    private static bool IsClear(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
+    {
+        for (int i = 0; i < Limits * sweep.System.Count; i++)
+        {
+            if (starts[i] > 0 && !(Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time) > Clear * starts[i]))
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     /// <summary>Loads, friction and slips at the end of the piece.</summary>

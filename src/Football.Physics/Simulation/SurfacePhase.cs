@@ -144,6 +144,8 @@ internal sealed class SurfacePhase<TIntegrator>
                 // What was left of its speed is none: it does not creep.
                 s.Velocity = system.Carrier.MaterialVelocity(s.Position, s.Time);
                 from = new Motion(s.Position, s.Velocity, s.Spin);
+                on = system.ForcesOn(s.Time, in from);
+                run.Log.Evaluations++;
             }
 
             moving = size < Slip.Rolling ? drive : moving;
@@ -181,16 +183,16 @@ internal sealed class SurfacePhase<TIntegrator>
         // Take it: in a net by RK4 in parts, for that settles faster than a step is long.
         if (s.Nets != 0)
         {
-            TakePiece<Substeps>(ref s, ref run, ref system, in from, h);
+            TakePiece<Substeps>(ref s, ref run, ref system, in from, in on, h);
         }
         else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
-            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, h);
+            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, in on, h);
         }
         else
         {
-            TakePiece<TIntegrator>(ref s, ref run, ref system, in from, h);
+            TakePiece<TIntegrator>(ref s, ref run, ref system, in from, in on, h);
         }
 
         // The thesis' end of a slide is looked for at the end of a piece.
@@ -223,11 +225,12 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
-    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, double h)
+    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, double h)
         where TMethod : struct, IIntegrator
     {
         int order = default(TMethod).Order;
-        var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, _around.Wind, _around.Radius);
+        MotionRates start = system.RatesUnder(in on, s.Time, in from);
+        var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
 
         // What may end it, one after the other: off a curved surface, the jump, load, grip, rest and spin, a border, a net's kink, what is met.

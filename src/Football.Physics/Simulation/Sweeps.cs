@@ -132,17 +132,20 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     public TSystem System;
     public MotionStep Taken;
     private readonly Motion _from;
+    private readonly MotionRates _start;
     private readonly Vector3d _wind;
     private readonly double _radius;
     private readonly double _time;
     private TIntegrator _integrator;
 
-    public MotionSweep(in TSystem system, double time, in Motion from, in Vector3d wind, double radius)
+    /// <summary>A step from a state at which the rates are known: they are the first stage, whatever its length is.</summary>
+    public MotionSweep(in TSystem system, double time, in Motion from, in MotionRates start, in Vector3d wind, double radius)
     {
         Unsafe.SkipInit(out Taken);
         System = system;
         _time = time;
         _from = from;
+        _start = start;
         _wind = wind;
         _radius = radius;
         _integrator = default;
@@ -172,9 +175,9 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Step(double h)
     {
-        _integrator.Advance(ref System, _time, in _from, h, out Taken);
+        _integrator.Advance(ref System, _time, in _from, in _start, h, out Taken);
         Length = h;
-        Evaluations += _integrator.Stages;
+        Evaluations += _integrator.Stages - 1;
     }
 
     public void MoveTo(ref BallState s) => System.Move(ref s, in _from, in Taken);
