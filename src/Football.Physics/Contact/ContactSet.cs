@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -99,6 +101,7 @@ internal static class ContactSet
     }
 
     /// <summary>True when a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
+    [SkipLocalsInit]
     public static bool TouchesMore(World world, in BallState s, int carrier)
     {
         Span<Contact> set = stackalloc Contact[Most];
@@ -229,6 +232,7 @@ internal static class ContactSet
     }
 
     /// <summary>Puts a ball out of all that it overlaps, and takes what goes into that from its velocity.</summary>
+    [SkipLocalsInit]
     public static void Separate(World world, ref BallState s)
     {
         Span<Contact> room = stackalloc Contact[Most];

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -53,6 +55,7 @@ internal sealed class ContactSetParts
 
     /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
     /// <returns>False where the ball's carrier alone bears it, or nothing does.</returns>
+    [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
@@ -173,6 +176,7 @@ internal sealed class ContactSetParts
     /// Takes what is left of a step for a ball that is squeezed: what stands still is never entered, what moves pushes the ball as far as it can go at the speed
     /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, or there is a way off all that does, it is free.
     /// </summary>
+    [SkipLocalsInit]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
@@ -299,6 +303,7 @@ internal sealed class ContactSetParts
     }
 
     /// <summary>A ball with no more energy than one at rest rests, where all that touches it stands still and holds it.</summary>
+    [SkipLocalsInit]
     private bool Rests(ref BallState s, scoped Span<Contact> set, in MotionRates free, ref StepRun run)
     {
         // Not among what moves: only what stands still holds a ball for good.
@@ -451,6 +456,7 @@ internal sealed class ContactSetParts
     }
 
     /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
+    [SkipLocalsInit]
     private void Hold(ref BallState s, scoped Span<Contact> set)
     {
         ContactSet.Hold(_world, ref s, set);
@@ -478,6 +484,7 @@ internal sealed class ContactSetParts
     }
 
     /// <summary>True when there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
+    [SkipLocalsInit]
     private bool HasRoom(in BallState s)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];

@@ -231,6 +231,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
+    [SkipLocalsInit]
     private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
         where TMethod : struct, IIntegrator
     {

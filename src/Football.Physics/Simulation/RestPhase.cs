@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -175,6 +177,7 @@ internal sealed unsafe class RestPhase
     }
 
     /// <summary>True when all that the ball touches holds it together, where none of it moves otherwise than its carrier.</summary>
+    [SkipLocalsInit]
     private bool IsHeldByAll(in BallState s, in Vector3d velocity, in Vector3d gained, ref int evaluations)
     {
         Contact* room = stackalloc Contact[ContactSet.Most];

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>Effect of touching a thing of the world: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
@@ -132,6 +134,7 @@ internal sealed class WorldContact
     }
 
     /// <summary>All that the ball touches at once, without restitution: what stands still is then not come closer to; what moves may squeeze it.</summary>
+    [SkipLocalsInit]
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
         run.Log.Untold++;
