@@ -59,6 +59,9 @@ internal sealed class CarrierModel
     /// <summary>The smallest load so far, as a share of the ball's weight, and the smallest speed over the carrier while the ball rolled, m/s.</summary>
     public double LeastLoad { get; private set; } = double.PositiveInfinity;
 
+    /// <summary>True if friction has ceased to hold a ball that rolled.</summary>
+    public bool LostGrip { get; private set; }
+
     public double SlowestRoll { get; private set; } = double.PositiveInfinity;
 
     /// <summary>Goes on with the carrier as it moves now; what it gained since then is slip.</summary>
@@ -71,7 +74,9 @@ internal sealed class CarrierModel
             double h = Math.Min(Longest, left);
             if (!_slides && !Grips())
             {
+                // The direction of a slip that begins is stiff: these explicit steps cannot follow it to the limit of the comparison.
                 _slides = true;
+                LostGrip = true;
                 _ahead = -Hold(Place, Moves, Turns).Normalized();
             }
 

@@ -3,6 +3,12 @@ namespace Football.Physics.Labs.Scenes;
 /// <summary>A kind of random scene with an independent answer.</summary>
 internal abstract class SceneKind
 {
+    /// <summary>The error of the steps is at most this share of the limit.</summary>
+    private const double StepShare = 0.2;
+
+    /// <summary>A step is divided into no more parts than this.</summary>
+    private const int MostParts = 64;
+
     /// <summary>Its name, for the option and the table.</summary>
     public abstract string Name { get; }
 
@@ -34,6 +40,19 @@ internal abstract class SceneKind
     /// <summary>Draws and plays one scene.</summary>
     protected abstract SceneOutcome Play(LabRandom random);
 
-    /// <summary>A limit, widened by the error of the steps themselves, which may be cut elsewhere: twice that, and at most tenfold.</summary>
-    protected static double Widened(double limit, double ofSteps) => limit + Math.Min(10 * limit, double.IsNaN(ofSteps) ? 0 : 2 * ofSteps);
+    /// <summary>
+    /// Into how many parts the steps of a scene must be divided, so that their own error is a small share of the limit: what is left is the error of the contact.
+    /// </summary>
+    /// <param name="limit">The limit, m or m/s.</param>
+    /// <param name="ofSteps">The difference between a run with so many parts and one with four times as many.</param>
+    protected static int Divide(double limit, Func<int, double> ofSteps)
+    {
+        int parts = 1;
+        while (parts < MostParts && !(ofSteps(parts) <= StepShare * limit))
+        {
+            parts *= 2;
+        }
+
+        return parts;
+    }
 }

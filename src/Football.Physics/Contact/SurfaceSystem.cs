@@ -248,8 +248,12 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
-    /// <summary>Acceleration of the slip velocity, friction apart, m/s²: the push along the surface, and r n × the torques.</summary>
-    public readonly Vector3d SlipPush(in SurfaceForces on) => on.Body + on.Air + (World.Ball.Radius * Vector3d.Cross(in on.Normal, in on.Torque)) - on.SurfaceRate;
+    /// <summary>Acceleration of the slip velocity, friction apart, m/s²: the push along the surface, r n × the torques, and what the turning normal adds.</summary>
+    public readonly Vector3d SlipPush(in SurfaceForces on, in Vector3d spin) =>
+        on.Body + on.Air + (World.Ball.Radius * (Vector3d.Cross(in on.Normal, in on.Torque) + SlipTurn(in on, in spin))) - on.SurfaceRate;
+
+    /// <summary>The tangential part of ṅ × ω: the spin about the normal becomes slip if the normal turns, rad/s².</summary>
+    public static Vector3d SlipTurn(in SurfaceForces on, in Vector3d spin) => Vector3d.Dot(in spin, in on.Normal) * Vector3d.Cross(in on.Turning, in on.Normal);
 
     /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
     public readonly double AboutRate(in SurfaceForces on, in Motion at) =>

@@ -167,7 +167,7 @@ internal sealed class SurfacePhase<TIntegrator>
         {
             MotionRates rates = system.RatesUnder(in on, s.Time, in from);
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
-            Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates);
+            Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates, in from.Spin);
 
             // Near its end the direction of a slip turns ever faster: there it is done in closed form.
             if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
@@ -292,7 +292,7 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         // With the push and the friction at the start.
         double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
-        Vector3d push = system.SlipPush(in on);
+        Vector3d push = system.SlipPush(in on, in from.Spin);
         double friction = perLoad * on.Load;
 
         // In a net and on a curved surface the push changes with the place: only the very end is short enough there.
@@ -313,7 +313,7 @@ internal sealed class SurfacePhase<TIntegrator>
         // And with the means: the end is known to what they leave out.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
         run.Log.Evaluations++;
-        Vector3d endPush = system.SlipPush(in there);
+        Vector3d endPush = system.SlipPush(in there, in end.Spin);
         double endFriction = perLoad * there.Load;
         double change = (endPush - push).Length * (endPush.Length + push.Length);
         double loadChange = endFriction - friction;
@@ -402,9 +402,10 @@ internal sealed class SurfacePhase<TIntegrator>
         return new Motion(in position, in velocity, in spin);
     }
 
-    /// <summary>ṡ = v̇_t − A_t + r n × ω̇.</summary>
-    private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates) =>
-        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal) + (_around.Radius * Vector3d.Cross(on.Normal, in rates.SpinAcceleration)) - on.SurfaceRate;
+    /// <summary>ṡ = v̇_t − A_t + r (ṅ × ω)_t + r n × ω̇.</summary>
+    private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates, in Vector3d spin) =>
+        SurfaceSystem.Tangential(in rates.Acceleration, on.Normal)
+        + (_around.Radius * (Vector3d.Cross(on.Normal, in rates.SpinAcceleration) + SurfaceSystem.SlipTurn(in on, in spin))) - on.SurfaceRate;
 
     /// <summary>The longest piece that stability, nets and the turning of the normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
