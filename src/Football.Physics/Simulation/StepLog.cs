@@ -42,6 +42,15 @@ public sealed class StepLog
     /// <summary>True when a step ends early after an impact that pushes something.</summary>
     internal bool HaltsAtPush { get; set; }
 
+    /// <summary>True after an impact has pushed an object that has a mass.</summary>
+    internal bool Pushed { get; set; }
+
+    /// <summary>True if a call continues a step: its counters start at <see cref="Spent"/> instead of zero.</summary>
+    internal bool Continues { get; set; }
+
+    /// <summary>The counters of a step that is taken in several calls.</summary>
+    internal StepBudget Spent;
+
     /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
     public PieceObserver? Observer { get; set; }
 

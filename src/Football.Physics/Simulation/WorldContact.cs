@@ -87,6 +87,7 @@ internal sealed class WorldContact
         if (hit.GivesWay && run.Log.Pushes)
         {
             hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
+            run.Log.Pushed = true;
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 

@@ -1,8 +1,58 @@
+using Football.Physics.Shapes;
+
 namespace Football.Physics;
 
 /// <content>What balls push.</content>
 internal sealed partial class BallCluster
 {
+    /// <summary>The step is played so many times to find the balls that share a pushed object; after them all balls end their steps at each push.</summary>
+    private const int MostPlays = 4;
+
+    /// <summary>Forgets which balls can reach a pushed object that another ball can reach as well.</summary>
+    public void ForgetShares() => Array.Clear(_shares, 0, _shares.Length);
+
+    /// <summary>
+    /// Finds the balls that can reach an object that was pushed in this step and that another ball can reach as well: only their steps end at a push. They join the cluster.
+    /// </summary>
+    /// <param name="motions">The motions of all objects before the step.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <returns>Whether there are balls that were not known to share an object.</returns>
+    public bool FindShares(RigidMotion[] motions, double dt)
+    {
+        bool found = false;
+        _pushed.BeginPushes(motions);
+        while (_pushed.NextPush(_before[0].Time, dt, out Bounds3d box))
+        {
+            int first = -1;
+            for (int i = 0; i < _before.Length; i++)
+            {
+                if (!box.Grown(_reaches[i] + _simulators[i].Scene.Ball.Radius).Touches(new Bounds3d(_before[i].Position, _before[i].Position)))
+                {
+                    continue;
+                }
+
+                // The first one shares it as soon as there is a second one.
+                if (first < 0)
+                {
+                    first = i;
+                    continue;
+                }
+
+                found |= Share(first) | Share(i);
+            }
+        }
+
+        return found;
+    }
+
+    private bool Share(int ball)
+    {
+        bool isNew = !_shares[ball];
+        _shares[ball] = true;
+        Join(ball);
+        return isNew;
+    }
+
     /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
     /// <returns>Whether it ends the step.</returns>
     private bool Push(BallState[] states, in Happening met, double end)
@@ -21,12 +71,12 @@ internal sealed partial class BallCluster
             return true;
         }
 
-        // Who may find it elsewhere goes to that time while it is where it was, and looks again.
+        // Balls that may find it elsewhere go to that time while it is where it was, and look again.
         _pushed.ReadAfter();
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
-            if (i != met.Ball && !_piles.Has(i) && _pushed.MayBeMet(states[i].Position, _trials[i].Reach + _simulators[i].Scene.Ball.Radius, met.Time, end))
+            if (i != met.Ball && _shares[i] && !_piles.Has(i) && _pushed.MayBeMet(states[i].Position, _trials[i].Reach + _simulators[i].Scene.Ball.Radius, met.Time, end))
             {
                 Commit(states, i, Math.Max(states[i].Time, met.Time));
                 states[i].ClearUntil = 0;

@@ -11,7 +11,7 @@ internal sealed partial class BallCluster
     {
         // A try pushes what has a mass as the step would: afterwards that is put back.
         _pushed.Keep();
-        _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), _stopAt);
+        _trials[i].Run(_simulators[i], in states[i], Left(in states[i], end), _stopAt, _shares[i], in _current[i].Spent);
         _pushed.PutBack();
         Reach(states, i);
     }
@@ -106,11 +106,16 @@ internal sealed partial class BallCluster
             return state;
         }
 
-        _look.Clear();
-        _look.Pushes = false;
         if (time > state.Time)
         {
+            // As the step itself goes: an object that the ball pushes on its path moves on.
+            _look.Clear();
+            _look.Pushes = true;
+            _look.Continues = true;
+            _look.Spent = _current[i].Spent;
+            _pushed.Keep();
             _simulators[i].Advance(ref state, Left(in state, time), _look);
+            _pushed.PutBack();
         }
 
         return state;

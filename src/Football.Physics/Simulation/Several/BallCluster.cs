@@ -32,6 +32,7 @@ internal sealed partial class BallCluster
     private readonly int[] _cluster;
     private readonly bool[] _isIn;
     private readonly bool[] _again;
+    private readonly bool[] _shares;
     private readonly StepLog _look = new();
     private readonly PushedMotions _pushed;
     private readonly BallRests _rests;
@@ -77,6 +78,7 @@ internal sealed partial class BallCluster
         _cluster = new int[count];
         _isIn = new bool[count];
         _again = new bool[count];
+        _shares = new bool[count];
         _pushed = new PushedMotions(simulators[0].World);
     }
 
@@ -114,16 +116,50 @@ internal sealed partial class BallCluster
     /// <summary>Which balls lie on each other before the step.</summary>
     public BallRests Rests => _rests;
 
-    /// <summary>Plays the balls of a cluster again from before the step: always the first that happens, then all whose way that changes anew.</summary>
+    /// <summary>Plays the balls of a cluster again from before the step: always the first event, then the balls whose paths it changes.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="stopAt">The event that ends it.</param>
+    /// <param name="watched">Logs whose observers see the paths; null for the cluster's own logs.</param>
+    /// <param name="motions">The motions of all objects before the step.</param>
     /// <returns>Whether an event ended the step.</returns>
     public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
+    {
+        // First find the balls that share an object that is pushed: an observer sees one play only.
+        bool mayPush = _simulators[0].World.MayGiveWay;
+        bool ended = false;
+        for (int k = 0; watched is null || mayPush; k++)
+        {
+            _current = _logs;
+            _clears = true;
+            ended = PlayOnce(states, dt, stopAt, motions);
+            if (!mayPush || k > MostPlays || !FindShares(motions, dt))
+            {
+                break;
+            }
+
+            if (k == MostPlays)
+            {
+                _shares.AsSpan().Fill(true);
+            }
+        }
+
+        if (watched is not null)
+        {
+            _current = watched;
+            _clears = false;
+            ended = PlayOnce(states, dt, stopAt, motions);
+        }
+
+        return ended;
+    }
+
+    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, RigidMotion[] motions)
     {
         _start = _before[0].Time;
         _step = dt;
         _end = _start + dt;
         _stopAt = stopAt;
-        _current = watched ?? _logs;
-        _clears = watched is null;
         double end = _end;
 
         // By number: of what happens at one time the first that is asked for counts.
@@ -139,7 +175,6 @@ internal sealed partial class BallCluster
         int atOnce = 0;
         double last = double.NegativeInfinity;
         bool ended = false;
-        bool pushed = false;
         while (!ended)
         {
             // A ball that joins later begins at the step's start, as it was there.
@@ -178,11 +213,11 @@ internal sealed partial class BallCluster
             else
             {
                 ended = Push(states, in first, end);
-                pushed = true;
             }
         }
 
         // Nothing more happens: on to the end of the step, or up to what ended it.
+        bool pushed = false;
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -195,14 +230,21 @@ internal sealed partial class BallCluster
                 Commit(states, i, last);
             }
 
-            // What was free ahead of any ball was so before something was pushed.
-            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
+            pushed |= _current[i].Pushed;
         }
 
         for (int k = 0; k < _piles.Count; k++)
         {
             _piles[k].MoveTo(states, ended ? last : end, _current);
             _piles[k].End(states, _current);
+        }
+
+        for (int k = 0; k < _clusterCount; k++)
+        {
+            // The space ahead of any ball was searched before something was pushed.
+            int i = _cluster[k];
+            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
+            _current[i].Continues = false;
         }
 
         return ended;
@@ -247,6 +289,9 @@ internal sealed partial class BallCluster
         own.Halted = false;
         own.HaltsAtPush = false;
         own.Pushes = true;
+        own.Pushed = false;
+        own.Continues = true;
+        own.Spent = StepBudget.New;
         _meetings[i] = 0;
         _piles.Leave(i);
     }

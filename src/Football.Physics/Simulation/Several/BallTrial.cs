@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A ball's way from where it has got to within a step to the step's end, or to where it pushes something, as if there were no other ball.</summary>
+/// <summary>A ball's path from its position within a step to the step's end, or to where it pushes an object that another ball may reach, as if there were no other ball.</summary>
 internal sealed class BallTrial : PieceObserver
 {
     private PathCubic[] _paths = new PathCubic[8];
@@ -31,7 +31,9 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="start">Where it has got to.</param>
     /// <param name="duration">How long it goes on, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt)
+    /// <param name="haltsAtPush">True if it ends where the ball pushes something.</param>
+    /// <param name="spent">The counters of the step so far.</param>
+    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt, bool haltsAtPush, in StepBudget spent)
     {
         _start = start;
         _count = 0;
@@ -39,7 +41,9 @@ internal sealed class BallTrial : PieceObserver
         Log.Observer = this;
         Log.StopAt = stopAt;
         Log.Pushes = true;
-        Log.HaltsAtPush = true;
+        Log.HaltsAtPush = haltsAtPush;
+        Log.Continues = true;
+        Log.Spent = spent;
         End = start;
         Reach = 0;
         simulator.Advance(ref End, duration, Log);
