@@ -10,8 +10,8 @@ internal sealed class ContactSetParts
     /// <summary>Length of a part, s: a slip that ends within one moves the ball by less than 1e-6 m from where it would be.</summary>
     private const double Part = 0.5e-3;
 
-    /// <summary>Parts of a step at most: in long ones they are longer.</summary>
-    private const int MostParts = 40;
+    /// <summary>Parts of a step at most, all calls together: in long ones they are longer.</summary>
+    private const int MostParts = 16;
 
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;
@@ -59,8 +59,7 @@ internal sealed class ContactSetParts
         Span<Contact> last = stackalloc Contact[ContactSet.Most];
         int before = 0;
 
-        // Parts of equal length; a long step has longer ones, not more.
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
+        double part = LengthOfPart(in run, Part);
         bool taken = false;
         int named = 0;
         while (run.Left > 0 && !run.Log.Halted)
@@ -75,6 +74,7 @@ internal sealed class ContactSetParts
             // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+            run.Parts++;
 
             // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -176,11 +176,12 @@ internal sealed class ContactSetParts
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / (2.0 * Part)));
+        double part = LengthOfPart(in run, 2.0 * Part);
         bool isFree = false;
         while (run.Left > 0 && !run.Log.Halted)
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+            run.Parts++;
 
             // What the forces alone would make of it: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -239,9 +240,11 @@ internal sealed class ContactSetParts
         }
     }
 
-    /// <summary>
-    /// What acts on the ball without its contacts, for a part of a step.
-    /// </summary>
+    /// <summary>The rest of a step in parts of equal length, s. If the step has few parts left, they are longer.</summary>
+    private static double LengthOfPart(in StepRun run, double asked) =>
+        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
+
+    /// <summary>What acts on the ball without its contacts, for a part of a step.</summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
         // The drag law is locked to the branch at the start of the part: its jump is not located here.

@@ -22,6 +22,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>How often a step reports that the ball slides or rolls.</summary>
     private const int MostNames = 2;
 
+    /// <summary>Pieces of a slip that turns are not shorter than this, s: a slip that ends within one moves the ball by about 1e-11 m.</summary>
+    private const double ShortestTurn = 1e-6;
+
+    /// <summary>How often a step checks whether friction holds a ball that rolling resistance does not hold.</summary>
+    private const int MostGrips = 4;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
@@ -107,7 +113,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
-        if (Rests(ref s, in system, in from))
+        if (Rests(ref s, in system, in from, ref run))
         {
             _contact.Rest(ref s, ref run);
             return true;
@@ -120,7 +126,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>True when a ball of no more energy than one at rest is held by contacts that stand still, or move along together.</summary>
-    private bool Rests(ref BallState s, in ContactSystem system, in Motion from)
+    private bool Rests(ref BallState s, in ContactSystem system, in Motion from, ref StepRun run)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
         Collider carrier = _world.Colliders[bearer.Collider];
@@ -138,7 +144,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             }
         }
 
-        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, new Motion(s.Position, carrier.Velocity, Vector3d.Zero)));
+        var still = new Motion(s.Position, carrier.Velocity, Vector3d.Zero);
+        int evaluations = 1;
+        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, in still))
+            || (run.Grips++ < MostGrips && ContactModes.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
+        run.Log.Evaluations += evaluations;
         s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
         return holds;
     }
@@ -308,7 +318,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
                 Vector3d rate = contact.SlipRate(in system.Acceleration, in system.SpinAcceleration, from.Spin, _around.Radius);
-                h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
+                double shortest = Math.Min(h, ShortestTurn * TurnLimit.Coarseness(step));
+                h = Math.Max(shortest, TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed));
             }
         }
 

@@ -66,6 +66,9 @@ internal ref struct StepRun
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
+    /// <summary>The number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
+    public int Grips;
+
     /// <summary>How often the step has reported that the ball on several surfaces slides or rolls.</summary>
     public int Named;
 
