@@ -90,8 +90,8 @@ internal sealed class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room.
-            if (!solved || _contact.IsTooFast(ref s, set, in v))
+            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room. Only moving objects squeeze.
+            if (ContactSet.HasMover(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
@@ -116,7 +116,12 @@ internal sealed class ContactSetParts
                 MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
                 w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
-                ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+                double most = v.Length;
+                if (!ContactSolver.Solve(set, _world.Ball, h, ref v, ref w))
+                {
+                    Settle(set, h, most, ref v);
+                }
+
                 run.Log.Evaluations++;
             }
 
@@ -433,6 +438,18 @@ internal sealed class ContactSetParts
         }
     }
 
+    /// <summary>A velocity for which no impulses were found: along all contacts, and no faster than before them.</summary>
+    /// <param name="set">The contacts.</param>
+    /// <param name="h">The time, s.</param>
+    /// <param name="most">The speed without contacts, m/s.</param>
+    /// <param name="v">The velocity, m/s.</param>
+    public static void Settle(Span<Contact> set, double h, double most, ref Vector3d v)
+    {
+        double speed = v.Length;
+        v = speed > most ? most / speed * v : v;
+        KeepOff(set, h, movers: true, ref v);
+    }
+
     /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
     private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
     {
@@ -443,7 +460,7 @@ internal sealed class ContactSetParts
             foreach (ref readonly Contact contact in set)
             {
                 // (v − V)·n + gap/h < 0 would overlap within the part: projected out, contact by contact, until none does.
-                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (Math.Max(0, contact.Gap) / h);
+                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
                 if ((movers || !contact.Moves) && closing < 0)
                 {
                     v -= closing * contact.Normal;

@@ -13,17 +13,17 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Changes of the set in a step, while several contacts bear; after them the rest of it is taken in parts.</summary>
     private const int MostChanges = 8;
 
+    /// <summary>Pieces in a step in which several contacts bear; after them the rest of it is taken in parts: a slip that turns would need ever more of them.</summary>
+    private const int MostPieces = 160;
+
     /// <summary>A slip of less than this, m/s, has ended.</summary>
-    private const double Sticking = 1e-7;
+    private const double Sticking = 1e-6;
 
     /// <summary>A normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
     /// <summary>How often a step reports that the ball slides or rolls.</summary>
     private const int MostNames = 2;
-
-    /// <summary>Pieces of a slip that turns are not shorter than this, s: a slip that ends within one moves the ball by about 1e-11 m.</summary>
-    private const double ShortestTurn = 1e-6;
 
     /// <summary>How often a step checks whether friction holds a ball that rolling resistance does not hold.</summary>
     private const int MostGrips = 4;
@@ -62,7 +62,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
-        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges)
+        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
         {
             return _parts.Take(ref s, ref run);
         }
@@ -263,6 +263,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
+        run.SetPieces++;
         run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
 
         // Move, and put the ball back onto what bears it: curved surfaces drift.
@@ -318,8 +319,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             if (contact.Bears && !contact.Sticks && contact.Sliding > 0 && size > 0)
             {
                 Vector3d rate = contact.SlipRate(in system.Acceleration, in system.SpinAcceleration, from.Spin, _around.Radius);
-                double shortest = Math.Min(h, ShortestTurn * TurnLimit.Coarseness(step));
-                h = Math.Max(shortest, TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed));
+                h = TurnLimit.Shorten(h, step, contact.Direction, size, in rate, contact.IsFixed);
             }
         }
 

@@ -27,6 +27,9 @@ internal struct StepBudget
     /// <summary>The number of times that the contacts, or their modes, have changed while several of them bear the ball.</summary>
     public int SetChanges;
 
+    /// <summary>Pieces so far in which several contacts bear the ball.</summary>
+    public int SetPieces;
+
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 

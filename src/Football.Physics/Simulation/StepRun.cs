@@ -63,6 +63,9 @@ internal ref struct StepRun
     /// <summary>How often the contacts that bear the ball, or their modes, have changed while several did.</summary>
     public int SetChanges;
 
+    /// <summary>Pieces so far in which several contacts bear the ball.</summary>
+    public int SetPieces;
+
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
@@ -135,6 +138,7 @@ internal ref struct StepRun
                 Impacts = Impacts,
                 Untold = Untold,
                 SetChanges = SetChanges,
+                SetPieces = SetPieces,
                 Parts = Parts,
                 Named = Named,
                 Slips = Slips,
@@ -235,6 +239,7 @@ internal ref struct StepRun
         Impacts = spent.Impacts;
         Untold = spent.Untold;
         SetChanges = spent.SetChanges;
+        SetPieces = spent.SetPieces;
         Parts = spent.Parts;
         Named = spent.Named;
         Slips = spent.Slips;
