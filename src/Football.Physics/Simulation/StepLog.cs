@@ -77,6 +77,40 @@ public sealed class StepLog
         Halted |= observer.Add(in before, in after, in piece);
     }
 
+    /// <summary>Begins a step of a ball of a group, which is taken in several calls.</summary>
+    /// <param name="ball">The ball's number.</param>
+    /// <param name="clears">Whether the log is emptied.</param>
+    internal void Begin(int ball, bool clears)
+    {
+        if (clears)
+        {
+            Clear();
+        }
+
+        Events.Ball = ball;
+        StopAt = StopAt.Time;
+        Halted = false;
+        HaltsAtPush = false;
+        Pushes = true;
+        Pushed = false;
+        Continues = true;
+        Spent = StepBudget.New;
+    }
+
+    /// <summary>Adds the events and counts of another log.</summary>
+    internal void Add(StepLog other)
+    {
+        for (int i = 0; i < other.Events.Count; i++)
+        {
+            Events.Add(in other.Events[i]);
+        }
+
+        Steps += other.Steps;
+        Evaluations += other.Evaluations;
+        Stalled += other.Stalled;
+        Untold += other.Untold;
+    }
+
     /// <summary>Mark of its contents now, to come back to.</summary>
     internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold);
 

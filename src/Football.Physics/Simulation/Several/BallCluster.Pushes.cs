@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics;
 
 /// <content>What balls push.</content>
@@ -9,48 +7,21 @@ internal sealed partial class BallCluster
     private const int MostPlays = 4;
 
     /// <summary>Forgets which balls can reach a pushed object that another ball can reach as well.</summary>
-    public void ForgetShares() => Array.Clear(_shares, 0, _shares.Length);
+    public void ForgetShares() => _shares.Clear();
 
-    /// <summary>
-    /// Finds the balls that can reach an object that was pushed in this step and that another ball can reach as well: only their steps end at a push. They join the cluster.
-    /// </summary>
-    /// <param name="motions">The motions of all objects before the step.</param>
-    /// <param name="dt">Length of the step, s.</param>
-    /// <returns>Whether there are balls that were not known to share an object.</returns>
+    /// <inheritdoc cref="PushShares.Find"/>
     public bool FindShares(RigidMotion[] motions, double dt)
     {
-        bool found = false;
-        _pushed.BeginPushes(motions);
-        while (_pushed.NextPush(_before[0].Time, dt, out Bounds3d box))
+        bool found = _shares.Find(motions, dt);
+        for (int i = 0; found && i < _isIn.Length; i++)
         {
-            int first = -1;
-            for (int i = 0; i < _before.Length; i++)
+            if (_shares[i])
             {
-                if (!box.Grown(_reaches[i] + _simulators[i].Scene.Ball.Radius).Touches(new Bounds3d(_before[i].Position, _before[i].Position)))
-                {
-                    continue;
-                }
-
-                // The first one shares it as soon as there is a second one.
-                if (first < 0)
-                {
-                    first = i;
-                    continue;
-                }
-
-                found |= Share(first) | Share(i);
+                Join(i);
             }
         }
 
         return found;
-    }
-
-    private bool Share(int ball)
-    {
-        bool isNew = !_shares[ball];
-        _shares[ball] = true;
-        Join(ball);
-        return isNew;
     }
 
     /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
@@ -62,7 +33,7 @@ internal sealed partial class BallCluster
         StepLog own = _current[met.Ball];
         own.HaltsAtPush = true;
         own.StopAt = _stopAt;
-        _simulators[met.Ball].Advance(ref states[met.Ball], Left(in states[met.Ball], end), own);
+        _simulators[met.Ball].Advance(ref states[met.Ball], _span.Left(in states[met.Ball], end), own);
         own.HaltsAtPush = false;
         own.StopAt = StopAt.Time;
         own.Halted = false;

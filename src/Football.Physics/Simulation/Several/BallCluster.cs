@@ -12,11 +12,6 @@ internal sealed partial class BallCluster
     /// <summary>So often balls push something, or meet another, in a step, for each of them; the rest of it is played as if there were no other ball.</summary>
     private const int MostImpacts = 256;
 
-    /// <summary>The time of a meeting is looked for so near where the paths tell it, s.</summary>
-    private const double Nearby = 1e-3;
-
-    private const int MostNewton = 12;
-
     /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
     private const double MoreReach = 1.25;
 
@@ -32,8 +27,8 @@ internal sealed partial class BallCluster
     private readonly int[] _cluster;
     private readonly bool[] _isIn;
     private readonly bool[] _again;
-    private readonly bool[] _shares;
-    private readonly StepLog _look = new();
+    private readonly PushShares _shares;
+    private readonly BallTouch _touch;
     private readonly PushedMotions _pushed;
     private readonly BallRests _rests;
     private readonly BallMeetings _meets;
@@ -42,9 +37,7 @@ internal sealed partial class BallCluster
     private int _clusterCount;
     private int _begun;
     private StepLog[] _current;
-    private double _start;
-    private double _step;
-    private double _end;
+    private StepSpan _span;
     private StopAt _stopAt;
     private bool _clears;
 
@@ -78,8 +71,9 @@ internal sealed partial class BallCluster
         _cluster = new int[count];
         _isIn = new bool[count];
         _again = new bool[count];
-        _shares = new bool[count];
         _pushed = new PushedMotions(simulators[0].World);
+        _shares = new PushShares(_pushed, simulators, before, reaches);
+        _touch = new BallTouch(simulators, _trials, _piles, _pushed);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -130,9 +124,7 @@ internal sealed partial class BallCluster
         bool ended = false;
         for (int k = 0; watched is null || mayPush; k++)
         {
-            _current = _logs;
-            _clears = true;
-            ended = PlayOnce(states, dt, stopAt, motions);
+            ended = PlayOnce(states, dt, stopAt, null, motions);
             if (!mayPush || k > MostPlays || !FindShares(motions, dt))
             {
                 break;
@@ -140,27 +132,20 @@ internal sealed partial class BallCluster
 
             if (k == MostPlays)
             {
-                _shares.AsSpan().Fill(true);
+                _shares.Fill();
             }
         }
 
-        if (watched is not null)
-        {
-            _current = watched;
-            _clears = false;
-            ended = PlayOnce(states, dt, stopAt, motions);
-        }
-
-        return ended;
+        return watched is null ? ended : PlayOnce(states, dt, stopAt, watched, motions);
     }
 
-    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, RigidMotion[] motions)
+    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
     {
-        _start = _before[0].Time;
-        _step = dt;
-        _end = _start + dt;
+        _current = watched ?? _logs;
+        _clears = watched is null;
+        _span = new StepSpan(_before[0].Time, dt);
         _stopAt = stopAt;
-        double end = _end;
+        double end = _span.End;
 
         // By number: of what happens at one time the first that is asked for counts.
         Array.Sort(_cluster, 0, _clusterCount);
@@ -221,13 +206,9 @@ internal sealed partial class BallCluster
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
-            if (!_piles.Has(i) && !ended)
+            if (!_piles.Has(i) && (!ended || states[i].Time < last))
             {
-                Commit(states, i, end);
-            }
-            else if (!_piles.Has(i) && states[i].Time < last)
-            {
-                Commit(states, i, last);
+                Commit(states, i, ended ? last : end);
             }
 
             pushed |= _current[i].Pushed;
@@ -264,12 +245,16 @@ internal sealed partial class BallCluster
             int i = _cluster[k];
             if (!_piles.Has(i) && _rests.IsInPile(i))
             {
-                BallPile pile = _piles.Begin(_start, _step);
-                TakeAllOf(_rests.RootOf(i), states, pile, _start);
+                BallPile pile = _piles.Begin(_span.Start, _span.Length);
+                TakeAllOf(_rests.RootOf(i), states, pile, _span.Start);
+            }
+            else if (!_piles.Has(i) && _trials[i].IsWhole && _stopAt == StopAt.Time)
+            {
+                Reach(states, i);
             }
             else if (!_piles.Has(i))
             {
-                Try(states, i, _end);
+                Try(states, i, _span.End);
             }
         }
     }
@@ -278,20 +263,7 @@ internal sealed partial class BallCluster
     private void Begin(BallState[] states, int i)
     {
         states[i] = _before[i];
-        StepLog own = _current[i];
-        if (_clears)
-        {
-            own.Clear();
-        }
-
-        own.Events.Ball = i;
-        own.StopAt = StopAt.Time;
-        own.Halted = false;
-        own.HaltsAtPush = false;
-        own.Pushes = true;
-        own.Pushed = false;
-        own.Continues = true;
-        own.Spent = StepBudget.New;
+        _current[i].Begin(i, _clears);
         _meetings[i] = 0;
         _piles.Leave(i);
     }
@@ -307,8 +279,15 @@ internal sealed partial class BallCluster
         }
 
         ref BallState s = ref states[i];
-        double left = Left(in s, time);
+        double left = _span.Left(in s, time);
         StepLog own = _current[i];
+
+        // Where the ball goes has been computed: as far as it is known to go by itself, or to where it touches another.
+        if (_touch.TryTake(i, ref s, time, own) || (time == _span.End && _trials[i].TryTake(ref s, time, own)))
+        {
+            return;
+        }
+
         if (left > 0)
         {
             _simulators[i].Advance(ref s, left, own);
@@ -318,7 +297,7 @@ internal sealed partial class BallCluster
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;
-            _simulators[i].Advance(ref s, Left(in s, time), own);
+            _simulators[i].Advance(ref s, _span.Left(in s, time), own);
         }
 
         s.Time = time;
@@ -330,9 +309,10 @@ internal sealed partial class BallCluster
     {
         int i = met.Ball;
         int j = met.Other;
-        double time = Locate(states, in met);
+        double time = _touch.Locate(states, in met, in _span, _current);
         Commit(states, i, time);
         Commit(states, j, time);
+        _touch.Forget();
         BallProperties ball = _simulators[i].Scene.Ball;
         BallProperties other = _simulators[j].Scene.Ball;
         BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
@@ -363,7 +343,7 @@ internal sealed partial class BallCluster
     {
         if (!_piles.Has(i) && _rests.IsHeld(i))
         {
-            BallPile pile = _piles.Begin(states[i].Time, _step);
+            BallPile pile = _piles.Begin(states[i].Time, _span.Length);
             TakeAllOf(_rests.RootOf(i), states, pile, pile.Time);
         }
 
@@ -375,6 +355,6 @@ internal sealed partial class BallCluster
         }
 
         _simulators[i].Struck(ref states[i], in after.Velocity, in after.Spin, in n, _current[i]);
-        Try(states, i, _end);
+        Try(states, i, _span.End);
     }
 }

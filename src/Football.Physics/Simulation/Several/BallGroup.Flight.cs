@@ -51,6 +51,8 @@ public sealed partial class BallGroup
             int first = log.Events.Count;
             _firstEvent[i] = first;
             _pushes[i] = false;
+            BallTrial trial = _cluster.TrialOf(i);
+            trial.IsWhole = false;
             log.Events.Ball = i;
             if (_cluster.Rests.IsInPile(i))
             {
@@ -68,7 +70,13 @@ public sealed partial class BallGroup
             }
 
             log.Pushed = false;
-            _simulators[i].Advance(ref s, dt, log);
+
+            // A ball that met others in the last step may do so again: then its path is needed.
+            if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
+            {
+                _simulators[i].Advance(ref s, dt, log);
+            }
+
             again |= log.Halted;
             log.Halted = false;
             _pushes[i] = log.Pushed;

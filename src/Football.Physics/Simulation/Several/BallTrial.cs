@@ -7,6 +7,7 @@ internal sealed class BallTrial : PieceObserver
     private double[] _times = new double[8];
     private int _count;
     private BallState _start;
+    private bool _isStep;
 
     /// <summary>Events and counts of the trial.</summary>
     public StepLog Log { get; } = new();
@@ -36,8 +37,11 @@ internal sealed class BallTrial : PieceObserver
     public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt, bool haltsAtPush, in StepBudget spent)
     {
         _start = start;
+        _isStep = stopAt == StopAt.Time;
+        IsWhole = false;
         _count = 0;
         Log.Clear();
+        Log.Pushed = false;
         Log.Observer = this;
         Log.StopAt = stopAt;
         Log.Pushes = true;
@@ -53,6 +57,28 @@ internal sealed class BallTrial : PieceObserver
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
+
+    /// <summary>Moves a ball to the end of the path, if it is still where the path starts and the path pushes nothing.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="time">The end of the step, s.</param>
+    /// <param name="own">Where its events and counts go.</param>
+    public bool TryTake(ref BallState s, double time, StepLog own) => _isStep && BallLook.TryTake(ref s, in _start, in End, time, Log, own);
+
+    /// <summary>Takes a whole step of a ball that met others in the last step: if it meets one again, its path is known.</summary>
+    /// <param name="simulator">The ball's scene, in which nothing can be pushed.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="own">Where its events and counts go.</param>
+    /// <returns>False if the path could not be kept; then the ball has not moved.</returns>
+    public bool TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
+    {
+        Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
+        IsWhole = TryTake(ref s, s.Time + dt, own);
+        return IsWhole;
+    }
+
+    /// <summary>True if the path is that of a whole step.</summary>
+    public bool IsWhole { get; set; }
 
     /// <summary>Takes a way straight on, as a pile finds it.</summary>
     /// <param name="start">Where it begins.</param>
@@ -70,6 +96,8 @@ internal sealed class BallTrial : PieceObserver
     public void Go(in BallState start, in PathCubic path)
     {
         _start = start;
+        _isStep = false;
+        IsWhole = false;
         _paths[0] = path;
         _times[0] = start.Time;
         _count = 1;
