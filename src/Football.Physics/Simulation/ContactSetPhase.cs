@@ -17,7 +17,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private const int MostPieces = 160;
 
     /// <summary>A slip of less than this, m/s, has ended.</summary>
-    private const double Sticking = 1e-6;
+    private const double Sticking = 1e-7;
+
+    /// <summary>A step with many pieces follows a slip that turns no further than to this, m/s.</summary>
+    private const double StickingOfMany = 1e-6;
+    private const int ManyPieces = 24;
 
     /// <summary>A normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
@@ -86,7 +90,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             Branch = _jump.OnSurface(s.Branch, in from),
         };
         int evaluations = 0;
-        bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
+        double sticking = run.SetPieces < ManyPieces ? Sticking : StickingOfMany;
+        bool found = ContactModes.Find(ref system, s.Time, in from, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
         {

@@ -17,6 +17,7 @@ public sealed partial class BallGroup
     private const double Fall = 10;
 
     private readonly Simulator[] _simulators;
+    private readonly Simulator? _alone; // null if there are several balls, or code of the game may throw within a step
     private readonly bool _mayThrow;
     private readonly bool[] _pushes;
     private readonly BallNeighbours _neighbours;
@@ -62,6 +63,7 @@ public sealed partial class BallGroup
         World world = simulators[0].World;
         Scene scene = simulators[0].Scene;
         _mayThrow = scene.Forces.Custom.Count > 0 || scene.Air.WindField is not null || world.Engine is not null;
+        _alone = count == 1 && !_mayThrow ? simulators[0] : null;
         _pushes = new bool[count];
         _neighbours = new BallNeighbours([.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
         _before = new BallState[count];
@@ -74,7 +76,7 @@ public sealed partial class BallGroup
             _logs[i] = new StepLog();
         }
 
-        _motionsBefore = new RigidMotion[world.Movers];
+        _motionsBefore = new RigidMotion[world.GivesWay ? world.Movers : 0];
         _cluster = new BallCluster(simulators, new ContactMaterial(Contact), Contact.ImpactFriction, _before, _reaches, _logs);
     }
 
@@ -91,7 +93,18 @@ public sealed partial class BallGroup
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
-    public void Step(BallState[] states, double dt, StepLog log) => Step(states, dt, log, StopAt.Time, null);
+    public void Step(BallState[] states, double dt, StepLog log)
+    {
+        // One ball takes its own step, without bookkeeping.
+        if (_alone is not null && states is { Length: 1 } && log is { Observer: null })
+        {
+            BallState.Launched(in states[0]);
+            _alone.Step(ref states[0], dt, log);
+            return;
+        }
+
+        Step(states, dt, log, StopAt.Time, null);
+    }
 
     /// <summary>Advances all balls in equal steps until an event or a time.</summary>
     /// <param name="states">The balls, as many as the group has, all of one time. After an early end they are as they were just after the event.</param>
@@ -197,7 +210,7 @@ public sealed partial class BallGroup
         }
 
         // To go back to, where balls may meet or a force throws.
-        world.ReadMotions(_motionsBefore);
+        ReadMotions();
         bool ended;
         Array.Copy(states, _before, Count);
         try
@@ -263,6 +276,15 @@ public sealed partial class BallGroup
         return all;
     }
 
+    /// <summary>Remembers the motions of all objects that the balls may push.</summary>
+    private void ReadMotions()
+    {
+        if (_motionsBefore.Length > 0)
+        {
+            _simulators[0].World.ReadMotions(_motionsBefore);
+        }
+    }
+
     /// <summary>Puts all objects that the balls have pushed back to their motions before the step.</summary>
     private void PutPushesBack()
     {
@@ -279,7 +301,7 @@ public sealed partial class BallGroup
     {
         _before[0] = state;
         World world = _simulators[0].World;
-        world.ReadMotions(_motionsBefore);
+        ReadMotions();
         world.Engine?.KeepPushes();
         try
         {

@@ -4,19 +4,19 @@ namespace Football.Physics;
 /// <param name="world">All that can be met.</param>
 internal sealed class PushedMotions(World world)
 {
-    private readonly RigidMotion[] _before = new RigidMotion[world.Movers];
-    private readonly RigidMotion[] _after = new RigidMotion[world.Movers];
-    private readonly RigidMotion[] _kept = new RigidMotion[world.Movers];
+    private readonly RigidMotion[] _before = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly RigidMotion[] _after = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly RigidMotion[] _kept = new RigidMotion[world.GivesWay ? world.Movers : 0];
     private RigidMotion[] _first = [];
     private int _next;
 
     /// <summary>Remembers how all moves before a push.</summary>
-    public void ReadBefore() => world.ReadMotions(_before);
+    public void ReadBefore() => Read(_before);
 
     /// <summary>Remembers how all moves after it, and puts it back to how it moved before.</summary>
     public void ReadAfter()
     {
-        world.ReadMotions(_after);
+        Read(_after);
         Restore(_before);
     }
 
@@ -26,7 +26,7 @@ internal sealed class PushedMotions(World world)
     /// <summary>Remembers how all moves before one only looks.</summary>
     public void Keep()
     {
-        world.ReadMotions(_kept);
+        Read(_kept);
         world.Engine?.KeepPushes();
     }
 
@@ -74,7 +74,7 @@ internal sealed class PushedMotions(World world)
     {
         _first = motions;
         _next = 0;
-        world.ReadMotions(_after);
+        Read(_after);
     }
 
     /// <summary>The next object that was pushed.</summary>
@@ -100,5 +100,13 @@ internal sealed class PushedMotions(World world)
         int engine = _next++ - _after.Length;
         box = default;
         return world.Engine is { } colliders && colliders.Pushes.Has(engine, time, dt, out box);
+    }
+
+    private void Read(RigidMotion[] into)
+    {
+        if (into.Length > 0)
+        {
+            world.ReadMotions(into);
+        }
     }
 }
