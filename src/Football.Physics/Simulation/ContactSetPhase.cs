@@ -140,8 +140,10 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
+        bool sticks = true;
         for (int i = 0; i < system.Count; i++)
         {
+            sticks &= !system.Contacts[i].Bears || system.Contacts[i].Sticks;
             Collider collider = _world.Colliders[system.Contacts[i].Collider];
             if (collider.Velocity != carrier.Velocity || collider.Spin != Vector3d.Zero)
             {
@@ -152,7 +154,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         var still = new Motion(s.Position, carrier.Velocity, Vector3d.Zero);
         int evaluations = 1;
         bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, in still))
-            || (run.Grips++ < MostGrips && ContactModes.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
+            || (sticks && run.Grips++ < MostGrips && ContactModes.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
         run.Log.Evaluations += evaluations;
         s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
         return holds;
