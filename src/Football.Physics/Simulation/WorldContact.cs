@@ -86,6 +86,7 @@ internal sealed class WorldContact
         // What has a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
         {
+            run.Log.Motions?.Read();
             hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
             run.Log.Pushed = true;
             run.Log.Halted |= run.Log.HaltsAtPush;

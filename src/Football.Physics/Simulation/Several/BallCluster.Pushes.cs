@@ -10,7 +10,7 @@ internal sealed partial class BallCluster
     public void ForgetShares() => _shares.Clear();
 
     /// <inheritdoc cref="PushShares.Find"/>
-    public bool FindShares(RigidMotion[] motions, double dt)
+    public bool FindShares(MotionsBefore motions, double dt)
     {
         bool found = _shares.Find(motions, dt);
         for (int i = 0; found && i < _isIn.Length; i++)

@@ -117,7 +117,7 @@ internal sealed partial class BallCluster
     /// <param name="watched">Logs whose observers see the paths; null for the cluster's own logs.</param>
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <returns>Whether an event ended the step.</returns>
-    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
+    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
         // First find the balls that share an object that is pushed: an observer sees one play only.
         bool mayPush = _simulators[0].World.MayGiveWay;
@@ -139,7 +139,7 @@ internal sealed partial class BallCluster
         return watched is null ? ended : PlayOnce(states, dt, stopAt, watched, motions);
     }
 
-    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
+    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
         _current = watched ?? _logs;
         _clears = watched is null;
@@ -154,8 +154,8 @@ internal sealed partial class BallCluster
         _meets.Forget();
 
         // What they pushed in the first try goes back with them.
-        _pushed.Restore(motions);
-        _simulators[0].World.Engine?.PutPushesBack();
+        motions.Read();
+        motions.PutBack();
         int impacts = 0;
         int atOnce = 0;
         double last = double.NegativeInfinity;

@@ -121,9 +121,10 @@ public sealed partial class BallGroup
             }
 
             // Its step once more, with its path watched.
+            _motions.Read();
             if (again)
             {
-                PutPushesBack();
+                _motions.PutBack();
             }
 
             _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
@@ -160,7 +161,7 @@ public sealed partial class BallGroup
         _cluster.ForgetShares();
         if (pushes && !all)
         {
-            _cluster.FindShares(_motionsBefore, dt);
+            _cluster.FindShares(_motions, dt);
         }
 
         if (!all)

@@ -28,7 +28,7 @@ public sealed partial class BallGroup
     private readonly StepLog _flown;
     private readonly int[] _firstEvent;
     private BallEvent[] _told = new BallEvent[16];
-    private readonly RigidMotion[] _motionsBefore;
+    private readonly MotionsBefore _motions;
     private readonly BallCluster _cluster;
 
     /// <summary>A group of equal balls in one scene.</summary>
@@ -76,7 +76,8 @@ public sealed partial class BallGroup
             _logs[i] = new StepLog();
         }
 
-        _motionsBefore = new RigidMotion[world.GivesWay ? world.Movers : 0];
+        _motions = new MotionsBefore(world);
+        _flown.Motions = _motions;
         _cluster = new BallCluster(simulators, new ContactMaterial(Contact), Contact.ImpactFriction, _before, _reaches, _logs);
     }
 
@@ -210,14 +211,13 @@ public sealed partial class BallGroup
         }
 
         // To go back to, where balls may meet or a force throws.
-        ReadMotions();
+        _motions.Begin();
         bool ended;
         Array.Copy(states, _before, Count);
         try
         {
             // 0. What lies on each other. 1. Every other ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
             FindPiles(dt);
-            world.Engine?.KeepPushes();
             bool pushes = Fly(states, dt, stopAt, out bool holds, out bool again);
             if (!holds)
             {
@@ -225,12 +225,12 @@ public sealed partial class BallGroup
             }
 
             FindCluster(all: again || stopAt == StopAt.Impact || watched is not null, pushes, dt);
-            ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motionsBefore);
+            ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motions);
         }
         catch
         {
             Array.Copy(_before, states, Count);
-            PutPushesBack();
+            _motions.PutBack();
             throw;
         }
 
@@ -276,33 +276,12 @@ public sealed partial class BallGroup
         return all;
     }
 
-    /// <summary>Remembers the motions of all objects that the balls may push.</summary>
-    private void ReadMotions()
-    {
-        if (_motionsBefore.Length > 0)
-        {
-            _simulators[0].World.ReadMotions(_motionsBefore);
-        }
-    }
-
-    /// <summary>Puts all objects that the balls have pushed back to their motions before the step.</summary>
-    private void PutPushesBack()
-    {
-        World world = _simulators[0].World;
-        world.Engine?.PutPushesBack();
-        if (_motionsBefore.Length > 0)
-        {
-            world.WriteMotions(_motionsBefore);
-        }
-    }
-
     /// <summary>The step of one ball that calls code of the game: if that throws, nothing has changed.</summary>
     private bool TryAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
     {
         _before[0] = state;
-        World world = _simulators[0].World;
-        ReadMotions();
-        world.Engine?.KeepPushes();
+        _motions.Begin();
+        _motions.Read();
         try
         {
             return StepAlone(ref state, dt, log, stopAt);
@@ -310,7 +289,7 @@ public sealed partial class BallGroup
         catch
         {
             state = _before[0];
-            PutPushesBack();
+            _motions.PutBack();
             throw;
         }
     }

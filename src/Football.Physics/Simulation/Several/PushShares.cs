@@ -24,7 +24,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <returns>Whether there are balls that were not known to share an object.</returns>
-    public bool Find(RigidMotion[] motions, double dt)
+    public bool Find(MotionsBefore motions, double dt)
     {
         bool found = false;
         pushed.BeginPushes(motions);

@@ -70,9 +70,9 @@ internal sealed class PushedMotions(World world)
 
     /// <summary>Begins to list the objects that were pushed in a step that has been taken.</summary>
     /// <param name="motions">The motions of all objects before the step.</param>
-    public void BeginPushes(RigidMotion[] motions)
+    public void BeginPushes(MotionsBefore motions)
     {
-        _first = motions;
+        _first = motions.All;
         _next = 0;
         Read(_after);
     }
