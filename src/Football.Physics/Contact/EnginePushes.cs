@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Football.Physics.Shapes;
 
 namespace Football.Physics;
 

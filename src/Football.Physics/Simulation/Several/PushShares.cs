@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics;
 
 /// <summary>The balls that can reach an object that is pushed in a step and that another ball can reach as well: only their steps end at a push.</summary>
