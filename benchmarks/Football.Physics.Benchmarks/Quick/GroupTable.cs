@@ -1,4 +1,3 @@
-using Football.Physics.Shapes;
 using Football.Physics.Yardsticks;
 
 namespace Football.Physics.Benchmarks;
