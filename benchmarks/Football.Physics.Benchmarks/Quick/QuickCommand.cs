@@ -8,7 +8,7 @@ namespace Football.Physics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | heap: | prediction:] [--markdown FILE]";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | prediction:] [--markdown FILE]";
 
     public static int Run(string[] arguments)
     {
@@ -64,8 +64,9 @@ internal static class QuickCommand
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
         IReadOnlyList<WorldRow> world = [.. WorldTable.Rows.Where(row => Wanted("World: " + row.Name, only))];
         IReadOnlyList<ContactRow> contacts = [.. ContactTable.Rows.Where(row => Wanted("Contact: " + row.Name, only))];
+        IReadOnlyList<GroupRow> groups = [.. GroupTable.Rows.Where(row => Wanted("Group: " + row.Name, only))];
         IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> heaps = [.. HeapTable.Rows.Where(row => Wanted("Heap: " + row.Name, only))];
-        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count);
+        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count + groups.Count);
         if (kicks.Count > 0)
         {
             KickTable.Print(line => Print(text, line), kicks, share);
@@ -89,6 +90,11 @@ internal static class QuickCommand
         if (contacts.Count > 0)
         {
             ContactTable.Print(line => Print(text, line), contacts, share);
+        }
+
+        if (groups.Count > 0)
+        {
+            GroupTable.Print(line => Print(text, line), groups, share);
         }
 
         if (heaps.Count > 0)

@@ -359,6 +359,29 @@ internal static unsafe class ContactModes
         return true;
     }
 
+    /// <summary>
+    /// True if friction holds a ball at rest that rolling resistance alone cannot hold: with the velocities of ball and surfaces equal, the modes at that instant leave it
+    /// there (contacts.md, Rest).
+    /// </summary>
+    /// <param name="system">The contacts; their modes do not change.</param>
+    /// <param name="time">When, s.</param>
+    /// <param name="still">The ball at the velocity of its carrier, without spin.</param>
+    /// <param name="carrier">The collider that carries it.</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    public static bool Grip(in ContactSystem system, double time, in Motion still, int carrier, ref int evaluations)
+    {
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        for (int i = 0; i < system.Count; i++)
+        {
+            contacts[i] = system.Contacts[i];
+        }
+
+        ContactSystem at = system;
+        at.Contacts = contacts;
+        return Find(ref at, time, in still, SurfaceForces.Least, carrier, ref evaluations)
+            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= SurfaceForces.Least;
+    }
+
     private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
         left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + SurfaceForces.Least;
 

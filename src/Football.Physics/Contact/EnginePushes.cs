@@ -71,6 +71,26 @@ internal sealed class EnginePushes
         }
     }
 
+    /// <summary>One of the colliders that are pushed.</summary>
+    /// <param name="index">Its number among them, from 0.</param>
+    /// <param name="time">The start of a step, s.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="box">A box around all its positions in that step, pushed and not pushed.</param>
+    /// <returns>False after the last one.</returns>
+    public bool Has(int index, double time, double dt, out Bounds3d box)
+    {
+        box = default;
+        if (index >= _pushed.Count)
+        {
+            return false;
+        }
+
+        EngineCollider collider = _pushed[index];
+        Bounds3d at = collider.Placement.BoundsAt(time);
+        box = at.With(at.Moved(dt * collider.Placement.Motion.Velocity)).Grown(2.0 * dt * collider.PushSoFar.Pushed.Length);
+        return true;
+    }
+
     /// <summary>Takes all pushes back.</summary>
     public void Forget()
     {

@@ -12,8 +12,8 @@ internal sealed class ContactSetParts
     /// <summary>Length of a part, s: a slip that ends within one moves the ball by less than 1e-6 m from where it would be.</summary>
     private const double Part = 0.5e-3;
 
-    /// <summary>Parts of a step at most: in long ones they are longer.</summary>
-    private const int MostParts = 40;
+    /// <summary>Parts of a step at most, all calls together: in long ones they are longer.</summary>
+    private const int MostParts = 16;
 
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;
@@ -62,8 +62,7 @@ internal sealed class ContactSetParts
         Span<Contact> last = stackalloc Contact[ContactSet.Most];
         int before = 0;
 
-        // Parts of equal length; a long step has longer ones, not more.
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / Part));
+        double part = LengthOfPart(in run, Part);
         bool taken = false;
         int named = 0;
         while (run.Left > 0 && !run.Log.Halted)
@@ -78,6 +77,7 @@ internal sealed class ContactSetParts
             // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+            run.Parts++;
 
             // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -93,8 +93,8 @@ internal sealed class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room.
-            if (!solved || _contact.IsTooFast(ref s, set, in v))
+            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room. Only moving objects squeeze.
+            if (ContactSet.HasMover(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
@@ -119,7 +119,12 @@ internal sealed class ContactSetParts
                 MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
                 w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
-                ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+                double most = v.Length;
+                if (!ContactSolver.Solve(set, _world.Ball, h, ref v, ref w))
+                {
+                    Settle(set, h, most, ref v);
+                }
+
                 run.Log.Evaluations++;
             }
 
@@ -180,11 +185,12 @@ internal sealed class ContactSetParts
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        double part = run.Left / Math.Min(MostParts, Math.Ceiling(run.Left / (2.0 * Part)));
+        double part = LengthOfPart(in run, 2.0 * Part);
         bool isFree = false;
         while (run.Left > 0 && !run.Log.Halted)
         {
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+            run.Parts++;
 
             // What the forces alone would make of it: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -243,9 +249,11 @@ internal sealed class ContactSetParts
         }
     }
 
-    /// <summary>
-    /// What acts on the ball without its contacts, for a part of a step.
-    /// </summary>
+    /// <summary>The rest of a step in parts of equal length, s. If the step has few parts left, they are longer.</summary>
+    private static double LengthOfPart(in StepRun run, double asked) =>
+        run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
+
+    /// <summary>What acts on the ball without its contacts, for a part of a step.</summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
         // The drag law is locked to the branch at the start of the part: its jump is not located here.
@@ -435,6 +443,18 @@ internal sealed class ContactSetParts
         }
     }
 
+    /// <summary>A velocity for which no impulses were found: along all contacts, and no faster than before them.</summary>
+    /// <param name="set">The contacts.</param>
+    /// <param name="h">The time, s.</param>
+    /// <param name="most">The speed without contacts, m/s.</param>
+    /// <param name="v">The velocity, m/s.</param>
+    public static void Settle(Span<Contact> set, double h, double most, ref Vector3d v)
+    {
+        double speed = v.Length;
+        v = speed > most ? most / speed * v : v;
+        KeepOff(set, h, movers: true, ref v);
+    }
+
     /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
     private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
     {
@@ -445,7 +465,7 @@ internal sealed class ContactSetParts
             foreach (ref readonly Contact contact in set)
             {
                 // (v − V)·n + gap/h < 0 would overlap within the part: projected out, contact by contact, until none does.
-                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (Math.Max(0, contact.Gap) / h);
+                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
                 if ((movers || !contact.Moves) && closing < 0)
                 {
                     v -= closing * contact.Normal;

@@ -13,17 +13,27 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Changes of the set in a step, while several contacts bear; after them the rest of it is taken in parts.</summary>
     private const int MostChanges = 8;
 
+    /// <summary>Pieces in a step in which several contacts bear; after them the rest of it is taken in parts: a slip that turns would need ever more of them.</summary>
+    private const int MostPieces = 160;
+
     /// <summary>A slip of less than this, m/s, has ended.</summary>
     private const double Sticking = 1e-7;
 
     /// <summary>A state that changes by less than this, m/s, keeps the rates that were found for it.</summary>
     private const double Unmoved = 1e-12;
 
+    /// <summary>A step with many pieces follows a slip that turns no further than to this, m/s.</summary>
+    private const double StickingOfMany = 1e-6;
+    private const int ManyPieces = 24;
+
     /// <summary>A normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
     /// <summary>How often a step reports that the ball slides or rolls.</summary>
     private const int MostNames = 2;
+
+    /// <summary>How often a step checks whether friction holds a ball that rolling resistance does not hold.</summary>
+    private const int MostGrips = 4;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -59,7 +69,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
-        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges)
+        if (set.Length > ContactSystem.Most || run.SetChanges > MostChanges || run.SetPieces >= MostPieces)
         {
             return _parts.Take(ref s, ref run);
         }
@@ -83,7 +93,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             Branch = _jump.OnSurface(s.Branch, in from),
         };
         int evaluations = 0;
-        bool found = ContactModes.Find(ref system, s.Time, in from, Sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
+        double sticking = run.SetPieces < ManyPieces ? Sticking : StickingOfMany;
+        bool found = ContactModes.Find(ref system, s.Time, in from, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
         {
@@ -110,7 +121,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
-        if (Rests(ref s, in system, in from))
+        if (Rests(ref s, in system, in from, ref run))
         {
             _contact.Rest(ref s, ref run);
             return true;
@@ -131,7 +142,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     }
 
     /// <summary>True when a ball of no more energy than one at rest is held by contacts that stand still, or move along together.</summary>
-    private bool Rests(ref BallState s, in ContactSystem system, in Motion from)
+    private bool Rests(ref BallState s, in ContactSystem system, in Motion from, ref StepRun run)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
         Collider carrier = _world.Colliders[bearer.Collider];
@@ -140,8 +151,10 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return false;
         }
 
+        bool sticks = true;
         for (int i = 0; i < system.Count; i++)
         {
+            sticks &= !system.Contacts[i].Bears || system.Contacts[i].Sticks;
             Collider collider = _world.Colliders[system.Contacts[i].Collider];
             if (collider.Velocity != carrier.Velocity || collider.Spin != Vector3d.Zero)
             {
@@ -149,7 +162,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             }
         }
 
-        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, new Motion(s.Position, carrier.Velocity, Vector3d.Zero)));
+        var still = new Motion(s.Position, carrier.Velocity, Vector3d.Zero);
+        int evaluations = 1;
+        bool holds = ContactModes.Hold(in system, system.PushAtRest(s.Time, in still))
+            || (sticks && run.Grips++ < MostGrips && ContactModes.Grip(in system, s.Time, in still, bearer.Collider, ref evaluations));
+        run.Log.Evaluations += evaluations;
         s.Carrier = holds ? bearer.Collider + _world.FirstCollider : s.Carrier;
         return holds;
     }
@@ -266,6 +283,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
+        run.SetPieces++;
         run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
 
         // Move, and put the ball back onto what bears it: curved surfaces drift.

@@ -216,7 +216,8 @@ internal sealed unsafe class RestPhase
             Branch = _jump.OnSurface(DragBranch.Unknown, in still),
         };
         evaluations++;
-        return ContactModes.Hold(in system, system.PushAtRest(s.Time, in still) - gained);
+        return ContactModes.Hold(in system, system.PushAtRest(s.Time, in still) - gained)
+            || (gained == Vector3d.Zero && ContactModes.Grip(in system, s.Time, in still, (int)s.Carrier - _world.FirstCollider, ref evaluations));
     }
 
     /// <summary>The ball moves again: with the velocity and the spin that it has, which what carries it may have left behind.</summary>

@@ -122,6 +122,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Enter(ref s);
         var run = new StepRun(0, s.Time, log);
         _contact.Struck(ref s, in velocity, in spin, in n, ref run);
+        run.Close();
         Exit(ref s, log.Events, first);
     }
 
@@ -275,6 +276,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         {
             _contact.StartSliding(ref s, ref run);
         }
+
+        run.Close();
 
         // Where events were dropped meanwhile those of the step have moved up.
         Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);

@@ -12,6 +12,9 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
 
     private const int MostSteps = 40;
 
+    /// <summary>Evaluations of a piece after which no further end is searched: the next piece finds that change done.</summary>
+    private const int MostEvaluations = 2048;
+
     /// <summary>A piece that ends at a slip or a load goes so far beyond, as a share of its length: the next one finds the change done.</summary>
     private const double Beyond = 1e-9;
 
@@ -88,7 +91,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         for (int i = 0; i < Limits * sweep.System.Count; i++)
         {
             double end = starts[i] > 0 ? Value(ref sweep, (Limit)(i % Limits), i / Limits, s.Time) : 0;
-            if (!(end < 0))
+            if (!(end < 0) || sweep.Evaluations > MostEvaluations)
             {
                 continue;
             }

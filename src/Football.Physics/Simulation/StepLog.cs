@@ -42,6 +42,18 @@ public sealed class StepLog
     /// <summary>True when a step ends early after an impact that pushes something.</summary>
     internal bool HaltsAtPush { get; set; }
 
+    /// <summary>True after an impact has pushed an object that has a mass.</summary>
+    internal bool Pushed { get; set; }
+
+    /// <summary>Remembers the motions before a push, for steps that are taken again; null where none are.</summary>
+    internal MotionsBefore? Motions { get; set; }
+
+    /// <summary>True if a call continues a step: its counters start at <see cref="Spent"/> instead of zero.</summary>
+    internal bool Continues { get; set; }
+
+    /// <summary>The counters of a step that is taken in several calls.</summary>
+    internal StepBudget Spent;
+
     /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
     public PieceObserver? Observer { get; set; }
 
@@ -66,6 +78,40 @@ public sealed class StepLog
             before.Motion,
             PathPiece.DegreeOf(order, observer.WantsEndAcceleration));
         Halted |= observer.Add(in before, in after, in piece);
+    }
+
+    /// <summary>Begins a step of a ball of a group, which is taken in several calls.</summary>
+    /// <param name="ball">The ball's number.</param>
+    /// <param name="clears">Whether the log is emptied.</param>
+    internal void Begin(int ball, bool clears)
+    {
+        if (clears)
+        {
+            Clear();
+        }
+
+        Events.Ball = ball;
+        StopAt = StopAt.Time;
+        Halted = false;
+        HaltsAtPush = false;
+        Pushes = true;
+        Pushed = false;
+        Continues = true;
+        Spent = StepBudget.New;
+    }
+
+    /// <summary>Adds the events and counts of another log.</summary>
+    internal void Add(StepLog other)
+    {
+        for (int i = 0; i < other.Events.Count; i++)
+        {
+            Events.Add(in other.Events[i]);
+        }
+
+        Steps += other.Steps;
+        Evaluations += other.Evaluations;
+        Stalled += other.Stalled;
+        Untold += other.Untold;
     }
 
     /// <summary>Mark of its contents now, to come back to.</summary>

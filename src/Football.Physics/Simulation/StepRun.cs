@@ -63,6 +63,15 @@ internal ref struct StepRun
     /// <summary>How often the contacts that bear the ball, or their modes, have changed while several did.</summary>
     public int SetChanges;
 
+    /// <summary>Pieces so far in which several contacts bear the ball.</summary>
+    public int SetPieces;
+
+    /// <summary>Parts with velocity-level impulses so far.</summary>
+    public int Parts;
+
+    /// <summary>The number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
+    public int Grips;
+
     /// <summary>How often the step has reported that the ball on several surfaces slides or rolls.</summary>
     public int Named;
 
@@ -93,6 +102,7 @@ internal ref struct StepRun
     private long _lastEvaluation;
     private double _lastHit;
     private int _hits;
+    private int _eventsBefore;
 
     /// <summary>A step.</summary>
     /// <param name="dt">Its length, s.</param>
@@ -107,13 +117,45 @@ internal ref struct StepRun
         _lastEvaluation = log.Evaluations + MostEvaluations - MostOfPiece;
         _lastHit = double.NegativeInfinity;
         FirstEvent = log.Events.Count;
+        if (log.Continues)
+        {
+            Continue(in log.Spent);
+        }
+    }
+
+    /// <summary>Ends a call: a step that continues in a later call keeps its counters.</summary>
+    public readonly void Close()
+    {
+        if (Log.Continues)
+        {
+            Log.Spent = new StepBudget
+            {
+                Pieces = Pieces,
+                Evaluations = Log.Evaluations + MostEvaluations - MostOfPiece - _lastEvaluation,
+                Events = Told,
+                Splits = Splits,
+                AllImpacts = AllImpacts,
+                Impacts = Impacts,
+                Untold = Untold,
+                SetChanges = SetChanges,
+                SetPieces = SetPieces,
+                Parts = Parts,
+                Named = Named,
+                Slips = Slips,
+                Hits = _hits,
+                LastHit = _lastHit,
+            };
+        }
     }
 
     /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
 
     /// <summary>True when the step has told so much that slow impacts are counted and told no more.</summary>
-    public readonly bool IsCrowded => Log.Events.Count - FirstEvent >= MostInCrowd;
+    public readonly bool IsCrowded => Told >= MostInCrowd;
+
+    /// <summary>Events of the step so far.</summary>
+    private readonly int Told => _eventsBefore + Log.Events.Count - FirstEvent;
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False where the step has had all pieces, or all evaluations, that a step may have.</returns>
@@ -184,6 +226,25 @@ internal ref struct StepRun
 
             Log.Show(in before, in after, sweep.StartAcceleration, in end, order);
         }
+    }
+
+    /// <summary>Starts with the counters of the calls before.</summary>
+    private void Continue(in StepBudget spent)
+    {
+        Pieces = spent.Pieces;
+        _lastEvaluation -= spent.Evaluations;
+        _eventsBefore = spent.Events;
+        Splits = spent.Splits;
+        AllImpacts = spent.AllImpacts;
+        Impacts = spent.Impacts;
+        Untold = spent.Untold;
+        SetChanges = spent.SetChanges;
+        SetPieces = spent.SetPieces;
+        Parts = spent.Parts;
+        Named = spent.Named;
+        Slips = spent.Slips;
+        _hits = spent.Hits;
+        _lastHit = spent.LastHit;
     }
 
     /// <summary>Forgets the parts: what is left is divided anew.</summary>

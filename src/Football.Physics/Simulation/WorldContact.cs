@@ -88,7 +88,9 @@ internal sealed class WorldContact
         // What has a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
         {
+            run.Log.Motions?.Read();
             hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
+            run.Log.Pushed = true;
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
@@ -144,13 +146,19 @@ internal sealed class WorldContact
         Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
+        double most = v.Length;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
 
-        // No impulses keep all of them from closing, or it takes them again and again: squeezed.
-        if (!solved || IsTooFast(ref s, set, in v))
+        // No impulses keep all of them from closing, or it takes them again and again: squeezed. Only moving objects squeeze.
+        if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);
             return;
+        }
+
+        if (!solved)
+        {
+            ContactSetParts.Settle(set, 0, most, ref v);
         }
 
         s.Velocity = v;

@@ -174,12 +174,13 @@ public sealed class WorldContactTests
         Assert.InRange(s.Velocity.Z, 1, 3);
         Assert.Equal("ground", table.Simulator.NameOf((int)s.Carrier));
 
-        // The fourth time in one step there is no room.
+        // The fourth time in one step there is no answer any more; but objects that stand still never squeeze a ball.
         run.Untold = 3;
         run.Impacts = 10;
         s.Velocity = new Vector3d(-10, 0, 0);
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
-        Assert.Equal(MotionState.Squeezed, s.Motion);
+        Assert.NotEqual(MotionState.Squeezed, s.Motion);
+        Assert.InRange(s.Velocity.Length, 0, 1e-6);
     }
 
     /// <summary>In a crowd of events what trembles slower than the slowest bounce is not told.</summary>

@@ -11,12 +11,12 @@ internal sealed partial class BallCluster
         {
             BallPile pile = _piles[k];
             time = pile.Time;
-            if (pile.Count == 0 || pile.Until > time || !(time < _end))
+            if (pile.Count == 0 || pile.Until > time || !(time < _span.End))
             {
                 continue;
             }
 
-            if (pile.Plan(states, _end, _current) && _stopAt == StopAt.Impact)
+            if (pile.Plan(states, _span.End, _current) && _stopAt == StopAt.Impact)
             {
                 return true;
             }
@@ -83,12 +83,12 @@ internal sealed partial class BallCluster
     {
         BallPile? mine = _piles.Of(i);
         BallPile? its = _piles.Of(j);
-        BallPile pile = mine ?? its ?? _piles.Begin(time, _step);
+        BallPile pile = mine ?? its ?? _piles.Begin(time, _span.Length);
         TakeAllOf(_rests.RootOf(i), states, pile, time);
         TakeAllOf(_rests.RootOf(j), states, pile, time);
         if (mine is not null && its is not null && mine != its)
         {
-            _piles.Unite(mine, its, states, _step);
+            _piles.Unite(mine, its, states, _span.Length);
         }
     }
 }

@@ -12,11 +12,6 @@ internal sealed partial class BallCluster
     /// <summary>So often balls push something, or meet another, in a step, for each of them; the rest of it is played as if there were no other ball.</summary>
     private const int MostImpacts = 256;
 
-    /// <summary>The time of a meeting is looked for so near where the paths tell it, s.</summary>
-    private const double Nearby = 1e-3;
-
-    private const int MostNewton = 12;
-
     /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
     private const double MoreReach = 1.25;
 
@@ -32,7 +27,8 @@ internal sealed partial class BallCluster
     private readonly int[] _cluster;
     private readonly bool[] _isIn;
     private readonly bool[] _again;
-    private readonly StepLog _look = new();
+    private readonly PushShares _shares;
+    private readonly BallTouch _touch;
     private readonly PushedMotions _pushed;
     private readonly BallRests _rests;
     private readonly BallMeetings _meets;
@@ -41,9 +37,7 @@ internal sealed partial class BallCluster
     private int _clusterCount;
     private int _begun;
     private StepLog[] _current;
-    private double _start;
-    private double _step;
-    private double _end;
+    private StepSpan _span;
     private StopAt _stopAt;
     private bool _clears;
 
@@ -78,6 +72,8 @@ internal sealed partial class BallCluster
         _isIn = new bool[count];
         _again = new bool[count];
         _pushed = new PushedMotions(simulators[0].World);
+        _shares = new PushShares(_pushed, simulators, before, reaches);
+        _touch = new BallTouch(simulators, _trials, _piles, _pushed);
     }
 
     /// <summary>How many balls are in it.</summary>
@@ -114,17 +110,42 @@ internal sealed partial class BallCluster
     /// <summary>Which balls lie on each other before the step.</summary>
     public BallRests Rests => _rests;
 
-    /// <summary>Plays the balls of a cluster again from before the step: always the first that happens, then all whose way that changes anew.</summary>
+    /// <summary>Plays the balls of a cluster again from before the step: always the first event, then the balls whose paths it changes.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="stopAt">The event that ends it.</param>
+    /// <param name="watched">Logs whose observers see the paths; null for the cluster's own logs.</param>
+    /// <param name="motions">The motions of all objects before the step.</param>
     /// <returns>Whether an event ended the step.</returns>
-    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, RigidMotion[] motions)
+    public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
-        _start = _before[0].Time;
-        _step = dt;
-        _end = _start + dt;
-        _stopAt = stopAt;
+        // First find the balls that share an object that is pushed: an observer sees one play only.
+        bool mayPush = _simulators[0].World.MayGiveWay;
+        bool ended = false;
+        for (int k = 0; watched is null || mayPush; k++)
+        {
+            ended = PlayOnce(states, dt, stopAt, null, motions);
+            if (!mayPush || k > MostPlays || !FindShares(motions, dt))
+            {
+                break;
+            }
+
+            if (k == MostPlays)
+            {
+                _shares.Fill();
+            }
+        }
+
+        return watched is null ? ended : PlayOnce(states, dt, stopAt, watched, motions);
+    }
+
+    private bool PlayOnce(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
+    {
         _current = watched ?? _logs;
         _clears = watched is null;
-        double end = _end;
+        _span = new StepSpan(_before[0].Time, dt);
+        _stopAt = stopAt;
+        double end = _span.End;
 
         // By number: of what happens at one time the first that is asked for counts.
         Array.Sort(_cluster, 0, _clusterCount);
@@ -133,13 +154,12 @@ internal sealed partial class BallCluster
         _meets.Forget();
 
         // What they pushed in the first try goes back with them.
-        _pushed.Restore(motions);
-        _simulators[0].World.Engine?.PutPushesBack();
+        motions.Read();
+        motions.PutBack();
         int impacts = 0;
         int atOnce = 0;
         double last = double.NegativeInfinity;
         bool ended = false;
-        bool pushed = false;
         while (!ended)
         {
             // A ball that joins later begins at the step's start, as it was there.
@@ -178,31 +198,34 @@ internal sealed partial class BallCluster
             else
             {
                 ended = Push(states, in first, end);
-                pushed = true;
             }
         }
 
         // Nothing more happens: on to the end of the step, or up to what ended it.
+        bool pushed = false;
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
-            if (!_piles.Has(i) && !ended)
+            if (!_piles.Has(i) && (!ended || states[i].Time < last))
             {
-                Commit(states, i, end);
-            }
-            else if (!_piles.Has(i) && states[i].Time < last)
-            {
-                Commit(states, i, last);
+                Commit(states, i, ended ? last : end);
             }
 
-            // What was free ahead of any ball was so before something was pushed.
-            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
+            pushed |= _current[i].Pushed;
         }
 
         for (int k = 0; k < _piles.Count; k++)
         {
             _piles[k].MoveTo(states, ended ? last : end, _current);
             _piles[k].End(states, _current);
+        }
+
+        for (int k = 0; k < _clusterCount; k++)
+        {
+            // The space ahead of any ball was searched before something was pushed.
+            int i = _cluster[k];
+            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
+            _current[i].Continues = false;
         }
 
         return ended;
@@ -222,12 +245,16 @@ internal sealed partial class BallCluster
             int i = _cluster[k];
             if (!_piles.Has(i) && _rests.IsInPile(i))
             {
-                BallPile pile = _piles.Begin(_start, _step);
-                TakeAllOf(_rests.RootOf(i), states, pile, _start);
+                BallPile pile = _piles.Begin(_span.Start, _span.Length);
+                TakeAllOf(_rests.RootOf(i), states, pile, _span.Start);
+            }
+            else if (!_piles.Has(i) && _trials[i].IsWhole && _stopAt == StopAt.Time)
+            {
+                Reach(states, i);
             }
             else if (!_piles.Has(i))
             {
-                Try(states, i, _end);
+                Try(states, i, _span.End);
             }
         }
     }
@@ -236,17 +263,7 @@ internal sealed partial class BallCluster
     private void Begin(BallState[] states, int i)
     {
         states[i] = _before[i];
-        StepLog own = _current[i];
-        if (_clears)
-        {
-            own.Clear();
-        }
-
-        own.Events.Ball = i;
-        own.StopAt = StopAt.Time;
-        own.Halted = false;
-        own.HaltsAtPush = false;
-        own.Pushes = true;
+        _current[i].Begin(i, _clears);
         _meetings[i] = 0;
         _piles.Leave(i);
     }
@@ -262,8 +279,15 @@ internal sealed partial class BallCluster
         }
 
         ref BallState s = ref states[i];
-        double left = Left(in s, time);
+        double left = _span.Left(in s, time);
         StepLog own = _current[i];
+
+        // Where the ball goes has been computed: as far as it is known to go by itself, or to where it touches another.
+        if (_touch.TryTake(i, ref s, time, own) || (time == _span.End && _trials[i].TryTake(ref s, time, own)))
+        {
+            return;
+        }
+
         if (left > 0)
         {
             _simulators[i].Advance(ref s, left, own);
@@ -273,7 +297,7 @@ internal sealed partial class BallCluster
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;
-            _simulators[i].Advance(ref s, Left(in s, time), own);
+            _simulators[i].Advance(ref s, _span.Left(in s, time), own);
         }
 
         s.Time = time;
@@ -285,9 +309,10 @@ internal sealed partial class BallCluster
     {
         int i = met.Ball;
         int j = met.Other;
-        double time = Locate(states, in met);
+        double time = _touch.Locate(states, in met, in _span, _current);
         Commit(states, i, time);
         Commit(states, j, time);
+        _touch.Forget();
         BallProperties ball = _simulators[i].Scene.Ball;
         BallProperties other = _simulators[j].Scene.Ball;
         BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
@@ -318,7 +343,7 @@ internal sealed partial class BallCluster
     {
         if (!_piles.Has(i) && _rests.IsHeld(i))
         {
-            BallPile pile = _piles.Begin(states[i].Time, _step);
+            BallPile pile = _piles.Begin(states[i].Time, _span.Length);
             TakeAllOf(_rests.RootOf(i), states, pile, pile.Time);
         }
 
@@ -330,6 +355,6 @@ internal sealed partial class BallCluster
         }
 
         _simulators[i].Struck(ref states[i], in after.Velocity, in after.Spin, in n, _current[i]);
-        Try(states, i, _end);
+        Try(states, i, _span.End);
     }
 }

@@ -17,7 +17,9 @@ public sealed partial class BallGroup
     private const double Fall = 10;
 
     private readonly Simulator[] _simulators;
-    private readonly bool _givesWay;
+    private readonly Simulator? _alone; // null if there are several balls, or code of the game may throw within a step
+    private readonly bool _mayThrow;
+    private readonly bool[] _pushes;
     private readonly BallNeighbours _neighbours;
     private readonly BallState[] _before;
     private readonly StepLog[] _logs;
@@ -26,7 +28,7 @@ public sealed partial class BallGroup
     private readonly StepLog _flown;
     private readonly int[] _firstEvent;
     private BallEvent[] _told = new BallEvent[16];
-    private readonly RigidMotion[] _motionsBefore;
+    private readonly MotionsBefore _motions;
     private readonly BallCluster _cluster;
 
     /// <summary>A group of equal balls in one scene.</summary>
@@ -59,7 +61,10 @@ public sealed partial class BallGroup
         int count = simulators.Length;
         _simulators = simulators;
         World world = simulators[0].World;
-        _givesWay = world.GivesWay || world.Engine is not null;
+        Scene scene = simulators[0].Scene;
+        _mayThrow = scene.Forces.Custom.Count > 0 || scene.Air.WindField is not null || world.Engine is not null;
+        _alone = count == 1 && !_mayThrow ? simulators[0] : null;
+        _pushes = new bool[count];
         _neighbours = new BallNeighbours([.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
         _before = new BallState[count];
         _reaches = new double[count];
@@ -71,7 +76,8 @@ public sealed partial class BallGroup
             _logs[i] = new StepLog();
         }
 
-        _motionsBefore = new RigidMotion[world.Movers];
+        _motions = new MotionsBefore(world);
+        _flown.Motions = _motions;
         _cluster = new BallCluster(simulators, new ContactMaterial(Contact), Contact.ImpactFriction, _before, _reaches, _logs);
     }
 
@@ -88,7 +94,18 @@ public sealed partial class BallGroup
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
-    public void Step(BallState[] states, double dt, StepLog log) => Step(states, dt, log, StopAt.Time, null);
+    public void Step(BallState[] states, double dt, StepLog log)
+    {
+        // One ball takes its own step, without bookkeeping.
+        if (_alone is not null && states is { Length: 1 } && log is { Observer: null })
+        {
+            BallState.Launched(in states[0]);
+            _alone.Step(ref states[0], dt, log);
+            return;
+        }
+
+        Step(states, dt, log, StopAt.Time, null);
+    }
 
     /// <summary>Advances all balls in equal steps until an event or a time.</summary>
     /// <param name="states">The balls, as many as the group has, all of one time. After an early end they are as they were just after the event.</param>
@@ -187,39 +204,33 @@ public sealed partial class BallGroup
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
 
-        // A lone ball that moves nothing: its own step, and no bookkeeping.
-        if (Count == 1 && log is not null && _motionsBefore.Length == 0)
+        // One ball takes its own step, without bookkeeping.
+        if (Count == 1 && log is not null)
         {
-            return StepAlone(ref states[0], dt, log, stopAt);
+            return _mayThrow ? TryAlone(ref states[0], dt, log, stopAt) : StepAlone(ref states[0], dt, log, stopAt);
         }
 
         // To go back to, where balls may meet or a force throws.
-        world.ReadMotions(_motionsBefore);
+        _motions.Begin();
         bool ended;
         Array.Copy(states, _before, Count);
         try
         {
             // 0. What lies on each other. 1. Every other ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
             FindPiles(dt);
-            world.Engine?.KeepPushes();
-            bool pushes = Fly(states, dt, stopAt, out bool holds);
+            bool pushes = Fly(states, dt, stopAt, out bool holds, out bool again);
             if (!holds)
             {
-                RenewNeighbours(dt);
+                RenewNeighbours(dt, again);
             }
 
-            FindCluster(all: pushes || stopAt == StopAt.Impact || watched is not null);
-            ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motionsBefore);
+            FindCluster(all: again || stopAt == StopAt.Impact || watched is not null, pushes, dt);
+            ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motions);
         }
         catch
         {
             Array.Copy(_before, states, Count);
-            world.Engine?.PutPushesBack();
-            if (_motionsBefore.Length > 0)
-            {
-                world.WriteMotions(_motionsBefore);
-            }
-
+            _motions.PutBack();
             throw;
         }
 
@@ -265,7 +276,25 @@ public sealed partial class BallGroup
         return all;
     }
 
-    /// <summary>One ball, which moves nothing: its own step, and nothing else.</summary>
+    /// <summary>The step of one ball that calls code of the game: if that throws, nothing has changed.</summary>
+    private bool TryAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
+    {
+        _before[0] = state;
+        _motions.Begin();
+        _motions.Read();
+        try
+        {
+            return StepAlone(ref state, dt, log, stopAt);
+        }
+        catch
+        {
+            state = _before[0];
+            _motions.PutBack();
+            throw;
+        }
+    }
+
+    /// <summary>The step of one ball.</summary>
     private bool StepAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
     {
         BallState.Launched(in state);
@@ -276,151 +305,5 @@ public sealed partial class BallGroup
         log.Events.Ball = 0;
         _simulators[0].Advance(ref state, dt, log);
         return log.Halted;
-    }
-
-    /// <summary>The balls that lie on each other, which are stepped as one: their own steps would lead them through each other.</summary>
-    private void FindPiles(double dt)
-    {
-        bool covers = true;
-        for (int i = 0; i < Count && covers; i++)
-        {
-            covers = _neighbours.Covers(i, in _before[i]);
-        }
-
-        if (!covers)
-        {
-            Array.Clear(_reaches, 0, Count);
-            _neighbours.Renew(_before, _reaches, dt);
-        }
-
-        _cluster.Rests.Look(_before, _neighbours);
-    }
-
-    /// <summary>Every ball takes its step as if there were no other.</summary>
-    /// <returns>Whether one of them pushed something, which the others then find elsewhere, or something ended its step; or not all events had room.</returns>
-    private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds)
-    {
-        holds = true;
-        double time = states[0].Time;
-        StepLog log = _flown;
-        log.Clear();
-        log.StopAt = stopAt;
-        log.Pushes = true;
-        log.HaltsAtPush = _givesWay;
-        bool halts = false;
-        for (int i = 0; i < states.Length; i++)
-        {
-            ref BallState s = ref states[i];
-            if (s.Time != time || s.BaseOrientation == default)
-            {
-                Refuse(in s, i, time);
-            }
-
-            ref readonly BallState before = ref _before[i];
-            int first = log.Events.Count;
-            _firstEvent[i] = first;
-            log.Events.Ball = i;
-            if (_cluster.Rests.IsInPile(i))
-            {
-                // How far it gets is seen when the pile is played.
-                _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
-                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
-                continue;
-            }
-
-            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
-            {
-                s.Time += dt;
-                _reaches[i] = 0;
-                continue;
-            }
-
-            _simulators[i].Advance(ref s, dt, log);
-            halts |= log.Halted;
-            log.Halted = false;
-
-            // Within what its sphere was made for, also between events: else its reach has to be measured.
-            bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
-            _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
-            holds &= keeps;
-        }
-
-        _firstEvent[states.Length] = log.Events.Count;
-        return halts || log.Events.Dropped > 0;
-    }
-
-    private static void Refuse(in BallState state, int ball, double time)
-    {
-        BallState.Launched(in state);
-        throw new ArgumentException(
-            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
-    }
-
-    /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>
-    private void RenewNeighbours(double dt)
-    {
-        bool holds = true;
-        for (int i = 0; i < Count; i++)
-        {
-            if (_reaches[i] < double.PositiveInfinity)
-            {
-                holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
-                continue;
-            }
-
-            // Its step once more, with its path watched.
-            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time);
-            _reaches[i] = _measure.Reach;
-            holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
-        }
-
-        if (!holds)
-        {
-            _neighbours.Renew(_before, _reaches, dt);
-        }
-    }
-
-    /// <summary>True when a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
-    private bool KeepsPace(int ball, int first)
-    {
-        for (int k = first; k < _flown.Events.Count; k++)
-        {
-            ref readonly BallEvent happened = ref _flown.Events[k];
-            if (happened.Kind == BallEventKind.Squeezed
-                || !_neighbours.Allows(ball, happened.VelocityBefore.LengthSquared) || !_neighbours.Allows(ball, happened.Velocity.LengthSquared))
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
-    /// <summary>The balls that may meet another in this step.</summary>
-    private void FindCluster(bool all)
-    {
-        _cluster.Clear();
-        if (!all)
-        {
-            for (int k = 0; k < _neighbours.Count && !all; k++)
-            {
-                (int i, int j) = _neighbours[k];
-                if (_cluster.MayMeet(i, _reaches[i], j, _reaches[j]))
-                {
-                    // What one of them then pushes may be met by any.
-                    all = _givesWay;
-                    _cluster.Join(i);
-                    _cluster.Join(j);
-                }
-            }
-        }
-
-        for (int i = 0; i < Count; i++)
-        {
-            if (all || _cluster.Rests.IsInPile(i))
-            {
-                _cluster.Join(i);
-            }
-        }
     }
 }

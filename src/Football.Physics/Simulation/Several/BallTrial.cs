@@ -1,12 +1,13 @@
 namespace Football.Physics;
 
-/// <summary>A ball's way from where it has got to within a step to the step's end, or to where it pushes something, as if there were no other ball.</summary>
+/// <summary>A ball's path from its position within a step to the step's end, or to where it pushes an object that another ball may reach, as if there were no other ball.</summary>
 internal sealed class BallTrial : PieceObserver
 {
     private PathCubic[] _paths = new PathCubic[8];
     private double[] _times = new double[8];
     private int _count;
     private BallState _start;
+    private bool _isStep;
 
     /// <summary>Events and counts of the trial.</summary>
     public StepLog Log { get; } = new();
@@ -31,15 +32,22 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="start">Where it has got to.</param>
     /// <param name="duration">How long it goes on, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt)
+    /// <param name="haltsAtPush">True if it ends where the ball pushes something.</param>
+    /// <param name="spent">The counters of the step so far.</param>
+    public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt, bool haltsAtPush, in StepBudget spent)
     {
         _start = start;
+        _isStep = stopAt == StopAt.Time;
+        IsWhole = false;
         _count = 0;
         Log.Clear();
+        Log.Pushed = false;
         Log.Observer = this;
         Log.StopAt = stopAt;
         Log.Pushes = true;
-        Log.HaltsAtPush = true;
+        Log.HaltsAtPush = haltsAtPush;
+        Log.Continues = true;
+        Log.Spent = spent;
         End = start;
         Reach = 0;
         simulator.Advance(ref End, duration, Log);
@@ -49,6 +57,28 @@ internal sealed class BallTrial : PieceObserver
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
+
+    /// <summary>Moves a ball to the end of the path, if it is still where the path starts and the path pushes nothing.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="time">The end of the step, s.</param>
+    /// <param name="own">Where its events and counts go.</param>
+    public bool TryTake(ref BallState s, double time, StepLog own) => _isStep && BallLook.TryTake(ref s, in _start, in End, time, Log, own);
+
+    /// <summary>Takes a whole step of a ball that met others in the last step: if it meets one again, its path is known.</summary>
+    /// <param name="simulator">The ball's scene, in which nothing can be pushed.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="own">Where its events and counts go.</param>
+    /// <returns>False if the path could not be kept; then the ball has not moved.</returns>
+    public bool TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
+    {
+        Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
+        IsWhole = TryTake(ref s, s.Time + dt, own);
+        return IsWhole;
+    }
+
+    /// <summary>True if the path is that of a whole step.</summary>
+    public bool IsWhole { get; set; }
 
     /// <summary>Takes a way straight on, as a pile finds it.</summary>
     /// <param name="start">Where it begins.</param>
@@ -66,6 +96,8 @@ internal sealed class BallTrial : PieceObserver
     public void Go(in BallState start, in PathCubic path)
     {
         _start = start;
+        _isStep = false;
+        IsWhole = false;
         _paths[0] = path;
         _times[0] = start.Time;
         _count = 1;

@@ -4,17 +4,19 @@ namespace Football.Physics;
 /// <param name="world">All that can be met.</param>
 internal sealed class PushedMotions(World world)
 {
-    private readonly RigidMotion[] _before = new RigidMotion[world.Movers];
-    private readonly RigidMotion[] _after = new RigidMotion[world.Movers];
-    private readonly RigidMotion[] _kept = new RigidMotion[world.Movers];
+    private readonly RigidMotion[] _before = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly RigidMotion[] _after = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private readonly RigidMotion[] _kept = new RigidMotion[world.GivesWay ? world.Movers : 0];
+    private RigidMotion[] _first = [];
+    private int _next;
 
     /// <summary>Remembers how all moves before a push.</summary>
-    public void ReadBefore() => world.ReadMotions(_before);
+    public void ReadBefore() => Read(_before);
 
     /// <summary>Remembers how all moves after it, and puts it back to how it moved before.</summary>
     public void ReadAfter()
     {
-        world.ReadMotions(_after);
+        Read(_after);
         Restore(_before);
     }
 
@@ -24,7 +26,7 @@ internal sealed class PushedMotions(World world)
     /// <summary>Remembers how all moves before one only looks.</summary>
     public void Keep()
     {
-        world.ReadMotions(_kept);
+        Read(_kept);
         world.Engine?.KeepPushes();
     }
 
@@ -64,5 +66,47 @@ internal sealed class PushedMotions(World world)
         }
 
         return meets;
+    }
+
+    /// <summary>Begins to list the objects that were pushed in a step that has been taken.</summary>
+    /// <param name="motions">The motions of all objects before the step.</param>
+    public void BeginPushes(MotionsBefore motions)
+    {
+        _first = motions.All;
+        _next = 0;
+        Read(_after);
+    }
+
+    /// <summary>The next object that was pushed.</summary>
+    /// <param name="time">The start of the step, s.</param>
+    /// <param name="dt">Its length, s.</param>
+    /// <param name="box">A box around all positions of the object in the step, pushed and not pushed.</param>
+    /// <returns>False after the last one.</returns>
+    public bool NextPush(double time, double dt, out Bounds3d box)
+    {
+        for (; _next < _after.Length; _next++)
+        {
+            Vector3d change = _after[_next].Velocity - _first[_next].Velocity;
+            if (change != Vector3d.Zero)
+            {
+                // The motion after the push, as if it had always been so. At any time the object is or would be at most |ΔV| dt away; twice that, for pushes to and fro.
+                Bounds3d at = world.BoundsOfMover(_next, time, dt);
+                box = at.With(at.Moved(dt * _after[_next].Velocity)).Grown(2.0 * dt * change.Length);
+                _next++;
+                return true;
+            }
+        }
+
+        int engine = _next++ - _after.Length;
+        box = default;
+        return world.Engine is { } colliders && colliders.Pushes.Has(engine, time, dt, out box);
+    }
+
+    private void Read(RigidMotion[] into)
+    {
+        if (into.Length > 0)
+        {
+            world.ReadMotions(into);
+        }
     }
 }

@@ -1,0 +1,8 @@
+namespace Football.Physics.Benchmarks;
+
+/// <summary>A row of "A ball in a group".</summary>
+/// <param name="Name">The scene, and the motion of the ball.</param>
+/// <param name="Target">The ratio to reach; null if there is none.</param>
+/// <param name="Yardstick">What the subject is compared with.</param>
+/// <param name="Make">Makes the two workloads.</param>
+internal sealed record GroupRow(string Name, double? Target, string Yardstick, Func<(Workload Subject, Workload Yardstick)> Make);

@@ -1,0 +1,197 @@
+namespace Football.Physics;
+
+/// <content>The steps of all balls as if there were no other, and the balls that must be played together.</content>
+public sealed partial class BallGroup
+{
+    /// <summary>The balls that lie on each other, which are stepped as one: their own steps would lead them through each other.</summary>
+    private void FindPiles(double dt)
+    {
+        bool covers = true;
+        for (int i = 0; i < Count && covers; i++)
+        {
+            covers = _neighbours.Covers(i, in _before[i]);
+        }
+
+        if (!covers)
+        {
+            Array.Clear(_reaches, 0, Count);
+            _neighbours.Renew(_before, _reaches, dt);
+        }
+
+        _cluster.Rests.Look(_before, _neighbours);
+    }
+
+    /// <summary>Every ball takes its step as if there were no other.</summary>
+    /// <param name="states">The balls.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="stopAt">The event that ends it.</param>
+    /// <param name="holds">False if a ball got farther than its neighbours were searched.</param>
+    /// <param name="again">True if all balls must be played again: an event ended a step, not all events had room, or the reach of a ball that pushed an object is not known.</param>
+    /// <returns>Whether a ball has pushed something.</returns>
+    private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds, out bool again)
+    {
+        holds = true;
+        double time = states[0].Time;
+        StepLog log = _flown;
+        log.Clear();
+        log.StopAt = stopAt;
+        log.Pushes = true;
+        log.HaltsAtPush = false;
+        again = false;
+        int pushing = 0;
+        for (int i = 0; i < states.Length; i++)
+        {
+            ref BallState s = ref states[i];
+            if (s.Time != time || s.BaseOrientation == default)
+            {
+                Refuse(in s, i, time);
+            }
+
+            ref readonly BallState before = ref _before[i];
+            int first = log.Events.Count;
+            _firstEvent[i] = first;
+            _pushes[i] = false;
+            BallTrial trial = _cluster.TrialOf(i);
+            trial.IsWhole = false;
+            log.Events.Ball = i;
+            if (_cluster.Rests.IsInPile(i))
+            {
+                // How far it gets is seen when the pile is played.
+                _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
+                holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
+                continue;
+            }
+
+            if (_cluster.Rests.IsHeld(i) && !_simulators[i].World.Moves)
+            {
+                s.Time += dt;
+                _reaches[i] = 0;
+                continue;
+            }
+
+            log.Pushed = false;
+
+            // A ball that met others in the last step may do so again: then its path is needed.
+            if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
+            {
+                _simulators[i].Advance(ref s, dt, log);
+            }
+
+            again |= log.Halted;
+            log.Halted = false;
+            _pushes[i] = log.Pushed;
+            pushing += log.Pushed ? 1 : 0;
+
+            // Within what its sphere was made for, also between events: else its reach has to be measured.
+            bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
+            _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
+            holds &= keeps;
+            again |= log.Pushed && !keeps;
+        }
+
+        for (int i = 0; pushing > 0 && i < states.Length; i++)
+        {
+            // The space ahead of the other balls was searched before something was pushed.
+            states[i].ClearUntil = _pushes[i] && pushing == 1 ? states[i].ClearUntil : 0;
+        }
+
+        _firstEvent[states.Length] = log.Events.Count;
+        again |= log.Events.Dropped > 0;
+        return pushing > 0;
+    }
+
+    private static void Refuse(in BallState state, int ball, double time)
+    {
+        BallState.Launched(in state);
+        throw new ArgumentException(
+            FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
+    }
+
+    /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>
+    private void RenewNeighbours(double dt, bool again)
+    {
+        // All balls are played again: then their paths are measured among objects that are not pushed yet.
+        bool holds = true;
+        for (int i = 0; i < Count; i++)
+        {
+            if (_reaches[i] < double.PositiveInfinity)
+            {
+                holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
+                continue;
+            }
+
+            // Its step once more, with its path watched.
+            _motions.Read();
+            if (again)
+            {
+                _motions.PutBack();
+            }
+
+            _measure.Run(_simulators[i], in _before[i], dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
+            _reaches[i] = _measure.Reach;
+            holds &= _neighbours.Holds(i, in _before[i], _reaches[i], dt);
+        }
+
+        if (!holds)
+        {
+            _neighbours.Renew(_before, _reaches, dt);
+        }
+    }
+
+    /// <summary>True when a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
+    private bool KeepsPace(int ball, int first)
+    {
+        for (int k = first; k < _flown.Events.Count; k++)
+        {
+            ref readonly BallEvent happened = ref _flown.Events[k];
+            if (happened.Kind == BallEventKind.Squeezed
+                || !_neighbours.Allows(ball, happened.VelocityBefore.LengthSquared) || !_neighbours.Allows(ball, happened.Velocity.LengthSquared))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The balls that may meet another in this step.</summary>
+    private void FindCluster(bool all, bool pushes, double dt)
+    {
+        _cluster.Clear();
+        _cluster.ForgetShares();
+        if (pushes && !all)
+        {
+            _cluster.FindShares(_motions, dt);
+        }
+
+        if (!all)
+        {
+            for (int k = 0; k < _neighbours.Count; k++)
+            {
+                (int i, int j) = _neighbours[k];
+                if (_cluster.MayMeet(i, _reaches[i], j, _reaches[j]))
+                {
+                    _cluster.Join(i);
+                    _cluster.Join(j);
+                }
+            }
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            if (all || _cluster.Rests.IsInPile(i))
+            {
+                _cluster.Join(i);
+            }
+        }
+
+        for (int i = 0; i < Count && pushes && _cluster.Count > 0; i++)
+        {
+            // A cluster is played from before all pushes.
+            if (_pushes[i])
+            {
+                _cluster.Join(i);
+            }
+        }
+    }
+}
