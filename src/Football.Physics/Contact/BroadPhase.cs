@@ -200,7 +200,7 @@ internal struct NearThings
     {
         while (Next(out collider))
         {
-            if (collider < _world.Colliders.Length)
+            if (!_world.IsPassage(collider))
             {
                 return true;
             }
@@ -218,7 +218,7 @@ internal struct NearThings
         while (_world.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _world.Leaves[leaf];
-            if (thing >= _world.Colliders.Length)
+            if (_world.IsPassage(thing))
             {
                 return true;
             }

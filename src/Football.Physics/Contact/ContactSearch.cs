@@ -117,7 +117,7 @@ internal readonly struct ContactSearch
         }
 
         int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
-        int nets = _world.Colliders.Length;
+        int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
 
         // Nets reach beyond their edges as far as the ball is deep in one of them.
@@ -181,7 +181,7 @@ internal readonly struct ContactSearch
     /// <summary>Takes the leaving of a net, where it comes before all else.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
     {
-        int thing = _world.Colliders.Length + net.Index;
+        int thing = _world.FirstPassage + net.Index;
         double at = Fall(in net, Math.Min(best, _path.Length));
         if (at < best || (at == best && thing < bestThing))
         {

@@ -58,7 +58,7 @@ internal sealed class PilePhase
         // The drag law is locked to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        bool carried = s.Motion != MotionState.Airborne && _world.ColliderOf(s.Carrier, s.Position, s.Time) < _world.Colliders.Length && _world.Colliders.Length > 0;
+        bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
         var ball = new ForceInput(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
