@@ -190,7 +190,7 @@ internal struct NearThings
     }
 
     /// <summary>Which of two comes first that are equally deep: by the side that they are on, and of two on one side the first of the scene.</summary>
-    private static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
+    public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
         normal.X != other.X ? normal.X < other.X : normal.Z != other.Z ? normal.Z < other.Z : normal.Y != other.Y ? normal.Y < other.Y : collider < otherCollider;
 
     /// <summary>Goes on to the next collider.</summary>

@@ -89,7 +89,7 @@ internal readonly struct ContactSearch
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, Math.Min(best, _path.Length), out seam);
 
             // Of what is met at one instant the first of the scene comes first, however the walk goes.
-            if (at < best || (at == best && thing < first.Index))
+            if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
                 first = seam ? Separation.OfSeam(_world, thing) : Separation.OfContact(_world, thing);
@@ -97,6 +97,18 @@ internal readonly struct ContactSearch
         }
 
         return best;
+    }
+
+    /// <summary>True if the first of two colliders that are met at one instant comes before the second.</summary>
+    private bool ComesFirst(int first, int second, double at)
+    {
+        if (!_world.IsByside(first, second))
+        {
+            return first < second;
+        }
+
+        Vector3d position = _path.At(at);
+        return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
     }
 
     /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>

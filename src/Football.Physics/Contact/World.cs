@@ -266,6 +266,19 @@ internal sealed class World
     /// <summary>True when the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
+    /// <summary>Memory for contact sets that no phase of a step owns.</summary>
+    public ContactRoom Room { get; } = new();
+
+    /// <summary>
+    /// True if the first of two colliders that touch the ball comes before the second. Bodies and engine colliders come in the order of their sides: the order in which a
+    /// game adds or an engine finds them must not decide where the ball goes. All others come in the order of the scene.
+    /// </summary>
+    public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
+        IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
+
+    /// <summary>True if the side on which the ball touches two colliders decides which of them comes first.</summary>
+    public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
+
     /// <summary>True if a number is the index of a collider.</summary>
     public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
 

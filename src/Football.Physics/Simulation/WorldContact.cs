@@ -137,8 +137,8 @@ internal sealed class WorldContact
         run.Log.Untold++;
 
         // All contacts as one set, over no time and without restitution.
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
