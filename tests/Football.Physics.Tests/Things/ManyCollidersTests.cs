@@ -39,9 +39,9 @@ public sealed class ManyCollidersTests
         var all = new Answers();
         var nearest = new Answers { Exact = true };
         var goal = new Goal { Center = new Vector3d(0, 0, -3), Facing = new Vector3d(0, 0, 1) };
-        for (int i = 0; i < 2500; i++)
+        for (int i = 0; i < 3500; i++)
         {
-            var place = new Vector3d((0.012 * (i % 50)) - 0.3 + (0.006 * random.NextDouble()), 0.2 + (0.004 * random.NextDouble()), (-0.012 * (i / 50)) + 0.2);
+            var place = new Vector3d((0.008 * (i % 50)) - 0.2 + (0.004 * random.NextDouble()), 0.2 + (0.004 * random.NextDouble()), (-0.008 * (i / 50)) + 0.2);
             foreach (Answers engine in new[] { all, nearest })
             {
                 engine.Add(new EngineCollider("pebble " + i, new SphereShape(Vector3d.Zero, 0.012)), place);
@@ -54,7 +54,7 @@ public sealed class ManyCollidersTests
         BallState expected = state;
         int impacts = 0;
         double lowest = double.PositiveInfinity;
-        for (int tick = 0; tick < 120; tick++)
+        for (int tick = 0; tick < 60; tick++)
         {
             var log = new StepLog();
             of.Step(ref state, Tick, log);
