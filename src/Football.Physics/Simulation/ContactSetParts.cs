@@ -540,9 +540,25 @@ internal sealed class ContactSetParts
         return false;
     }
 
+    /// <summary>True if the ball overlaps any object that stands still.</summary>
+    private bool IsInside(in BallState s)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        foreach (ref readonly Contact contact in ContactSet.Near(_world, in s, 0, room, _world.Room))
+        {
+            if (!contact.Moves && contact.Gap < -ContactSearch.Touching)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
     private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
+        Vector3d from = s.Position;
         foreach (ref readonly Contact contact in set)
         {
             ShapePoint at = _world.Colliders[contact.Collider].At(s.Position, s.Time);
@@ -550,8 +566,13 @@ internal sealed class ContactSetParts
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
+        // All of them together put it out no faster than one: the set knows what stands still no farther off.
+        Vector3d pushed = s.Position - from;
+        double length = pushed.Length;
+        s.Position = length > most ? from + (most / length * pushed) : s.Position;
+
         // No place clear of what stands still: back to where it was, without speed.
-        if (!ContactSet.KeepOut(_world, ref s, set))
+        if (!ContactSet.KeepOut(_world, ref s, set) || IsInside(in s))
         {
             s.Position = back;
             s.Velocity = Vector3d.Zero;
