@@ -454,8 +454,9 @@ internal sealed class WorldContact
             return;
         }
 
+        // Out of what moves it goes in the rest of the step, no faster than it may, and never into what stands still.
         s.Velocity = velocity;
-        _world.Hold(ref s, _world.CarrierOf(in s));
+        s.SetGroundSpin(in spin);
     }
 
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>

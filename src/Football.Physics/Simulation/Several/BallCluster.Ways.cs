@@ -84,7 +84,7 @@ internal sealed partial class BallCluster
 
             // Newton on the gap of the two steps, t − f/f', not before both balls are there.
             double gap = BallContact.Gap(in a, _simulators[met.Ball].Scene.Ball.Radius, in b, _simulators[met.Other].Scene.Ball.Radius, out _, out double rate);
-            double next = rate < 0 ? Math.Max(from, time - (gap / rate)) : time;
+            double next = rate < 0 ? Math.Min(Math.Max(from, _end), Math.Max(from, time - (gap / rate))) : time;
             if (Math.Abs(gap) <= Closed || next == time || Math.Abs(next - met.Time) > Nearby)
             {
                 break;

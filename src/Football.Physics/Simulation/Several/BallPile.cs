@@ -282,6 +282,11 @@ internal sealed partial class BallPile
             return;
         }
 
+        for (int i = 0; i < Count; i++)
+        {
+            _solver.Members[i].From = states[_solver.Members[i].Ball].Position;
+        }
+
         if (IsWhole)
         {
             _whole.Move(states, duration, time < Until, time, logs);

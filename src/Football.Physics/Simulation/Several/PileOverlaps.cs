@@ -52,10 +52,46 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                 moved |= KeepOut(in solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
             }
         }
+
+        for (int i = 0; i < solver.Count; i++)
+        {
+            StayOut(in solver.Members[i], states);
+        }
+    }
+
+    /// <summary>Pressed by many, a ball may get beyond the contacts that were looked for, or have no room between them: out of all that stands still, or back.</summary>
+    private void StayOut(in PileMember member, BallState[] states)
+    {
+        World world = simulators[member.Ball].World;
+        ref BallState s = ref states[member.Ball];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> near = ContactSet.Near(world, in s, 0, room, world.Room);
+        if (IsInside(near) && (!ContactSet.KeepOut(world, ref s, near) || IsInside(ContactSet.Near(world, in s, 0, room, world.Room))))
+        {
+            s.Position = member.From;
+            s.Velocity = Vector3d.Zero;
+        }
+    }
+
+    private static bool IsInside(Span<Contact> near)
+    {
+        foreach (ref readonly Contact contact in near)
+        {
+            if (!contact.Moves && contact.Gap < -ContactSearch.Touching)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Puts a ball out of what stands still.</summary>
-    public void KeepOut(int member, BallState[] states) => KeepOut(in solver.Members[member], states, 0);
+    public void KeepOut(int member, BallState[] states)
+    {
+        KeepOut(in solver.Members[member], states, 0);
+        StayOut(in solver.Members[member], states);
+    }
 
     /// <summary>Puts a ball out of what it overlaps; what stands still comes last, so that it is never entered.</summary>
     /// <returns>Whether it was in something.</returns>
@@ -70,6 +106,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
             inside = false;
             for (int pass = 0; pass < 2; pass++)
             {
+                Vector3d from = s.Position;
                 for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
                 {
                     if (solver.Contacts[i].Moves != (pass == 0))
@@ -93,6 +130,10 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
                     }
                 }
+
+                // All movers together put it out no faster than one.
+                double way = (s.Position - from).Length;
+                s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
             }
         }
 
