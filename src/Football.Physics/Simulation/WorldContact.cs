@@ -454,9 +454,13 @@ internal sealed class WorldContact
             return;
         }
 
-        // Out of what moves it goes in the rest of the step, no faster than it may, and never into what stands still.
+        // Out of what moves it goes in the rest of the step, no faster than it may: put onto that at once, it would be in what stands still behind it.
         s.Velocity = velocity;
-        s.SetGroundSpin(in spin);
+        Collider carrier = _world.CarrierOf(in s);
+        if (!carrier.Moves)
+        {
+            _world.Hold(ref s, carrier);
+        }
     }
 
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>

@@ -341,6 +341,12 @@ internal sealed partial class BallPile
             _overlaps.KeepOut(i, states);
         }
 
+        if (!rests && _overlaps.Deepest(states) > Leaning)
+        {
+            // Onto what carries them they may have been put into each other.
+            _overlaps.PutApart(states, 0);
+        }
+
         for (int i = 0; rests && i < Count; i++)
         {
             SetKey(i, states);

@@ -9,6 +9,9 @@ internal sealed class PilePhase
     /// <summary>A ball that does not slip faster than this, m/s, rolls.</summary>
     private const double RollingSlip = 1e-6;
 
+    /// <summary>Deeper than this, m, in an object that moves a ball is squeezed, and not carried by that.</summary>
+    private const double LargestOverlap = 1e-6;
+
     /// <summary>Of a ball that is slower than this, m/s, no change of its motion is told: in a pile it may slip and grip in turn.</summary>
     private const double ToldSpeed = 0.05;
 
@@ -121,6 +124,12 @@ internal sealed class PilePhase
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
+        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > LargestOverlap)
+        {
+            StaySqueezed(ref s, carrier, log);
+            return;
+        }
+
         bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding;
         bool tells = s.Velocity.Length > ToldSpeed;
         s.ClearUntil = 0;
@@ -148,6 +157,21 @@ internal sealed class PilePhase
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
         bool changed = !same || before != s.Motion;
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
+    }
+
+    /// <summary>What moves has not left the ball yet: put onto that at once, the ball would be in another one. It goes out of it no faster than a squeezed ball may.</summary>
+    private void StaySqueezed(ref BallState s, int carrier, StepLog log)
+    {
+        Vector3d w = s.Spin;
+        Vector3d n = _world.Colliders[carrier].At(s.Position, s.Time).Normal;
+        bool begins = s.Motion != MotionState.Squeezed;
+        s.Motion = MotionState.Squeezed;
+        s.Carrier = carrier + _world.FirstCollider;
+        _world.Exit(ref s);
+        s.SetGroundSpin(in w);
+        s.ClearUntil = 0;
+        s.Branch = DragBranch.Unknown;
+        Tell(in s, BallEventKind.Squeezed, (int)s.Carrier, in n, in w, begins, log);
     }
 
     /// <summary>The ball rests in the pile.</summary>
