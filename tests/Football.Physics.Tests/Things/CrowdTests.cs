@@ -1,5 +1,3 @@
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>A ball in a crowd: many contacts at one instant.</summary>

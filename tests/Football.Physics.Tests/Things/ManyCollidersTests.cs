@@ -1,5 +1,3 @@
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>An engine whose answers hold many colliders, most of them far from the ball.</summary>

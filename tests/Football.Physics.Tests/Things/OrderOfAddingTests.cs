@@ -1,5 +1,3 @@
-using Football.Physics.Tests.Support;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>The order in which a game adds bodies, or an engine finds its colliders, does not decide where the ball goes.</summary>
