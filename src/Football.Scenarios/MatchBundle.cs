@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.Globalization;
 using System.IO.Compression;
 using System.Text.Json;
@@ -19,6 +20,12 @@ public sealed class MatchBundle
 
     /// <summary>... and it has so many files: other ones may lie beside.</summary>
     private const int MostEntries = 64;
+
+    /// <summary>The list of these files has so many bytes.</summary>
+    private const int LongestDirectory = 1 << 16;
+
+    /// <summary>Length of the last record of a zip file without its comment.</summary>
+    private const int EndRecord = 22;
 
     /// <summary>What tells of it is no longer, in characters.</summary>
     private const int LongestText = 200;
@@ -59,6 +66,7 @@ public sealed class MatchBundle
                 throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"{LargestFile} bytes at most"));
             }
 
+            CheckDirectory(file);
             using var zip = new ZipArchive(file, ZipArchiveMode.Read);
             if (zip.Entries.Count > MostEntries)
             {
@@ -115,6 +123,28 @@ public sealed class MatchBundle
 
     /// <summary>What the file says of where it comes from, on one line.</summary>
     private static string Said(InputObject root, string name) => Quote.Short(root.Text(name, ""), LongestText);
+
+    /// <summary>Rejects a zip file whose list of files is long, before it is read: a list may name a million files in 64 MB.</summary>
+    private static void CheckDirectory(Stream file)
+    {
+        // The last record of a zip file has the offset of the list at byte 16, and a comment of at most 65 535 bytes after it.
+        byte[] end = new byte[Math.Min(file.Length, EndRecord + ushort.MaxValue)];
+        file.Position = file.Length - end.Length;
+        file.ReadExactly(end);
+        int at = end.AsSpan().LastIndexOf("PK\u0005\u0006"u8);
+        file.Position = 0;
+        if (at < 0 || end.Length - at < EndRecord)
+        {
+            throw new InvalidDataException();
+        }
+
+        long list = BinaryPrimitives.ReadUInt32LittleEndian(end.AsSpan(at + 16));
+        long length = file.Length - (end.Length - at) - list;
+        if (length is < 0 or > LongestDirectory)
+        {
+            throw new RefusedException("FILE", FormattableString.Invariant($"a zip file with {length} bytes before the end of its list of files"), FormattableString.Invariant($"{LongestDirectory} at most"));
+        }
+    }
 
     private static byte[] Entry(ZipArchive zip, string name, int largest)
     {

@@ -148,6 +148,25 @@ public sealed class BundleTests : IDisposable
         Assert.Contains("allowed: 67108864 bytes at most", FootballCommand.Run("", "bundle", large).ErrorLine);
     }
 
+    /// <summary>A list of a million files in a bundle of 60 MB is not read.</summary>
+    [Fact]
+    public void A_bundle_with_a_long_list_of_files_is_refused_before_the_list_is_read()
+    {
+        using var many = new MemoryStream();
+        using (var zip = new ZipArchive(many, ZipArchiveMode.Create, leaveOpen: true))
+        {
+            for (int i = 0; i < 20_000; i++)
+            {
+                zip.CreateEntry($"{i}");
+            }
+        }
+
+        // Its entries are not counted, as those of a short list are.
+        string error = FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine;
+        Assert.StartsWith("football: FILE is a zip file with ", error);
+        Assert.Contains("list of files; allowed: 65536 at most", error);
+    }
+
     /// <summary>What the file says of where it comes from is shown, and not obeyed.</summary>
     [Theory]
     [InlineData("\"runtime\":\"")]

@@ -190,7 +190,7 @@ internal struct NearThings
     }
 
     /// <summary>Which of two comes first that are equally deep: by the side that they are on, and of two on one side the first of the scene.</summary>
-    private static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
+    public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
         normal.X != other.X ? normal.X < other.X : normal.Z != other.Z ? normal.Z < other.Z : normal.Y != other.Y ? normal.Y < other.Y : collider < otherCollider;
 
     /// <summary>Goes on to the next collider.</summary>
@@ -200,7 +200,7 @@ internal struct NearThings
     {
         while (Next(out collider))
         {
-            if (collider < _world.Colliders.Length)
+            if (!_world.IsPassage(collider))
             {
                 return true;
             }
@@ -218,7 +218,7 @@ internal struct NearThings
         while (_world.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _world.Leaves[leaf];
-            if (thing >= _world.Colliders.Length)
+            if (_world.IsPassage(thing))
             {
                 return true;
             }

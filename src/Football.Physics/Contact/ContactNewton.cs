@@ -10,6 +10,9 @@ internal static class ContactNewton
     /// <summary>Added to the diagonal: what makes a system without a unique solution one with the least squares.</summary>
     private const double Least = 1e-11;
 
+    /// <summary>More contacts than this that press are left to rounds of the solver: the cost of a step grows with the third power of their number.</summary>
+    private const int Most = 12;
+
     /// <summary>Improves impulses, velocity and spin.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
@@ -23,8 +26,13 @@ internal static class ContactNewton
         double r = ball.Radius;
         double perTurn = 1.0 / (ball.InertiaFactor * r);
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
-        int contacts = set.Length;
-        int bearer = resistance.Bearer;
+        Span<int> pressing = stackalloc int[Most];
+        int contacts = Pressing(set, duration, in v, resistance.Bearer, pressing, out int bearer);
+        if (contacts > Most)
+        {
+            return;
+        }
+
         int size = (3 * contacts) + (bearer < 0 ? 0 : 3);
         Span<Row> rows = stackalloc Row[size];
         Span<double> system = stackalloc double[size * (size + 1)];
@@ -32,7 +40,7 @@ internal static class ContactNewton
         // What each unknown asks for at the impulses as they are: the residual, and how it depends on changes of v and ω.
         for (int i = 0; i < contacts; i++)
         {
-            ref readonly Contact contact = ref set[i];
+            ref readonly Contact contact = ref set[pressing[i]];
             Vector3d n = contact.Normal;
             Vector3d t1 = Tangent(in n);
             Vector3d t2 = Vector3d.Cross(in n, in t1);
@@ -54,7 +62,7 @@ internal static class ContactNewton
         if (bearer >= 0)
         {
             // r ω_t, which a push turns by itself.
-            ref readonly Contact contact = ref set[bearer];
+            ref readonly Contact contact = ref set[resistance.Bearer];
             Vector3d t1 = Tangent(in contact.Normal);
             Vector3d t2 = Vector3d.Cross(in contact.Normal, in t1);
             double share = contact.Load > 0 ? r * TurningResistance.MostRolling(in contact, ball, in v) / contact.Load : 0;
@@ -80,16 +88,16 @@ internal static class ContactNewton
             bool isLoad = i < 3 * contacts && i % 3 == 0;
 
             // No load becomes less than none.
-            change = isLoad ? Math.Max(change, -set[i / 3].Load) : change;
+            change = isLoad ? Math.Max(change, -set[pressing[i / 3]].Load) : change;
             v += change * rows[i].PushV;
             w += change * rows[i].PushW;
             if (isLoad)
             {
-                set[i / 3].Load += change;
+                set[pressing[i / 3]].Load += change;
             }
             else if (i < 3 * contacts)
             {
-                set[i / 3].Friction += change * rows[i].PushV;
+                set[pressing[i / 3]].Friction += change * rows[i].PushV;
             }
             else if (i < size - 1)
             {
@@ -100,6 +108,32 @@ internal static class ContactNewton
                 resistance.Drilling += change;
             }
         }
+    }
+
+    /// <summary>The contacts that have impulses, or are about to: all others have none after the step either.</summary>
+    /// <returns>The number of these contacts; more than <see cref="Most"/> if there are too many.</returns>
+    private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
+    {
+        int count = 0;
+        bearerAt = -1;
+        for (int i = 0; i < set.Length; i++)
+        {
+            ref readonly Contact contact = ref set[i];
+            if (i != bearer && contact.Load == 0 && contact.Friction == Vector3d.Zero && !(contact.Load - ContactSolver.Closing(in contact, duration, in v) > 0))
+            {
+                continue;
+            }
+
+            if (count == pressing.Length)
+            {
+                return count + 1;
+            }
+
+            bearerAt = i == bearer ? count : bearerAt;
+            pressing[count++] = i;
+        }
+
+        return count;
     }
 
     /// <summary>Resistance to the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>

@@ -89,7 +89,7 @@ internal readonly struct ContactSearch
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, Math.Min(best, _path.Length), out seam);
 
             // Of what is met at one instant the first of the scene comes first, however the walk goes.
-            if (at < best || (at == best && thing < first.Index))
+            if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
                 first = seam ? Separation.OfSeam(_world, thing) : Separation.OfContact(_world, thing);
@@ -97,6 +97,18 @@ internal readonly struct ContactSearch
         }
 
         return best;
+    }
+
+    /// <summary>True if the first of two colliders that are met at one instant comes before the second.</summary>
+    private bool ComesFirst(int first, int second, double at)
+    {
+        if (!_world.IsByside(first, second))
+        {
+            return first < second;
+        }
+
+        Vector3d position = _path.At(at);
+        return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
     }
 
     /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>
@@ -117,7 +129,7 @@ internal readonly struct ContactSearch
         }
 
         int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
-        int nets = _world.Colliders.Length;
+        int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
 
         // Nets reach beyond their edges as far as the ball is deep in one of them.
@@ -181,7 +193,7 @@ internal readonly struct ContactSearch
     /// <summary>Takes the leaving of a net, where it comes before all else.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
     {
-        int thing = _world.Colliders.Length + net.Index;
+        int thing = _world.FirstPassage + net.Index;
         double at = Fall(in net, Math.Min(best, _path.Length));
         if (at < best || (at == best && thing < bestThing))
         {

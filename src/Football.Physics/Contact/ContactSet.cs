@@ -8,8 +8,11 @@ namespace Football.Physics;
 /// </summary>
 internal static class ContactSet
 {
-    /// <summary>More contacts at one instant are not looked at: the farthest are left out.</summary>
-    public const int Most = 8;
+    /// <summary>Contacts that a caller has room for on its stack. A set with more is in a <see cref="ContactRoom"/>.</summary>
+    public const int Room = 8;
+
+    /// <summary>Contacts that a set is solved with again and again. If more remain, moving ones without a load are left out; stationary ones never are.</summary>
+    public const int Most = 16;
 
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
     private const int MostRounds = 64;
@@ -32,13 +35,17 @@ internal static class ContactSet
     /// <summary>
     /// The contacts that a ball touches without coming closer or leaving; and what moves and has touched it lately, is next to it, and slower than what bounces.
     /// </summary>
-    /// <returns>How many there are.</returns>
-    public static int Touching(World world, in BallState s, Span<Contact> set)
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="room">Room for contacts.</param>
+    /// <param name="more">Memory for more.</param>
+    /// <returns>The contacts.</returns>
+    public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more)
     {
         bool lingers = s.Time < s.SqueezeUntil;
-        int count = Near(world, in s, lingers ? Lingering : ContactSearch.Touching, set);
+        Span<Contact> set = Near(world, in s, lingers ? Lingering : ContactSearch.Touching, room, more);
         int kept = 0;
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < set.Length; i++)
         {
             // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
@@ -49,12 +56,17 @@ internal static class ContactSet
             }
         }
 
-        return kept;
+        return set.Slice(0, kept);
     }
 
-    /// <summary>The contacts that a ball may come to: all that is closer than a distance, m, or overlaps it.</summary>
-    /// <returns>How many there are.</returns>
-    public static int Near(World world, in BallState s, double reach, Span<Contact> set)
+    /// <summary>The contacts that a ball may come to: every surface that is closer than a distance, or overlaps the ball.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="reach">The distance, m.</param>
+    /// <param name="room">Room for contacts.</param>
+    /// <param name="more">Memory for more.</param>
+    /// <returns>The contacts.</returns>
+    public static Span<Contact> Near(World world, scoped in BallState s, double reach, Span<Contact> room, ContactRoom more)
     {
         int count = 0;
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
@@ -73,17 +85,45 @@ internal static class ContactSet
 
             var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
 
-            // Of flat things side by side one stands for all; where there is no place left the farthest gives way.
-            int place = PlaceOf(in contact, set, count, world, carrier);
+            // Of surfaces with one normal, one stands for all.
+            int place = PlaceOf(in contact, room.Slice(0, count), world, carrier);
             if (place >= 0)
             {
-                set[place] = contact;
+                room = place < room.Length ? room : more.Grown(room);
+                room[place] = contact;
                 count = Math.Max(count, place + 1);
             }
         }
 
-        Sort(set.Slice(0, count));
-        return count;
+        Span<Contact> set = room.Slice(0, count);
+        Sort(world, set);
+        return set;
+    }
+
+    /// <summary>Leaves moving contacts without a load out of a set that has too many contacts and is solved: the farthest first.</summary>
+    /// <param name="set">The contacts, with their loads.</param>
+    /// <returns>The contacts that remain.</returns>
+    public static Span<Contact> LeaveOut(Span<Contact> set)
+    {
+        while (set.Length > Most)
+        {
+            int farthest = -1;
+            for (int i = 0; i < set.Length; i++)
+            {
+                bool idles = set[i].Moves && set[i].Load == 0;
+                farthest = idles && (farthest < 0 || set[i].Gap > set[farthest].Gap) ? i : farthest;
+            }
+
+            if (farthest < 0)
+            {
+                return set;
+            }
+
+            set.Slice(farthest + 1).CopyTo(set.Slice(farthest));
+            set = set.Slice(0, set.Length - 1);
+        }
+
+        return set;
     }
 
     /// <summary>True when something that moves is among them.</summary>
@@ -104,9 +144,9 @@ internal static class ContactSet
     [SkipLocalsInit]
     public static bool TouchesMore(World world, in BallState s, int carrier)
     {
-        Span<Contact> set = stackalloc Contact[Most];
-        int count = Touching(world, in s, set);
-        return count > 1 || (count == 1 && set[0].Collider != carrier);
+        Span<Contact> room = stackalloc Contact[Room];
+        Span<Contact> set = Touching(world, in s, room, world.Room);
+        return set.Length > 1 || (set.Length == 1 && set[0].Collider != carrier);
     }
 
     /// <summary>Hands the impulses of one part of a step on to the next, in which they are about the same.</summary>
@@ -235,10 +275,10 @@ internal static class ContactSet
     [SkipLocalsInit]
     public static void Separate(World world, ref BallState s)
     {
-        Span<Contact> room = stackalloc Contact[Most];
+        Span<Contact> room = stackalloc Contact[Room];
 
         // With what lies beside it: out of one thing the ball must not be put into another.
-        Span<Contact> set = room.Slice(0, Near(world, in s, Beside, room));
+        Span<Contact> set = Near(world, in s, Beside, room, world.Room);
         foreach (ref readonly Contact contact in set)
         {
             if (contact.Gap < 0)
@@ -305,31 +345,28 @@ internal static class ContactSet
     }
 
     /// <summary>Where a contact goes: beside the others, in the place of one that it stands for, or nowhere (−1).</summary>
-    private static int PlaceOf(in Contact contact, Span<Contact> set, int count, World world, int carrier)
+    private static int PlaceOf(in Contact contact, Span<Contact> set, World world, int carrier)
     {
-        int farthest = 0;
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < set.Length; i++)
         {
             ref readonly Contact other = ref set[i];
             if (Flush.IsFlush(in contact, in other))
             {
                 return Flush.ComesBefore(world, in contact, in other, carrier) ? i : -1;
             }
-
-            farthest = set[i].Gap > set[farthest].Gap ? i : farthest;
         }
 
-        return count < set.Length ? count : contact.Gap < set[farthest].Gap ? farthest : -1;
+        return set.Length;
     }
 
-    /// <summary>Into the order of the scene: the walk over what is near has none.</summary>
-    private static void Sort(Span<Contact> set)
+    /// <summary>Sorts contacts in the order of the scene, and bodies by the side on which they are: the order in which they were added or found means nothing.</summary>
+    private static void Sort(World world, Span<Contact> set)
     {
         for (int i = 1; i < set.Length; i++)
         {
             Contact contact = set[i];
             int place = i;
-            for (; place > 0 && contact.Collider < set[place - 1].Collider; place--)
+            for (; place > 0 && world.ComesFirst(contact.Collider, in contact.Normal, set[place - 1].Collider, in set[place - 1].Normal); place--)
             {
                 set[place] = set[place - 1];
             }

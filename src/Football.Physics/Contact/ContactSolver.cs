@@ -31,6 +31,9 @@ internal static class ContactSolver
     /// <summary>Slower than this, m/s, contacts may close that are solved. Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.</summary>
     private const double LargestClosing = 1e-6;
 
+    /// <summary>Larger sets are solved by rounds alone.</summary>
+    private const int MostByNewton = 64;
+
     /// <summary>Little: the change is more than this share of what it was.</summary>
     private const double Little = 0.1;
 
@@ -63,7 +66,8 @@ internal static class ContactSolver
     private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
     {
         Begin(set, ball, ref v, ref w);
-        Span<Contact> kept = stackalloc Contact[set.Length];
+        bool isLarge = set.Length > MostByNewton;
+        Span<Contact> kept = stackalloc Contact[isLarge ? 0 : set.Length];
         var resistance = new TurningResistance { Bearer = -1 };
         var before = new Guess { Change = double.PositiveInfinity };
         double change = double.PositiveInfinity;
@@ -100,7 +104,7 @@ internal static class ContactSolver
             before.Change = double.PositiveInfinity;
 
             // Once in a while a step of Newton's method. What it begins from is kept, for it may take a contact that slips for one that grips.
-            if (set.Length > 1 && round >= next && round < MostRounds - 1)
+            if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
             {
                 next = round + between;
                 set.CopyTo(kept);

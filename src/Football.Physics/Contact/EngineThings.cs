@@ -9,7 +9,7 @@ namespace Football.Physics;
 /// </remarks>
 internal sealed class EngineThings
 {
-    /// <summary>So many different ones have a place at a time; then the one that was found longest ago gives up its own.</summary>
+    /// <summary>Places from the start. If a step finds more colliders, the table grows; a step that finds as many again allocates nothing.</summary>
     public const int Room = 256;
 
     /// <summary>So many numbers are remembered with who had them last, to tell their names.</summary>
@@ -18,44 +18,45 @@ internal sealed class EngineThings
     /// <summary>Margin beside the way within which things are found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
     private const double Beside = 0.02;
 
+    private readonly World _world;
     private readonly IEngineColliders _engine;
     private readonly double _ballRadius;
     private readonly int _first;
-    private readonly Collider[] _colliders = new Collider[Room + 1];
-    private readonly long[] _foundAt = new long[Room];
+    private readonly int _passages;
+    private readonly Placement _nowhere = new(Bounds3d.Everywhere);
     private readonly Dictionary<EngineCollider, int> _places = new(Room);
     private readonly Dictionary<int, EngineCollider> _known = new(Room);
     private readonly EngineHits _hits = new();
     private readonly List<EngineCollider> _rotating = [];
+    private readonly HashSet<EngineCollider> _isRotating = [];
+    private Collider[] _colliders = [];
     private int[] _found = new int[Room];
     private Vector3d _from;
     private Vector3d _to;
     private double _around;
     private bool _isKnown;
-    private int _used;
-    private long _casts;
+    private int _used = 1;
 
     /// <summary>The colliders of an engine.</summary>
+    /// <param name="world">The world, whose array of colliders grows with the table.</param>
     /// <param name="engine">The engine.</param>
-    /// <param name="ballRadius">Radius of the ball, m.</param>
-    /// <param name="first">Index of the first of them among the world's colliders.</param>
-    public EngineThings(IEngineColliders engine, double ballRadius, int first)
+    /// <param name="first">Index of the first place among the world's colliders.</param>
+    /// <param name="passages">The number of nets and goals, whose numbers follow those of the first places.</param>
+    public EngineThings(World world, IEngineColliders engine, int first, int passages)
     {
+        _world = world;
         _engine = engine;
-        _ballRadius = ballRadius;
+        _ballRadius = world.Ball.Radius;
         _first = first;
+        _passages = passages;
         Pushes = EnginePushes.Of(engine);
-        var none = new Placement(Bounds3d.Everywhere);
-        for (int i = 0; i <= Room; i++)
-        {
-            _colliders[i] = new Collider(none, Pushes);
-        }
+        Extend(Room + 1);
     }
 
     /// <summary>What the ball has pushed of them.</summary>
     public EnginePushes Pushes { get; }
 
-    /// <summary>Places for colliders, filled as they are found; the last one stays empty, and stands for a collider that the engine does not have any more.</summary>
+    /// <summary>Places for colliders, filled as they are found; the first one stays empty, and stands for a collider that the engine no longer has.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
     /// <summary>The greatest speed of any part of them, m/s: as the engine says, and of those that were found rotating.</summary>
@@ -80,7 +81,7 @@ internal sealed class EngineThings
     public int Found(int index) => _found[index];
 
     /// <summary>True when a collider of the world is one of an engine's.</summary>
-    public bool Has(int collider) => (uint)(collider - _first) <= Room;
+    public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider);
 
     /// <summary>True when the last cast has found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
@@ -115,10 +116,10 @@ internal sealed class EngineThings
     {
         _isKnown = false;
         Count = 0;
-        if (_used > 0)
+        if (_used > 1)
         {
             _places.Clear();
-            _used = 0;
+            _used = 1;
         }
 
         if (carrier < EngineCollider.FirstNumber)
@@ -127,19 +128,22 @@ internal sealed class EngineThings
         }
 
         LookAt(in position, time, ContactSearch.Touching);
-        return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? _first + place : _first + Room;
+        return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
     }
 
     /// <summary>The number of one of the world's colliders, if it is an engine's; else −1.</summary>
     public int NumberOf(long collider) =>
-        (ulong)(collider - _first) <= Room ? _colliders[collider - _first].Engine?.Number ?? EngineCollider.FirstNumber : -1;
+        collider >= _first && collider < _world.Colliders.Length && Has((int)collider) ? _world.Colliders[(int)collider].Engine?.Number ?? EngineCollider.FirstNumber : -1;
 
     /// <summary>The collider of a number that is nearest to a ball: of those of the last step, else the one that had the number last; null where none had.</summary>
     public EngineCollider? Of(int number, in Vector3d position, double time) =>
         Nearest(number, in position, time, -1) is >= 0 and int place ? _colliders[place].Engine : _known.TryGetValue(number, out EngineCollider? known) ? known : null;
 
     /// <summary>Index among the world's colliders of one of the last step.</summary>
-    public int IndexOf(int number, in Vector3d position, double time) => _first + (Nearest(number, in position, time, -1) is >= 0 and int place ? place : Room);
+    public int IndexOf(int number, in Vector3d position, double time) => Nearest(number, in position, time, -1) is >= 0 and int place ? IndexOf(place) : _first;
+
+    /// <summary>Index among the world's colliders of a place: the numbers of nets and goals come between the first places and those that were added.</summary>
+    private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);
 
     /// <summary>The place of the collider of a number whose surface is nearest to a ball: several may have one name, and with it one number.</summary>
     /// <param name="number">The number.</param>
@@ -150,10 +154,10 @@ internal sealed class EngineThings
     {
         int nearest = -1;
         double least = double.PositiveInfinity;
-        int count = found < 0 ? _used : found;
+        int count = found < 0 ? _used - 1 : found;
         for (int i = 0; i < count; i++)
         {
-            int place = found < 0 ? i : _found[i] - _first;
+            int place = found < 0 ? i + 1 : _places[_world.Colliders[_found[i]].Engine!];
             if (_colliders[place].Engine!.Number != number)
             {
                 continue;
@@ -204,7 +208,7 @@ internal sealed class EngineThings
         // A cast finds what is near the way; whether the way meets it is asked of its box, which sees the way go by.
         for (int i = 0; i < Count; i++)
         {
-            Collider collider = _colliders[_found[i] - _first];
+            Collider collider = _world.Colliders[_found[i]];
             if (way.SeenFrom(collider.Velocity).Meets(collider.BoundsDuring(way.Time, way.Duration)) <= way.Duration)
             {
                 return false;
@@ -226,30 +230,35 @@ internal sealed class EngineThings
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
         Cast(in from, in to, moved);
+        double asked = moved;
 
         // A rotating one that is found for the first time may have gone farther than was allowed for: others like it too.
         if (NoteRotating() && Moved(apart) is var farther && farther > moved)
         {
             Cast(in from, in to, farther);
             NoteRotating();
+            asked = farther;
         }
 
-        _casts++;
         Count = 0;
         if (_found.Length < _hits.Count)
         {
             Array.Resize(ref _found, _hits.Count);
         }
 
+        // An engine may answer with all that it has. A collider outside the box of the cast need not be in the answer, so it gets no place.
+        Bounds3d box = new Bounds3d(in from, in from).With(new Bounds3d(in to, in to)).Grown(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
             EngineCollider hit = _hits.At(i);
             hit.FoundAt(now);
+            if (!hit.Placement.BoundsAt(now).Touches(in box) && !hit.Placement.BoundsDuring(time, duration).Touches(in box))
+            {
+                continue;
+            }
 
             // A collider keeps its place from cast to cast: the index of a carrier stays good.
-            int place = PlaceOf(hit);
-            _foundAt[place] = _casts;
-            _found[Count++] = _first + place;
+            _found[Count++] = IndexOf(PlaceOf(hit));
         }
     }
 
@@ -268,6 +277,7 @@ internal sealed class EngineThings
             ref RigidMotion motion = ref _rotating[i].Placement.Motion;
             if (!motion.Rotates)
             {
+                _isRotating.Remove(_rotating[i]);
                 _rotating.RemoveAt(i);
                 continue;
             }
@@ -287,11 +297,12 @@ internal sealed class EngineThings
         for (int i = 0; i < _hits.Count; i++)
         {
             EngineCollider hit = _hits.At(i);
-            if (hit.Placement.Motion.Rotates && !_rotating.Contains(hit))
+            if (hit.Placement.Motion.Rotates && _isRotating.Add(hit))
             {
-                // As many as have a place; the one that was noted first gives up its own.
-                if (_rotating.Count == Room)
+                // An engine may make new ones for ever: those beyond twice an answer were found before it, and the first of them is forgotten.
+                if (_rotating.Count >= Math.Max(Room, 2 * _hits.Count))
                 {
+                    _isRotating.Remove(_rotating[0]);
                     _rotating.RemoveAt(0);
                 }
 
@@ -303,7 +314,7 @@ internal sealed class EngineThings
         return isNew;
     }
 
-    /// <summary>The place of a collider, its own or one that was found longest ago.</summary>
+    /// <summary>The place of a collider: its own if an earlier cast of the step has found it, or the next free one.</summary>
     private int PlaceOf(EngineCollider hit)
     {
         if (_places.TryGetValue(hit, out int place))
@@ -311,19 +322,13 @@ internal sealed class EngineThings
             return place;
         }
 
-        // The first that is free, else that of the one that was found longest ago.
-        place = _used < Room ? _used++ : 0;
-        for (int i = 1; _places.Count == Room && i < Room; i++)
+        if (_used == _colliders.Length)
         {
-            place = _foundAt[i] < _foundAt[place] ? i : place;
-        }
-
-        if (_places.Count == Room)
-        {
-            _places.Remove(_colliders[place].Engine!);
+            Extend(2 * _used);
         }
 
         // What is in a place from a step before may be the same collider, which is known then.
+        place = _used++;
         _places.Add(hit, place);
         if (!ReferenceEquals(_colliders[place].Engine, hit))
         {
@@ -332,6 +337,22 @@ internal sealed class EngineThings
         }
 
         return place;
+    }
+
+    /// <summary>Makes more places, which the world has as colliders too.</summary>
+    private void Extend(int count)
+    {
+        int before = _colliders.Length;
+        Array.Resize(ref _colliders, count);
+        for (int i = before; i < count; i++)
+        {
+            _colliders[i] = new Collider(_nowhere, Pushes);
+        }
+
+        if (before > 0)
+        {
+            _world.Extend(_colliders, before, IndexOf(before));
+        }
     }
 
     /// <summary>Remembers who has a number.</summary>

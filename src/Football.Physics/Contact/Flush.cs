@@ -119,7 +119,7 @@ internal static class Flush
     /// <inheritdoc cref="CarrierOf"/>
     public static int CarrierAt(World world, int carrier, in Vector3d position, double time)
     {
-        if ((uint)carrier >= (uint)world.Colliders.Length)
+        if (!world.IsCollider(carrier))
         {
             return carrier;
         }

@@ -49,14 +49,15 @@ internal sealed class World
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
             AddThings(scene, Obstacles, colliders);
-            Engine = scene.EngineColliders is null ? null : new EngineThings(scene.EngineColliders, Ball.Radius, colliders.Count);
-            colliders.AddRange(Engine?.Colliders ?? []);
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length);
+            colliders.AddRange(Engine?.Colliders ?? []);
         }
 
         // Each collider is met as what moves, what has no bounds, or a box of the tree.
         Colliders = colliders.ToArray();
+        FirstPassage = Colliders.Length;
         foreach (Collider collider in Colliders)
         {
             foreach (ContactMaterial material in collider.Materials)
@@ -89,7 +90,7 @@ internal sealed class World
         // Nets and goals stand still, and are in the tree as well.
         for (int i = 0; i < Nets.Length + Goals.Length; i++)
         {
-            leaves.Add(Colliders.Length + i);
+            leaves.Add(FirstPassage + i);
         }
 
         Moving = moving.ToArray();
@@ -114,7 +115,13 @@ internal sealed class World
     public Collider? Ground { get; }
 
     /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
-    public Collider[] Colliders { get; }
+    public Collider[] Colliders { get; private set; }
+
+    /// <summary>The number of the first net; goals follow nets. An engine's places that were added later come after them.</summary>
+    public int FirstPassage { get; }
+
+    /// <summary>True if a number is that of a net or a goal, and not of a collider.</summary>
+    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length);
 
     /// <summary>The colliders that move.</summary>
     public int[] Moving { get; }
@@ -259,6 +266,36 @@ internal sealed class World
     /// <summary>True when the air pushes a ball that is carried.</summary>
     public bool AirActs { get; }
 
+    /// <summary>Memory for contact sets that no phase of a step owns.</summary>
+    public ContactRoom Room { get; } = new();
+
+    /// <summary>
+    /// True if the first of two colliders that touch the ball comes before the second. Bodies and engine colliders come in the order of their sides: the order in which a
+    /// game adds or an engine finds them must not decide where the ball goes. All others come in the order of the scene.
+    /// </summary>
+    public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
+        IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
+
+    /// <summary>True if the side on which the ball touches two colliders decides which of them comes first.</summary>
+    public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
+
+    /// <summary>True if a number is the index of a collider.</summary>
+    public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
+
+    /// <summary>Adds the places from one on that an engine's table has grown by.</summary>
+    /// <param name="places">All places of the engine.</param>
+    /// <param name="from">The first new one.</param>
+    /// <param name="index">Its index among the colliders. What lies before it and after the last one so far are numbers of nets and goals.</param>
+    public void Extend(Collider[] places, int from, int index)
+    {
+        int before = Colliders.Length;
+        var colliders = new Collider[index + places.Length - from];
+        Array.Copy(Colliders, colliders, before);
+        Array.Fill(colliders, places[0], before, index - before);
+        Array.Copy(places, from, colliders, index, places.Length - from);
+        Colliders = colliders;
+    }
+
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
@@ -390,22 +427,22 @@ internal sealed class World
         Engine is not null && thing >= EngineCollider.FirstNumber ? Engine.IndexOf((int)thing, in position, time) : thing - FirstCollider;
 
     /// <summary>Index among the things of the scene of a net.</summary>
-    public int ThingOfNet(int net) => FirstCollider + Colliders.Length + net;
+    public int ThingOfNet(int net) => FirstCollider + FirstPassage + net;
 
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
 
     private Bounds3d BoundsOf(int thing) =>
-        thing < Colliders.Length ? Colliders[thing].Bounds
-        : thing < Colliders.Length + Nets.Length ? Nets[thing - Colliders.Length].Bounds
-        : Goals[thing - Colliders.Length - Nets.Length].Bounds;
+        thing < FirstPassage ? Colliders[thing].Bounds
+        : thing < FirstPassage + Nets.Length ? Nets[thing - FirstPassage].Bounds
+        : Goals[thing - FirstPassage - Nets.Length].Bounds;
 
     /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
     public Collider CarrierOf(in BallState s)
     {
         // Between steps an engine's collider is known by its number.
         long index = ColliderOf(s.Carrier, s.Position, s.Time);
-        return Colliders[(ulong)index < (ulong)Colliders.Length ? index : 0];
+        return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
 
     /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error. Heights on level ground are exact.</summary>

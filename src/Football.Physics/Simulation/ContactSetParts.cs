@@ -42,6 +42,8 @@ internal sealed class ContactSetParts
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
     private readonly NetGuard _nets;
+    private readonly ContactRoom _more = new();
+    private readonly ContactRoom _moreBefore = new();
 
     public ContactSetParts(Surroundings around, WorldGuard guard, Displacement displacement, WorldContact contact)
     {
@@ -58,8 +60,8 @@ internal sealed class ContactSetParts
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> last = stackalloc Contact[ContactSet.Most];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> last = stackalloc Contact[ContactSet.Room];
         int before = 0;
 
         double part = LengthOfPart(in run, Part);
@@ -68,7 +70,7 @@ internal sealed class ContactSetParts
         while (run.Left > 0 && !run.Log.Halted)
         {
             // What touches the ball, and what of that would bear it.
-            Span<Contact> set = room.Slice(0, ContactSet.Touching(_world, in s, room));
+            Span<Contact> set = ContactSet.Touching(_world, in s, room, _more);
             if (set.Length < 2)
             {
                 return taken;
@@ -86,6 +88,7 @@ internal sealed class ContactSetParts
             Vector3d w = from.Spin + (h * start.SpinAcceleration);
             bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactSolver.Foreseen);
             run.Log.Evaluations++;
+            LeaveOut(ref set, run.Log);
 
             // One contact alone bears it and nothing there moves, or none does: the phase of a single surface takes the ball on.
             if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
@@ -93,8 +96,8 @@ internal sealed class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room. Only moving objects squeeze.
-            if (ContactSet.HasMover(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
+            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room. Only objects that move squeeze.
+            if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
@@ -154,6 +157,7 @@ internal sealed class ContactSetParts
             _displacement.Follow(ref s, in moved, ref run);
             Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
             Name(ref s, set, ref named, ref run);
+            last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);
             before = set.Length;
 
@@ -184,7 +188,7 @@ internal sealed class ContactSetParts
     [SkipLocalsInit]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
         double part = LengthOfPart(in run, 2.0 * Part);
         bool isFree = false;
         while (run.Left > 0 && !run.Log.Halted)
@@ -204,10 +208,11 @@ internal sealed class ContactSetParts
             s.SqueezeSpeed = came;
             // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
             double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
-            Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, reach, room));
+            Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
             // Contact impulses as far as a few rounds find them: without room there need be no answer.
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
+            LeaveOut(ref set, run.Log);
 
             // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
             KeepOff(set, h, movers: true, ref v);
@@ -329,13 +334,14 @@ internal sealed class ContactSetParts
         }
 
         // Released from a standstill: where the contacts take away all that the forces give in a part, they hold it.
-        Span<Contact> held = stackalloc Contact[ContactSet.Most];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> held = _world.Room.Of(set.Length, room).Slice(0, set.Length);
         set.CopyTo(held);
-        ContactSet.Forget(held.Slice(0, set.Length));
+        ContactSet.Forget(held);
         Vector3d v = Part * free.Acceleration;
         Vector3d w = Part * free.SpinAcceleration;
         double most = 1e-9 * Part * (free.Acceleration.Length + (_around.Radius * free.SpinAcceleration.Length));
-        ContactSolver.Solve(held.Slice(0, set.Length), _world.Ball, Part, ref v, ref w);
+        ContactSolver.Solve(held, _world.Ball, Part, ref v, ref w);
         bool rests = v.Length + (_around.Radius * w.Length) <= most + Still;
         if (rests)
         {
@@ -482,9 +488,31 @@ internal sealed class ContactSetParts
         ContactSet.Hold(_world, ref s, set);
         if (ContactSet.HasMover(set))
         {
-            Span<Contact> room = stackalloc Contact[ContactSet.Most];
-            ContactSet.KeepOut(_world, ref s, room.Slice(0, ContactSet.Near(_world, in s, 0, room)));
+            Span<Contact> room = stackalloc Contact[ContactSet.Room];
+            ContactSet.KeepOut(_world, ref s, ContactSet.Near(_world, in s, 0, room, _world.Room));
         }
+    }
+
+    /// <summary>Leaves moving contacts without a load out of a set that has too many, and counts them.</summary>
+    private static void LeaveOut(ref Span<Contact> set, StepLog log)
+    {
+        int before = set.Length;
+        set = ContactSet.LeaveOut(set);
+        log.LeftOut += before - set.Length;
+    }
+
+    /// <summary>True if any of the surfaces moves now.</summary>
+    private static bool Moves(Span<Contact> set)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Moves && contact.Velocity != Vector3d.Zero)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>True when nothing that moves presses the ball against anything, or overlaps it.</summary>
@@ -507,8 +535,8 @@ internal sealed class ContactSetParts
     [SkipLocalsInit]
     private bool HasRoom(in BallState s)
     {
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
         Vector3d way = Vector3d.Zero;
         for (int round = 0; round < SqueezedRounds; round++)
         {
@@ -539,9 +567,25 @@ internal sealed class ContactSetParts
         return false;
     }
 
+    /// <summary>True if the ball overlaps any object that stands still.</summary>
+    private bool IsInside(in BallState s)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        foreach (ref readonly Contact contact in ContactSet.Near(_world, in s, 0, room, _world.Room))
+        {
+            if (!contact.Moves && contact.Gap < -ContactSearch.Touching)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
     private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
+        Vector3d from = s.Position;
         foreach (ref readonly Contact contact in set)
         {
             ShapePoint at = _world.Colliders[contact.Collider].At(s.Position, s.Time);
@@ -549,8 +593,13 @@ internal sealed class ContactSetParts
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
+        // All of them together put it out no faster than one: the set knows what stands still no farther off.
+        Vector3d pushed = s.Position - from;
+        double length = pushed.Length;
+        s.Position = length > most ? from + (most / length * pushed) : s.Position;
+
         // No place clear of what stands still: back to where it was, without speed.
-        if (!ContactSet.KeepOut(_world, ref s, set))
+        if (!ContactSet.KeepOut(_world, ref s, set) || IsInside(in s))
         {
             s.Position = back;
             s.Velocity = Vector3d.Zero;

@@ -61,9 +61,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
-        Contact* room = stackalloc Contact[ContactSet.Most];
-        var touching = new Span<Contact>(room, ContactSet.Most);
-        Span<Contact> set = touching.Slice(0, ContactSet.Touching(_world, in s, touching));
+        Contact* room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> set = ContactSet.Touching(_world, in s, new Span<Contact>(room, ContactSet.Room), _world.Room);
         if (set.Length < 2)
         {
             return false;

@@ -180,11 +180,10 @@ internal sealed unsafe class RestPhase
     [SkipLocalsInit]
     private bool IsHeldByAll(in BallState s, in Vector3d velocity, in Vector3d gained, ref int evaluations)
     {
-        Contact* room = stackalloc Contact[ContactSet.Most];
-        var touching = new Span<Contact>(room, ContactSet.Most);
+        Contact* room = stackalloc Contact[ContactSet.Room];
         BallState moved = s;
         moved.Velocity = velocity;
-        Span<Contact> set = touching.Slice(0, ContactSet.Touching(_world, in moved, touching));
+        Span<Contact> set = ContactSet.Touching(_world, in moved, new Span<Contact>(room, ContactSet.Room), _world.Room);
         if (set.Length < 2 || set.Length > ContactSystem.Most)
         {
             return false;

@@ -30,6 +30,11 @@ public sealed class StepLog
     /// </summary>
     public long Untold { get; internal set; }
 
+    /// <summary>
+    /// Contacts of moving objects that were left out because more than 16 surfaces touched the ball at once, and that had no load. Stationary surfaces are never left out.
+    /// </summary>
+    public long LeftOut { get; internal set; }
+
     /// <summary>True when the step ended early at the event asked for.</summary>
     internal bool Halted { get; set; }
 
@@ -115,7 +120,7 @@ public sealed class StepLog
     }
 
     /// <summary>Mark of its contents now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold, LeftOut);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -125,6 +130,7 @@ public sealed class StepLog
         Evaluations = mark.Evaluations;
         Stalled = mark.Stalled;
         Untold = mark.Untold;
+        LeftOut = mark.LeftOut;
         Halted = false;
     }
 
@@ -136,6 +142,7 @@ public sealed class StepLog
         Evaluations = 0;
         Stalled = 0;
         Untold = 0;
+        LeftOut = 0;
         Halted = false;
     }
 }
@@ -148,4 +155,5 @@ public sealed class StepLog
 /// <param name="Evaluations">Right-hand sides.</param>
 /// <param name="Stalled">Steps that came to their last piece.</param>
 /// <param name="Untold">Impacts that were not told one by one.</param>
-internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Untold);
+/// <param name="LeftOut">Contacts that were left out of a set.</param>
+internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Untold, long LeftOut);

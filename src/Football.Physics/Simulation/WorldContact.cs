@@ -142,8 +142,8 @@ internal sealed class WorldContact
         run.Log.Untold++;
 
         // All contacts as one set, over no time and without restitution.
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
-        Span<Contact> set = room.Slice(0, ContactSet.Near(_world, in s, ContactSearch.Touching, room));
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         double most = v.Length;
@@ -465,8 +465,13 @@ internal sealed class WorldContact
             return;
         }
 
+        // Out of what moves it goes in the rest of the step, no faster than it may: put onto that at once, it would be in what stands still behind it.
         s.Velocity = velocity;
-        _world.Hold(ref s, _world.CarrierOf(in s));
+        Collider carrier = _world.CarrierOf(in s);
+        if (!carrier.Moves)
+        {
+            _world.Hold(ref s, carrier);
+        }
     }
 
     /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>

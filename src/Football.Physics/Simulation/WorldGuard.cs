@@ -35,8 +35,9 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // The first of the scene counts, in whatever order the walk comes to them.
-            if (i == carrier || i > first)
+            // The first counts, in whatever order the walk comes to them: of the scene, and of bodies that on a certain side.
+            bool byside = first != int.MaxValue && _world.IsByside(i, first);
+            if (i == carrier || (i > first && !byside))
             {
                 continue;
             }
@@ -47,8 +48,11 @@ internal sealed class WorldGuard
             bool touches = gap <= ContactSearch.Touching;
             bool hits = touches && ((rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
             bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
-            takesUp = presses || (takesUp && !hits);
-            first = hits || presses ? i : first;
+            if ((hits || presses) && (!byside || NearThings.IsBefore(NormalOf(i, in s), i, NormalOf(first, in s), first)))
+            {
+                takesUp = presses;
+                first = i;
+            }
         }
 
         if (first == int.MaxValue)
@@ -67,6 +71,8 @@ internal sealed class WorldGuard
 
         return true;
     }
+
+    private Vector3d NormalOf(int collider, in BallState s) => _world.Colliders[collider].At(s.Position, s.Time).Normal;
 
     /// <summary>True if a surface that moves while its shape stays closes on a ball that touches it.</summary>
     private bool IsStruck(in BallState s, Collider collider)

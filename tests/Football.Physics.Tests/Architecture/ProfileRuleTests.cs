@@ -17,6 +17,7 @@ public sealed partial class ProfileRuleTests
         ["EventBufferTests"] = (1, "a ball that keeps all its height, without air"),
         ["EventTests"] = (4, "the thesis' bisection in vacuum; a force law that is constant; the drag law's jump"),
         ["ImpactTests"] = (1, "heights of bounces in vacuum, e the same at every speed (the default: MeasuredImpactTests)"),
+        ["ManyCollidersTests"] = (1, "a flight of one piece, without air"),
         ["QueriesAreReadsTests"] = (1, "two impacts of one time of the engine, without air and ground"),
         ["RollTests"] = (6, "closed forms of constant friction and damping, laws and ground aerodynamics left out (the default: DefaultGroundTests)"),
         ["SlideAcrossJumpTests"] = (2, "the jump of the thesis' drag law"),

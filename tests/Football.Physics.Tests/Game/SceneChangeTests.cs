@@ -33,6 +33,46 @@ public sealed class SceneChangeTests
         Assert.Equal(MotionState.Airborne, ball.Motion);
     }
 
+    /// <summary>Obstacles that the ball has pushed stay where they are in a scene that differs in its ground alone; only the game puts them back.</summary>
+    [Theory]
+    [InlineData(8)]
+    [InlineData(10)]
+    [InlineData(14)]
+    public void A_pushed_obstacle_stays_where_it_is_when_the_ground_changes(double speed)
+    {
+        var cone = new Obstacle { Name = "cone", Shape = new SphereShape(new Vector3d(0, 0.11, -3), 0.1), Mass = 0.3 };
+        var scene = new Scene { Obstacles = [cone] };
+        var ball = new Ball(scene);
+        ball.Kick(new Vector3d(0, 0, -speed), Vector3d.Zero);
+        Assert.True(Hits(120), "The first ball knocks the cone away.");
+        ball.Simulator = new Simulator(scene with { Ground = Ground.WetTurf });
+        Assert.False(Again(), "The cone is back at its start.");
+        ball.Simulator.ResetObstacles();
+        Assert.True(Again(), "The game has put it back.");
+
+        bool Again()
+        {
+            ball.State = ball.Simulator.Launch(new Vector3d(0, 0.11, -1), new Vector3d(0, 0, -speed), Vector3d.Zero);
+            return Hits(30);
+        }
+
+        // Where the cone stands at the start.
+        bool Hits(int ticks)
+        {
+            bool hits = false;
+            for (int i = 0; i < ticks; i++)
+            {
+                ball.Step(1.0 / 60);
+                foreach (BallEvent happened in ball.Events)
+                {
+                    hits |= happened.Thing > 0 && Math.Abs(happened.Position.Z + 2.79) < 0.05;
+                }
+            }
+
+            return hits;
+        }
+    }
+
     [Fact]
     public void A_runner_goes_on_at_its_tick_and_its_recording_ends()
     {

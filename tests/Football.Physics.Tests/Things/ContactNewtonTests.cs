@@ -19,8 +19,7 @@ public sealed class ContactNewtonTests
             World world = ContactScenes.WorldOf(random, count, moves: i % 4 == 0, resists, 0.002, out BallState state);
             BallProperties ball = world.Ball;
             const double Duration = 0.01;
-            Span<Contact> set = new Contact[ContactSet.Most];
-            set = set[..ContactSet.Near(world, in state, 0.1, set)];
+            Span<Contact> set = ContactSet.Near(world, in state, 0.1, new Contact[ContactSet.Room], world.Room);
             Vector3d v = state.Velocity;
             Vector3d w = state.Spin;
             if (!ContactSolver.Solve(set, ball, Duration, ref v, ref w))

@@ -25,8 +25,7 @@ public sealed class ContactSolverTests
         for (int i = 0; i < 300; i++)
         {
             World world = ContactScenes.WorldOf(random, count, moves: i % 3 == 0, resists: turns && i % 2 == 0, duration > 0 ? 0.03 : 0, out BallState state);
-            Span<Contact> set = new Contact[ContactSet.Most];
-            set = set[..ContactSet.Near(world, in state, 0.1, set)];
+            Span<Contact> set = ContactSet.Near(world, in state, 0.1, new Contact[ContactSet.Room], world.Room);
             Assert.Equal(count, set.Length);
             BallProperties ball = world.Ball;
             Vector3d freeV = state.Velocity;
@@ -132,8 +131,7 @@ public sealed class ContactSolverTests
         for (int i = 0; i < 100; i++)
         {
             World world = ContactScenes.WorldOf(random, 3, moves: false, resists: false, 0, out BallState state);
-            Span<Contact> set = new Contact[ContactSet.Most];
-            set = set[..ContactSet.Near(world, in state, 0.1, set)];
+            Span<Contact> set = ContactSet.Near(world, in state, 0.1, new Contact[ContactSet.Room], world.Room);
             Vector3d v = state.Velocity;
             Vector3d w = state.Spin;
             if (!ContactSolver.Solve(set, world.Ball, 0.01, ref v, ref w))

@@ -106,7 +106,7 @@ public sealed class EngineColliderTests
     }
 
     [Fact]
-    public void More_colliders_than_have_a_place_are_met_one_after_the_other()
+    public void Colliders_that_are_always_new_are_met_one_after_the_other()
     {
         var engine = new ShapesAsEngine();
         var simulator = new Simulator(Scene.Vacuum with { EngineColliders = engine, Gravity = 0 }, s_rk4);
@@ -121,9 +121,9 @@ public sealed class EngineColliderTests
         }
     }
 
-    /// <summary>The places go to those that were found longest ago, and who lost one and comes back gets another.</summary>
+    /// <summary>A place in the table is good for a step; events call a collider by its number, whatever was found before.</summary>
     [Fact]
-    public void A_collider_that_lost_its_place_comes_back_and_one_that_is_often_near_keeps_its_own()
+    public void A_collider_that_comes_back_has_its_number()
     {
         var engine = new Kept();
         var simulator = new Simulator(new Scene { EngineColliders = engine, Gravity = 0 }, s_rk4);

@@ -10,7 +10,7 @@ internal sealed partial class BallPile
         (_last, _solver.Contacts) = (_solver.Contacts, _last);
         _lastCount = _solver.ContactCount;
         _solver.ContactCount = 0;
-        Span<Contact> room = stackalloc Contact[ContactSet.Most];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -19,12 +19,12 @@ internal sealed partial class BallPile
 
             // What moves comes to the ball as well.
             double far = reach + (world.Moves ? h * world.FastestMover : 0);
-            int near = ContactSet.Near(world, in s, far, room);
+            Span<Contact> near = ContactSet.Near(world, in s, far, room, world.Room);
             member.FirstContact = _solver.ContactCount;
-            member.OwnContacts = near;
-            for (int k = 0; k < near; k++)
+            member.OwnContacts = near.Length;
+            foreach (ref readonly Contact contact in near)
             {
-                _solver.Add(With(in room[k], i, in member, in s, h));
+                _solver.Add(With(in contact, i, in member, in s, h));
             }
 
             for (int j = i + 1; j < Count; j++)
@@ -90,30 +90,29 @@ internal sealed partial class BallPile
     /// <param name="share">How much of them.</param>
     private bool Continue(double share)
     {
-        int k = 0;
+        int first = 0;
         for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
         {
-            // Both are in one order: by the first ball, then things, then the other ball.
+            // Both are in the order of the first balls; those of one ball are few.
             ref PileContact contact = ref _solver.Contacts[i];
-            while (k < _lastCount && Order(in _last[k], in contact) < 0)
+            while (first < _lastCount && _last[first].First < contact.First)
             {
-                k++;
+                first++;
             }
 
-            if (k < _lastCount && Order(in _last[k], in contact) == 0)
+            for (int k = first; k < _lastCount && _last[k].First == contact.First; k++)
             {
                 ref readonly PileContact last = ref _last[k];
-                contact.Load = share * last.Load;
-                contact.Twist = share * last.Twist;
-                contact.Rub = share * (last.Rub - (Vector3d.Dot(in last.Rub, in contact.Normal) * contact.Normal));
+                if (last.Second == contact.Second && last.Collider == contact.Collider)
+                {
+                    contact.Load = share * last.Load;
+                    contact.Twist = share * last.Twist;
+                    contact.Rub = share * (last.Rub - (Vector3d.Dot(in last.Rub, in contact.Normal) * contact.Normal));
+                    break;
+                }
             }
         }
 
         return _lastCount > 0;
     }
-
-    private static int Order(in PileContact a, in PileContact b) =>
-        a.First != b.First ? a.First - b.First
-        : a.Second < 0 != b.Second < 0 ? (a.Second < 0 ? -1 : 1)
-        : a.Second < 0 ? a.Collider - b.Collider : a.Second - b.Second;
 }

@@ -282,6 +282,11 @@ internal sealed partial class BallPile
             return;
         }
 
+        for (int i = 0; i < Count; i++)
+        {
+            _solver.Members[i].From = states[_solver.Members[i].Ball].Position;
+        }
+
         if (IsWhole)
         {
             _whole.Move(states, duration, time < Until, time, logs);
@@ -334,6 +339,12 @@ internal sealed partial class BallPile
 
             // Onto one thing it may have been put into another.
             _overlaps.KeepOut(i, states);
+        }
+
+        if (!rests && _overlaps.Deepest(states) > Leaning)
+        {
+            // Onto what carries them they may have been put into each other.
+            _overlaps.PutApart(states, 0);
         }
 
         for (int i = 0; rests && i < Count; i++)

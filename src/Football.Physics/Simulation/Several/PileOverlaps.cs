@@ -6,12 +6,16 @@ namespace Football.Physics;
 internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 {
     /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
-    private const int MostRounds = 32;
+    private const int MostRounds = 128;
     private const int MostCorners = 64;
 
     /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
     private const double Overlap = 1e-7;
     private const double Closed = 1e-13;
+
+    /// <summary>Deeper than this, m, no ball is in what stands still at the end of a part; rounds of projections out of all of that together.</summary>
+    private const double Inside = 5e-10;
+    private const int MostWays = 16;
 
     /// <summary>Out of what moves a ball is put by no more than this, m/s.</summary>
     private const double OutOfTheWay = 5.0;
@@ -52,10 +56,75 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                 moved |= KeepOut(in solver.Members[i], states, round == 0 ? OutOfTheWay * duration : 0);
             }
         }
+
+        for (int i = 0; i < solver.Count; i++)
+        {
+            StayOut(in solver.Members[i], states);
+        }
+    }
+
+    /// <summary>How much two balls overlap at most, m; 0 if none do.</summary>
+    public double Deepest(BallState[] states)
+    {
+        double deepest = 0;
+        for (int i = 0; i < solver.ContactCount; i++)
+        {
+            ref readonly PileContact contact = ref solver.Contacts[i];
+            if (contact.Second >= 0)
+            {
+                ref readonly PileMember a = ref solver.Members[contact.First];
+                ref readonly PileMember b = ref solver.Members[contact.Second];
+                deepest = Math.Max(deepest, a.Radius + b.Radius - (states[a.Ball].Position - states[b.Ball].Position).Length);
+            }
+        }
+
+        return deepest;
+    }
+
+    /// <summary>Pressed by many, a ball may get beyond the contacts that were looked for, or have no room between them: out of all that stands still, or back.</summary>
+    private void StayOut(in PileMember member, BallState[] states)
+    {
+        World world = simulators[member.Ball].World;
+        ref BallState s = ref states[member.Ball];
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        for (int round = 0; round < MostWays; round++)
+        {
+            // Between walls at a small angle each round of projections gains little.
+            Span<Contact> near = ContactSet.Near(world, in s, 0, room, world.Room);
+            if (!IsInside(near))
+            {
+                return;
+            }
+
+            ContactSet.KeepOut(world, ref s, near);
+        }
+
+        if (IsInside(ContactSet.Near(world, in s, 0, room, world.Room)))
+        {
+            s.Position = member.From;
+            s.Velocity = Vector3d.Zero;
+        }
+    }
+
+    private static bool IsInside(Span<Contact> near)
+    {
+        foreach (ref readonly Contact contact in near)
+        {
+            if (!contact.Moves && contact.Gap < -Inside)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Puts a ball out of what stands still.</summary>
-    public void KeepOut(int member, BallState[] states) => KeepOut(in solver.Members[member], states, 0);
+    public void KeepOut(int member, BallState[] states)
+    {
+        KeepOut(in solver.Members[member], states, 0);
+        StayOut(in solver.Members[member], states);
+    }
 
     /// <summary>Puts a ball out of what it overlaps; what stands still comes last, so that it is never entered.</summary>
     /// <returns>Whether it was in something.</returns>
@@ -70,6 +139,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
             inside = false;
             for (int pass = 0; pass < 2; pass++)
             {
+                Vector3d from = s.Position;
                 for (int i = member.FirstContact; i < member.FirstContact + member.OwnContacts; i++)
                 {
                     if (solver.Contacts[i].Moves != (pass == 0))
@@ -93,6 +163,10 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
                     }
                 }
+
+                // All movers together put it out no faster than one.
+                double way = (s.Position - from).Length;
+                s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
             }
         }
 

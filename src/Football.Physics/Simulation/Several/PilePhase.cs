@@ -9,6 +9,9 @@ internal sealed class PilePhase
     /// <summary>A ball that does not slip faster than this, m/s, rolls.</summary>
     private const double RollingSlip = 1e-6;
 
+    /// <summary>Deeper than this, m, in an object that moves a ball is squeezed, and not carried by that.</summary>
+    private const double LargestOverlap = 1e-6;
+
     /// <summary>Of a ball that is slower than this, m/s, no change of its motion is told: in a pile it may slip and grip in turn.</summary>
     private const double ToldSpeed = 0.05;
 
@@ -58,7 +61,7 @@ internal sealed class PilePhase
         // The drag law is locked to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
-        bool carried = s.Motion != MotionState.Airborne && _world.ColliderOf(s.Carrier, s.Position, s.Time) < _world.Colliders.Length && _world.Colliders.Length > 0;
+        bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
         var ball = new ForceInput(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
@@ -121,6 +124,12 @@ internal sealed class PilePhase
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
+        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > LargestOverlap)
+        {
+            StaySqueezed(ref s, carrier, log);
+            return;
+        }
+
         bool wasCarried = s.Motion is MotionState.Rolling or MotionState.Sliding;
         bool tells = s.Velocity.Length > ToldSpeed;
         s.ClearUntil = 0;
@@ -148,6 +157,21 @@ internal sealed class PilePhase
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
         bool changed = !same || before != s.Motion;
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
+    }
+
+    /// <summary>What moves has not left the ball yet: put onto that at once, the ball would be in another one. It goes out of it no faster than a squeezed ball may.</summary>
+    private void StaySqueezed(ref BallState s, int carrier, StepLog log)
+    {
+        Vector3d w = s.Spin;
+        Vector3d n = _world.Colliders[carrier].At(s.Position, s.Time).Normal;
+        bool begins = s.Motion != MotionState.Squeezed;
+        s.Motion = MotionState.Squeezed;
+        s.Carrier = carrier + _world.FirstCollider;
+        _world.Exit(ref s);
+        s.SetGroundSpin(in w);
+        s.ClearUntil = 0;
+        s.Branch = DragBranch.Unknown;
+        Tell(in s, BallEventKind.Squeezed, (int)s.Carrier, in n, in w, begins, log);
     }
 
     /// <summary>The ball rests in the pile.</summary>

@@ -319,6 +319,9 @@ internal struct PileMember
     /// <summary>Mean velocity in the part, m/s.</summary>
     public Vector3d Way;
 
+    /// <summary>Position at the start of the part, m: there it is in nothing that stands still.</summary>
+    public Vector3d From;
+
     /// <summary>Its contacts with all but balls: the first of them, and how many there are.</summary>
     public int FirstContact;
     public int OwnContacts;

@@ -19,7 +19,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private const double LargestTurnOfBalls = 0.1;
 
     private readonly ClusterSystem _cluster = new(room);
-    private readonly Contact[] _touching = new Contact[ClusterSystem.MostBalls * ContactSet.Most];
+    private readonly Contact[] _touching = new Contact[ClusterSystem.MostBalls * ContactSet.Room];
     private readonly int[] _touchingCount = new int[ClusterSystem.MostBalls];
     private double _time;
 
@@ -183,8 +183,13 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private bool AddThings(ClusterSystem system, int i)
     {
         ref readonly ClusterBall ball = ref system.Balls[i];
-        Span<Contact> near = _touching.AsSpan(i * ContactSet.Most, ContactSet.Most);
-        int count = ContactSet.Near(ball.World, in ball.Start, BallPile.Leaning, near);
+        Span<Contact> near = _touching.AsSpan(i * ContactSet.Room, ContactSet.Room);
+        int count = ContactSet.Near(ball.World, in ball.Start, BallPile.Leaning, near, ball.World.Room).Length;
+        if (count > near.Length)
+        {
+            return false;
+        }
+
         int kept = 0;
         for (int k = 0; k < count; k++)
         {
@@ -335,7 +340,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly ClusterBall ball = ref system.Balls[i];
-            Span<Contact> held = _touching.AsSpan(i * ContactSet.Most, _touchingCount[i]);
+            Span<Contact> held = _touching.AsSpan(i * ContactSet.Room, _touchingCount[i]);
             foreach (ref readonly Contact near in held)
             {
                 Collider collider = ball.World.Colliders[near.Collider];
