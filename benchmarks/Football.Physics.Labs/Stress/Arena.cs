@@ -151,9 +151,12 @@ internal sealed class Arena
     }
 
     /// <summary>The paths of all balls in one step of this length.</summary>
-    public void LookAhead(double frame, Trajectory[] into)
+    public void LookAhead(double frame, Trajectory[] into) => LookAhead(frame, into, 1.5 * frame);
+
+    /// <summary>The paths of all balls for a duration.</summary>
+    public void LookAhead(double step, Trajectory[] into, double duration)
     {
-        var request = new LookAheadRequest { TimeStep = frame, Duration = 1.5 * frame, StopAt = StopAt.Time };
+        var request = new LookAheadRequest { TimeStep = step, Duration = duration, StopAt = StopAt.Time };
         if (_group is not null)
         {
             _group.LookAhead(Balls, request, into);
