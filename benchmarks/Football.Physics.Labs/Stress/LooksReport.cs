@@ -7,7 +7,7 @@ namespace Football.Physics.Labs.Stress;
 internal static class LooksReport
 {
     /// <summary>Late kicks that one match of <see cref="RollbackCounts"/> has at least, its share of the other kinds included.</summary>
-    private const long LateOfMatch = 800;
+    private const long LateOfMatch = 1000;
 
     public static LabReport Run(long seed, long matches, double seconds, long late, int jobs, Progress progress)
     {
