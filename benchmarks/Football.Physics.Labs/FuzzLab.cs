@@ -38,7 +38,7 @@ internal static class FuzzLab
     internal static LabReport Run(string name, long seed, long count, int jobs, IReadOnlyList<FuzzTarget> targets, Progress progress)
     {
         var table = new LabTable(
-            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "verdict");
+            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "its number", "verdict");
         var findings = new LabTable("what must not be", "kind", "finding", "times", "first", "its input");
         var report = new LabReport { Name = name, Seed = seed, Tables = { table } };
         foreach (FuzzTarget target in targets)
@@ -57,7 +57,7 @@ internal static class FuzzLab
                     }
                 }
             });
-            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, Verdict.Of(run.Findings.Count == 0));
+            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, run.SlowestInput, Verdict.Of(run.Findings.Count == 0));
             foreach ((string what, (long times, long first)) in run.Findings)
             {
                 findings.Add(target.Name, what, times, first, Quote.Short(target.Text(run.Input(first)), LongestInput));

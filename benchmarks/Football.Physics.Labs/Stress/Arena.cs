@@ -23,6 +23,7 @@ internal sealed class Arena
     private readonly Body[] _cones;
     private readonly StadiumSpheres? _spheres;
     private readonly bool _spheresStand;
+    private readonly WatchedColliders? _watched;
     private readonly ArenaKicks _kicks;
     private readonly BallGroup? _group;
     private readonly double _halfWidth;
@@ -71,12 +72,15 @@ internal sealed class Arena
             : null;
         _spheresStand = !sphereWeighs;
         Scene scene = pitch.On(AnyAir());
-        Scene = scene with { Obstacles = [.. scene.Obstacles, .. Obstacles()], Bodies = bodies, EngineColliders = _spheres };
-        Simulator = new Simulator(Scene);
-        Radius = Scene.Ball.Radius;
+        List<Obstacle> obstacles = Obstacles();
         _kicks = new ArenaKicks(_random, 0.5 * pitch.Width, 0.5 * pitch.Length, pitch.Goal);
         int balls = _random.Chance(0.4) ? 1 : 1 + _random.Below(5);
-        _group = balls > 1 || _random.Chance(0.3) ? new BallGroup(Simulator, balls) : null;
+        bool isGroup = balls > 1 || _random.Chance(0.3);
+        _watched = _spheres is not null || isGroup ? new WatchedColliders(_spheres) : null;
+        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = _watched };
+        Simulator = new Simulator(Scene);
+        Radius = Scene.Ball.Radius;
+        _group = isGroup ? new BallGroup(Simulator, balls) : null;
         Balls = new BallState[balls];
         for (int i = 0; i < balls; i++)
         {
@@ -131,15 +135,16 @@ internal sealed class Arena
             cone.MoveTo(cone.Position, cone.Velocity, Time);
         }
 
-        if (_spheres is not null)
+        if (_watched is not null)
         {
-            _spheres.Time = Time;
+            _watched.Time = Time;
         }
     }
 
     /// <summary>One step of all balls.</summary>
     public void Step(double frame, StepLog log)
     {
+        _watched?.Begin();
         if (_group is not null)
         {
             _group.Step(Balls, frame, log);
@@ -156,6 +161,7 @@ internal sealed class Arena
     /// <summary>The paths of all balls for a duration.</summary>
     public void LookAhead(double step, Trajectory[] into, double duration)
     {
+        _watched?.Begin();
         var request = new LookAheadRequest { TimeStep = step, Duration = duration, StopAt = StopAt.Time };
         if (_group is not null)
         {

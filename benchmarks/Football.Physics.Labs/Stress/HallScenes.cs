@@ -13,7 +13,7 @@ internal static class HallScenes
     [
         new(Pitch.Standard.On()),
         new(Pitch.Cage.On(Scene.Default with { Air = new Air { Wind = new Vector3d(3, 0, -7) }, Forces = ForceSet.Measured with { KnuckleSeed = 3 } })),
-        new(Pitch.Futsal.On(Scene.Default with { Obstacles = [Table(0, 0.7), Table(-6, 1.1)] }), new SolverSettings { Integrator = Integrator.Rk2 }),
+        new(Pitch.Futsal.On(Scene.Default with { Obstacles = [Table(5, 0.7), Table(-6, 1.1)] }), new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Default),
     ];
 
@@ -27,7 +27,7 @@ internal static class HallScenes
         if (random.Chance(0.2))
         {
             // Onto a table, in scenes that have one.
-            (from, velocity) = (new Vector3d(random.Uniform(-1, 1), 1.5, random.Any(0.0, -6)), random.Uniform(0, 1) * random.Heading());
+            (from, velocity) = (new Vector3d(random.Uniform(-1, 1), 1.5, random.Any(5.0, -6)), random.Uniform(0, 1) * random.Heading());
         }
 
         BallState state = simulator.Launch(from, velocity, 60 * random.Next() * random.Direction());
