@@ -37,11 +37,11 @@ internal abstract class FuzzTarget
     }
 
     /// <summary>Steps a ball, and holds that the step is short and ends somewhere.</summary>
-    protected static void MustBeShort(Simulator simulator, ref BallState state, double step)
+    protected static void MustBeShort(Simulator simulator, ref BallState state, double step, long most = MostEvaluations)
     {
         var log = new StepLog(1);
         simulator.Step(ref state, step, log);
-        Must(log.Evaluations <= MostEvaluations, "a step has more evaluations than it may");
+        Must(log.Evaluations <= most, "a step has more evaluations than it may");
         MustBeFinite(in state);
     }
 
