@@ -16,7 +16,7 @@ internal sealed class MatchPlay
     /// <summary>The path of a step may end this far, m, from the ball: objects that press it move it straight at the end of a piece.</summary>
     private const double PutOn = 2e-6;
 
-    /// <summary>A goal and its event differ by less, s.</summary>
+    /// <summary>A goal and its event differ by less, s, and the time in which the ball moves as far as its path may be off.</summary>
     private const double Closeness = 1e-6;
 
     /// <summary>A ball that hangs in a net is slower, m/s.</summary>
@@ -225,7 +225,8 @@ internal sealed class MatchPlay
         }
 
         // A ball that is moved straight at the end of a piece passes at a time within the step.
-        bool holds = reported == (isOver ? 1 : 0) && (!isOver || Math.Abs(time - watch.Time) <= Closeness || watch.Time == _arena.Balls[ball].Time);
+        double room = Closeness + (PutOn / Math.Max(_arena.Balls[ball].Velocity.Length, 1e-3));
+        bool holds = reported == (isOver ? 1 : 0) && (!isOver || Math.Abs(time - watch.Time) <= room || watch.Time == _arena.Balls[ball].Time);
         _outcome.See(MatchClaim.Goals, 0, holds, $"{at}: {reported} reported at {time} s, over the line {isOver} at {watch.Time} s");
     }
 
