@@ -36,7 +36,24 @@ internal sealed class LookMatch(long seed, long index)
     /// <summary>The first of them.</summary>
     public string FirstAt { get; private set; } = "";
 
+    /// <summary>Whether a step or a query threw.</summary>
+    public bool Throws { get; private set; }
+
+    /// <summary>Plays both matches.</summary>
     public void Play(double seconds)
+    {
+        try
+        {
+            Compare(seconds);
+        }
+        catch (Exception e) when (e is not OutOfMemoryException)
+        {
+            Throws = true;
+            FirstAt = FormattableString.Invariant($"match {index}, tick {Ticks}: {e.GetType().Name}: {e.Message} {e.StackTrace?.Split('\n')[0].Trim()}");
+        }
+    }
+
+    private void Compare(double seconds)
     {
         var plain = new Arena(SeededRandom.Mix(seed, index));
         var looked = new Arena(SeededRandom.Mix(seed, index));

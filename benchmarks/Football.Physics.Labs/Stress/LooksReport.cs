@@ -27,11 +27,11 @@ internal static class LooksReport
         });
         var table = new LabTable(
             FormattableString.Invariant($"Matches of {seconds} s with and without look-aheads between ticks"),
-            "matches", "ticks", "paths", "aims", "hits", "interceptions", "saves", "cache updates", "recomputed", "ticks that differ", "verdict");
-        LookMatch[] apart = [.. outcomes.Where(match => match.Differ > 0)];
+            "matches", "ticks", "paths", "aims", "hits", "interceptions", "saves", "cache updates", "recomputed", "ticks that differ", "exceptions", "verdict");
+        LookMatch[] apart = [.. outcomes.Where(match => match.Differ > 0 || match.Throws)];
         table.Add(
             matches, outcomes.Sum(o => o.Ticks), outcomes.Sum(o => o.Paths), outcomes.Sum(o => o.Aims), outcomes.Sum(o => o.Hits), outcomes.Sum(o => o.Interceptions),
-            outcomes.Sum(o => o.Saves), outcomes.Sum(o => o.Updates), outcomes.Sum(o => o.Recomputed), apart.Sum(o => o.Differ), Verdict.Of(apart.Length == 0));
+            outcomes.Sum(o => o.Saves), outcomes.Sum(o => o.Updates), outcomes.Sum(o => o.Recomputed), apart.Sum(o => o.Differ), outcomes.Count(o => o.Throws), Verdict.Of(apart.Length == 0));
         report.Notes.AddRange(apart.Take(6).Select(match => match.FirstAt));
         int lateMatches = (int)((late + LateOfMatch - 1) / LateOfMatch);
         (LabTable rollbacks, bool holds) = RollbackCounts.Table(seed, lateMatches, progress, inHalls: true);

@@ -26,6 +26,9 @@ internal sealed class MatchPlay
     private const double RestFrame = 1 / 30.0;
     private const double LongestRest = 150;
 
+    /// <summary>Pieces of motion that the path of a step can hold: those of two steps at their limit fit.</summary>
+    private const int PathPieces = 1 << 14;
+
     private const double ShortestFrame = 0.004;
     private const double LongestFrame = 0.25;
 
@@ -44,7 +47,7 @@ internal sealed class MatchPlay
         _frames = new SeededRandom(SeededRandom.Mix(seed, ~index));
         _frameKind = _frames.Below(4);
         _fixedFrame = _frames.Any(ShortestFrame, 1 / 120.0, 1 / 30.0, 0.05, 0.1, LongestFrame);
-        _paths = [.. _arena.Balls.Select(_ => new Trajectory(512))];
+        _paths = [.. _arena.Balls.Select(_ => new Trajectory(PathPieces))];
         _watches = [.. _arena.Balls.Select(_ => _arena.Scene.Goals.Select(goal => new GoalWatch(goal, _arena.Radius)).ToArray())];
         _outcome = new MatchOutcome(index) { Balls = _arena.Balls.Length };
     }
@@ -182,6 +185,14 @@ internal sealed class MatchPlay
         ref readonly BallState after = ref _arena.Balls[ball];
         Trajectory path = _paths[ball];
         double start = after.Time - frame;
+        if (!path.IsComplete || _log.Stalled > 0)
+        {
+            // A step at its limit leaves the ball where it is; its look-ahead goes on from there. Not judged until the next kick.
+            _outcome.Undecided++;
+            BeginWatches(ball);
+            return;
+        }
+
         Vector3d end = path.PositionAt(after.Time);
         double apart = (end - after.Position).Length;
         string at = FormattableString.Invariant($"{start} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}, ball {ball}");
