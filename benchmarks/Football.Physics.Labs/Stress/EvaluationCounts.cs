@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Football.Physics.Labs.Stress;
 
 /// <summary>The distribution of the evaluations of a step, for each ball of it.</summary>

@@ -187,7 +187,7 @@ internal sealed class MatchPlay
         double start = after.Time - frame;
         if (!path.IsComplete || _log.Stalled > 0)
         {
-            // A step at its limit leaves the ball where it is; its look-ahead goes on from there. Not judged until the next kick.
+            // A step at its limit leaves the ball where it is; its look-ahead may not. The watches start again from here.
             _outcome.Undecided++;
             BeginWatches(ball);
             return;
