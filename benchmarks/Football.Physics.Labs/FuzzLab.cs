@@ -23,18 +23,25 @@ internal static class FuzzLab
             "Scenarios, kick logs, match segments and snapshots that were changed at random: only refusals and right answers are allowed.",
             ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"],
             terminal,
-            (parsed, seed, progress) => Run(seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), progress),
+            (parsed, seed, progress) => Run("fuzz", seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), FuzzTarget.All, progress),
             count,
             jobs);
     }
 
-    private static LabReport Run(long seed, long count, int jobs, Progress progress)
+    /// <summary>Tries inputs of several kinds.</summary>
+    /// <param name="name">Name of the experiment.</param>
+    /// <param name="seed">The seed.</param>
+    /// <param name="count">Inputs of each kind.</param>
+    /// <param name="jobs">Threads.</param>
+    /// <param name="targets">The kinds.</param>
+    /// <param name="progress">Where progress is reported.</param>
+    internal static LabReport Run(string name, long seed, long count, int jobs, IReadOnlyList<FuzzTarget> targets, Progress progress)
     {
         var table = new LabTable(
-            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "verdict");
+            string.Create(CultureInfo.InvariantCulture, $"{count} inputs of each kind"), "kind", "refused", "right", "found", "slowest, ms", "its number", "verdict");
         var findings = new LabTable("what must not be", "kind", "finding", "times", "first", "its input");
-        var report = new LabReport { Name = "fuzz", Seed = seed, Tables = { table } };
-        foreach (FuzzTarget target in FuzzTarget.All)
+        var report = new LabReport { Name = name, Seed = seed, Tables = { table } };
+        foreach (FuzzTarget target in targets)
         {
             var run = new FuzzRun(target, seed);
             long done = 0;
@@ -50,7 +57,7 @@ internal static class FuzzLab
                     }
                 }
             });
-            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, Verdict.Of(run.Findings.Count == 0));
+            table.Add(target.Name, run.Refused, run.Right, run.Findings.Values.Sum(found => found.Times), run.Slowest, run.SlowestInput, Verdict.Of(run.Findings.Count == 0));
             foreach ((string what, (long times, long first)) in run.Findings)
             {
                 findings.Add(target.Name, what, times, first, Quote.Short(target.Text(run.Input(first)), LongestInput));

@@ -9,6 +9,7 @@ using Football.Physics.Labs.People;
 using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Physics.Labs.Scenes;
+using Football.Physics.Labs.Stress;
 using Football.Tool.Commands;
 
 namespace Football.Physics.Labs;
@@ -45,5 +46,6 @@ internal static class Laboratories
         PeopleLab.Create(terminal),
         PlayLab.Create(terminal),
         ScenesLab.Create(terminal),
+        StressLab.Create(terminal),
     };
 }

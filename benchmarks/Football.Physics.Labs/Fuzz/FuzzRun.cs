@@ -9,8 +9,9 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
     /// <summary>An input that takes longer, ms, is tried again, and found if it always does.</summary>
     private const double Slow = 10_000;
 
-    /// <summary>How often it is tried again.</summary>
+    /// <summary>How often it is tried again, and an input that takes longer than so many ms.</summary>
     private const int Again = 4;
+    private const double Suspicious = 50;
 
     /// <summary>Bytes that an input may make the program ask for: some for every byte of it, and a few megabytes for what it says.</summary>
     private const long MostMemory = 64L << 20;
@@ -28,6 +29,9 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
     /// <summary>The longest time that an input took, ms.</summary>
     public double Slowest { get; private set; }
 
+    /// <summary>The input that did.</summary>
+    public long SlowestInput { get; private set; }
+
     /// <summary>What must not be: how often, and the first input that leads to it.</summary>
     public SortedDictionary<string, (long Times, long Index)> Findings { get; } = new(StringComparer.Ordinal);
 
@@ -44,7 +48,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
         byte[] input = Input(index);
         long before = GC.GetAllocatedBytesForCurrentThread();
         (bool? refused, string? found, double time) = Try(input);
-        for (int i = 0; i < Again && found is null && time > Slow; i++)
+        for (int i = 0; i < Again && found is null && time > Suspicious; i++)
         {
             // What else runs on the machine is not the input's.
             time = Math.Min(time, Try(input).Milliseconds);
@@ -59,7 +63,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
 
         lock (_lock)
         {
-            Slowest = Math.Max(Slowest, time);
+            (Slowest, SlowestInput) = time > Slowest ? (time, index) : (Slowest, SlowestInput);
             Refused += found is null && refused == true ? 1 : 0;
             Right += found is null && refused == false ? 1 : 0;
             if (found is not null)

@@ -8,6 +8,9 @@ internal abstract class FuzzTarget
     /// <summary>The kinds.</summary>
     public static IReadOnlyList<FuzzTarget> All { get; } = [new ScenarioFuzz(), new KickLogFuzz(), new SegmentFuzz(), new SnapshotFuzz()];
 
+    /// <summary>A step has no more evaluations, docs/stability.md.</summary>
+    private const long MostEvaluations = 32_768;
+
     /// <summary>What it is, in the plural.</summary>
     public abstract string Name { get; }
 
@@ -31,6 +34,15 @@ internal abstract class FuzzTarget
         {
             throw new FuzzException(what);
         }
+    }
+
+    /// <summary>Steps a ball, and holds that the step is short and ends somewhere.</summary>
+    protected static void MustBeShort(Simulator simulator, ref BallState state, double step, long most = MostEvaluations)
+    {
+        var log = new StepLog(1);
+        simulator.Step(ref state, step, log);
+        Must(log.Evaluations <= most, "a step has more evaluations than it may");
+        MustBeFinite(in state);
     }
 
     /// <summary>Holds that a ball is somewhere.</summary>

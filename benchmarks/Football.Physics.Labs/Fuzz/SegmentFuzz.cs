@@ -3,18 +3,21 @@ using Football.Physics.Yardsticks;
 namespace Football.Physics.Labs.Fuzz;
 
 /// <summary>Match segments: what is accepted is played again, and says where it diverges.</summary>
-internal sealed class SegmentFuzz : FuzzTarget
+/// <param name="simulators">The scenes; default those of <see cref="SnapshotFuzz"/>.</param>
+internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) : FuzzTarget
 {
     private const int Ticks = 12;
 
     /// <summary>Bytes before the time step.</summary>
     private const int Header = 5;
 
+    private readonly IReadOnlyList<Simulator> _simulators = simulators ?? SnapshotFuzz.Simulators;
+
     public override string Name => "segments";
 
     public override byte[] Make(SeededRandom random, int mutations)
     {
-        Simulator simulator = SnapshotFuzz.Simulators[random.Below(SnapshotFuzz.Simulators.Count)];
+        Simulator simulator = _simulators[random.Below(_simulators.Count)];
         var runner = new FixedStepRunner(simulator, random.Any(0.01, 1.0 / 60, 0.1));
         BallState start = SnapshotFuzz.State(random, simulator);
         runner.Restore(random.Below(1000), in start);
@@ -57,7 +60,7 @@ internal sealed class SegmentFuzz : FuzzTarget
         Must(Crc32.Holds(input), "changed bytes are accepted");
         byte[] again = segment.ToBytes();
         Must(again.AsSpan().SequenceEqual(MatchSegment.FromBytes(again).ToBytes()), "a segment does not come back");
-        foreach (Simulator simulator in SnapshotFuzz.Simulators)
+        foreach (Simulator simulator in _simulators)
         {
             long? diverges;
             try
@@ -84,6 +87,8 @@ internal sealed class SegmentFuzz : FuzzTarget
             FixedStepRunner runner = segment.Replay(simulator);
             while (runner.Tick < Math.Min(segment.EndTick, segment.StartTick + Ticks))
             {
+                BallState state = runner.State;
+                MustBeShort(simulator, ref state, segment.TimeStep);
                 runner.Step();
                 MustBeFinite(runner.State);
             }

@@ -14,12 +14,16 @@ internal sealed class GoalWatch(Goal goal, double radius)
 
     private readonly Vector3d _out = goal.Facing / goal.Facing.Length;
     private bool _isThrough;
+    private double _last;
 
     /// <summary>When the ball was over the line, s; infinite where it never was.</summary>
     public double Time { get; private set; } = double.PositiveInfinity;
 
     /// <summary>Whether it came through within rounding of post or bar.</summary>
     public bool IsUndecided { get; private set; }
+
+    /// <summary>The plane behind the mouth at which all of the ball is over the line, m.</summary>
+    private double Line => -goal.PostRadius - radius;
 
     /// <summary>Before the mouth, aside of its middle, and above the ground.</summary>
     public (double Before, double Aside, double Height) Seen(Vector3d place)
@@ -41,32 +45,65 @@ internal sealed class GoalWatch(Goal goal, double radius)
     public void Follow(Trajectory path)
     {
         // A ball that is kicked on the line, in the opening, is through its mouth.
-        (double last, double aside, double height) = Seen(path.Pieces.Length > 0 ? path.Pieces[0].StartPosition : path.Final.Position);
-        _isThrough = last <= 0 && last > -goal.PostRadius - radius && Math.Abs(aside) <= 0.5 * goal.Width && height <= goal.Height;
+        Begin(path.Pieces.Length > 0 ? path.Pieces[0].StartPosition : path.Final.Position);
+        Continue(path, double.PositiveInfinity);
+    }
+
+    /// <summary>Starts with a ball that is kicked or placed: a ball between mouth and line is through the mouth if it lies in the opening, or came through before.</summary>
+    public void Begin(Vector3d place)
+    {
+        (double before, double aside, double height) = Seen(place);
+        bool wasThrough = _isThrough && double.IsInfinity(Time) && before <= 0;
+        _isThrough = wasThrough || (before <= 0 && before > -goal.PostRadius - radius && Math.Abs(aside) <= 0.5 * goal.Width && height <= goal.Height);
+        _last = before;
+        Time = double.PositiveInfinity;
+        IsUndecided = false;
+    }
+
+    /// <summary>Watches the next part of a path, up to a time.</summary>
+    public void Continue(Trajectory path, double until)
+    {
         foreach (ref readonly PathPiece piece in path.Pieces)
         {
-            int parts = Math.Max(2, (int)Math.Ceiling(piece.Length / Interval));
+            double length = Math.Min(piece.Length, until - piece.Time);
+            int parts = length > 0 ? Math.Max(2, (int)Math.Ceiling(length / Interval)) : 0;
             for (int i = 1; i <= parts && double.IsInfinity(Time); i++)
             {
-                double from = piece.Time + (piece.Length * (i - 1) / parts);
-                double to = piece.Time + (piece.Length * i / parts);
-                double now = Seen(i == parts ? piece.EndPosition : piece.PositionAt(to)).Before;
-                Look(in piece, from, to, last, now);
-                last = now;
+                double from = piece.Time + (length * (i - 1) / parts);
+                double to = piece.Time + (length * i / parts);
+                double now = Seen(i == parts && length == piece.Length ? piece.EndPosition : piece.PositionAt(to)).Before;
+                Look(in piece, from, to, _last, now);
+                _last = now;
             }
+        }
+    }
+
+    /// <summary>Watches a ball that was moved straight from one position to another at a time, as objects do that press it.</summary>
+    public void Jump(Vector3d from, Vector3d to, double time)
+    {
+        (double before, double aside, double height) = Seen(from);
+        (double now, double asideNow, double heightNow) = Seen(to);
+        if (before > 0 && now <= 0)
+        {
+            double share = before / (before - now);
+            Pass(aside + (share * (asideNow - aside)), height + (share * (heightNow - height)));
+        }
+
+        _isThrough &= now <= 0;
+        _last = now;
+        if (_isThrough && now <= Line && double.IsInfinity(Time))
+        {
+            Time = time;
         }
     }
 
     private void Look(in PathPiece piece, double from, double to, double last, double now)
     {
-        double line = -goal.PostRadius - radius;
+        double line = Line;
         if (last > 0 && now <= 0)
         {
             (_, double aside, double height) = Seen(piece.PositionAt(Passes(in piece, from, to, 0)));
-            double toPost = (0.5 * goal.Width) - Math.Abs(aside);
-            double toBar = goal.Height - height;
-            _isThrough = toPost >= 0 && toBar >= 0 && height >= 0;
-            IsUndecided |= Math.Abs(Math.Min(toPost, toBar)) < Edge;
+            Pass(aside, height);
         }
         else if (now > 0)
         {
@@ -77,6 +114,14 @@ internal sealed class GoalWatch(Goal goal, double radius)
         {
             Time = last > line ? Passes(in piece, from, to, line) : from;
         }
+    }
+
+    private void Pass(double aside, double height)
+    {
+        double toPost = (0.5 * goal.Width) - Math.Abs(aside);
+        double toBar = goal.Height - height;
+        _isThrough = toPost >= 0 && toBar >= 0 && height >= 0;
+        IsUndecided |= Math.Abs(Math.Min(toPost, toBar)) < Edge;
     }
 
     /// <summary>When a path passes a plane that it is before at first and behind then.</summary>

@@ -17,13 +17,22 @@ internal static class RollbackCounts
         KeptBodies,
         AskedEngine,
         SeveralBalls,
+        Hall,
     }
 
-    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress)
+    /// <summary>Ticks from one rounding to the wire form to the next, in a hall.</summary>
+    private const int HallWireTicks = 6;
+
+    /// <summary>Plays the matches.</summary>
+    /// <param name="seed">The seed.</param>
+    /// <param name="count">Matches among bodies; of the other kinds a quarter each.</param>
+    /// <param name="progress">Where progress is reported.</param>
+    /// <param name="inHalls">Whether to play as many in a cage with nets, wind and kicks at the goals, rounded to the wire form.</param>
+    public static (LabTable Table, bool Holds) Table(long seed, int count, Progress progress, bool inHalls = false)
     {
         var table = new LabTable("Late kicks among 22 moving players: balls that end elsewhere than in time", "what moves", "matches", "runs", "kicks", "late", "balls apart", "verdict");
         bool holds = true;
-        Kind[] kinds = [Kind.AskedBodies, Kind.KeptBodies, Kind.AskedEngine, Kind.SeveralBalls];
+        Kind[] kinds = [Kind.AskedBodies, Kind.KeptBodies, Kind.AskedEngine, Kind.SeveralBalls, .. inHalls ? (Kind[])[Kind.Hall] : []];
         for (int k = 0; k < kinds.Length; k++)
         {
             int apart = 0;
@@ -31,8 +40,8 @@ internal static class RollbackCounts
             int kicks = 0;
             int late = 0;
 
-            // Of bodies all matches, of the rest a quarter each.
-            int matches = k == 0 ? count : Math.Max(1, count / 4);
+            // Of bodies and halls all matches, of the rest a quarter each.
+            int matches = kinds[k] is Kind.AskedBodies or Kind.Hall ? count : Math.Max(1, count / 4);
             for (int i = 0; i < matches; i++)
             {
                 int at = i;
@@ -55,13 +64,14 @@ internal static class RollbackCounts
         Kind.AskedBodies => "bodies, by BodiesAt",
         Kind.KeptBodies => "bodies, as the rollback kept them",
         Kind.AskedEngine => "an engine's colliders, by BodiesAt",
-        _ => "bodies and three balls, by BodiesAt",
+        Kind.SeveralBalls => "bodies and three balls, by BodiesAt",
+        _ => "bodies in a cage with nets and wind, by BodiesAt, wire form",
     };
 
     private static void Play(Kind kind, LabRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
     {
         var squad = new Squad(random);
-        KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1);
+        KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1, kind == Kind.Hall ? 25 : 9);
         int[] delays = [.. all.Select(_ => 1 + random.Below(MostLate))];
         kicks += all.Length;
 
@@ -140,10 +150,11 @@ internal static class RollbackCounts
 
     private static FixedStepRunner Runner(Kind kind, Squad squad)
     {
-        Scene scene = Pitch.Standard.On(Scene.Default);
+        Scene scene = kind == Kind.Hall ? Pitch.Cage.On(Scene.Default with { Air = new Air { Wind = new Vector3d(3, 0, 6) } }) : Pitch.Standard.On(Scene.Default);
         scene = kind == Kind.AskedEngine ? scene with { EngineColliders = squad.NewEngine() } : scene with { Bodies = squad.NewBodies() };
         var simulator = new Simulator(scene);
         FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
+        runner.WireTicks = kind == Kind.Hall ? HallWireTicks : 0;
         if (kind != Kind.KeptBodies)
         {
             Action<double> move = squad.Mover();
@@ -154,11 +165,11 @@ internal static class RollbackCounts
     }
 
     /// <summary>A kick at every second tick.</summary>
-    private static KickInput[] Kicks(LabRandom random, int balls) =>
+    private static KickInput[] Kicks(LabRandom random, int balls, double fastest) =>
     [
         .. Enumerable.Range(0, (Ticks / 2) - 1).Select(i => new KickInput(
             2 * i,
-            new Vector3d(random.Uniform(-9, 9), random.Uniform(0, 4), random.Uniform(-9, 9)),
+            new Vector3d(random.Uniform(-9, 9), random.Uniform(0, 4), random.Uniform(-fastest, fastest)),
             new Vector3d(random.Uniform(-40, 40), random.Uniform(-40, 40), 0),
             random.Below(22),
             random.Below(balls))),

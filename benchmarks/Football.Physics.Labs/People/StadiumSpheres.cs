@@ -6,13 +6,28 @@ namespace Football.Physics.Labs.People;
 internal sealed class StadiumSpheres : IEngineColliders
 {
     private const double Fastest = 6;
+
+    /// <summary>So far, m, from the ends of the pitch they are put.</summary>
+    private const double Margin = 4;
+    private const double EndMargin = 7;
+
+    private readonly double _halfWidth;
+    private readonly double _halfLength;
     private readonly EngineCollider[] _colliders;
     private readonly double[] _radii;
     private readonly Vector3d[] _velocities;
     private readonly Vector3d[] _places;
 
-    public StadiumSpheres(int count, SeededRandom random)
+    /// <summary>Puts spheres on a pitch.</summary>
+    /// <param name="count">How many.</param>
+    /// <param name="random">Where chance comes from.</param>
+    /// <param name="halfWidth">Half the width of the pitch, m.</param>
+    /// <param name="halfLength">Half the length of the pitch, m.</param>
+    /// <param name="mass">Mass of each, kg; default infinite.</param>
+    public StadiumSpheres(int count, SeededRandom random, double halfWidth = 34, double halfLength = 52, double mass = double.PositiveInfinity)
     {
+        _halfWidth = halfWidth;
+        _halfLength = halfLength;
         _colliders = new EngineCollider[count];
         _radii = new double[count];
         _velocities = new Vector3d[count];
@@ -20,8 +35,10 @@ internal sealed class StadiumSpheres : IEngineColliders
         for (int i = 0; i < count; i++)
         {
             _radii[i] = random.Uniform(0.1, 0.6);
-            _colliders[i] = new EngineCollider(FormattableString.Invariant($"sphere {i}"), new SphereShape(Vector3d.Zero, _radii[i]), Surface.Wood);
-            _places[i] = new Vector3d(random.Uniform(-30, 30), (_radii[i] * random.Uniform(0.8, 1)) + random.Uniform(0, 2.2), random.Uniform(-45, 45));
+            _colliders[i] = new EngineCollider(FormattableString.Invariant($"sphere {i}"), new SphereShape(Vector3d.Zero, _radii[i]), Surface.Wood) { Mass = mass };
+            double x = random.Uniform(Margin - halfWidth, halfWidth - Margin);
+            double y = (_radii[i] * random.Uniform(0.8, 1)) + random.Uniform(0, 2.2);
+            _places[i] = new Vector3d(x, y, random.Uniform(EndMargin - halfLength, halfLength - EndMargin));
             _velocities[i] = i % 2 == 0 ? Vector3d.Zero : random.Uniform(0.5, 5) * random.Heading();
         }
     }
@@ -54,8 +71,8 @@ internal sealed class StadiumSpheres : IEngineColliders
         {
             Vector3d to = _places[i] + (duration * _velocities[i]);
             Vector3d v = _velocities[i];
-            double x = Math.Abs(to.X) > 34 ? -Math.Sign(to.X) * Math.Abs(v.X) : v.X;
-            double z = Math.Abs(to.Z) > 52 ? -Math.Sign(to.Z) * Math.Abs(v.Z) : v.Z;
+            double x = Math.Abs(to.X) > _halfWidth ? -Math.Sign(to.X) * Math.Abs(v.X) : v.X;
+            double z = Math.Abs(to.Z) > _halfLength ? -Math.Sign(to.Z) * Math.Abs(v.Z) : v.Z;
             _velocities[i] = new Vector3d(x, 0, z);
             _places[i] = to;
         }
@@ -72,6 +89,21 @@ internal sealed class StadiumSpheres : IEngineColliders
 
         return nearest;
     }
+
+    /// <summary>From the nearest surface of the spheres that never move.</summary>
+    public double ToStanding(Vector3d place)
+    {
+        double nearest = double.PositiveInfinity;
+        for (int i = 0; i < _places.Length; i += 2)
+        {
+            nearest = Math.Min(nearest, (place - _places[i]).Length - _radii[i]);
+        }
+
+        return nearest;
+    }
+
+    /// <summary>Stops all of them.</summary>
+    public void Stop() => Array.Clear(_velocities);
 
     /// <summary>Where they are and how they move, to be put there again.</summary>
     public (Vector3d[] Places, Vector3d[] Velocities) Keep() => ([.. _places], [.. _velocities]);

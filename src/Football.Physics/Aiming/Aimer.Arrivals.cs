@@ -48,26 +48,36 @@ public sealed partial class Aimer
     internal bool TryArrival(AimRequest request, double time, bool isBetween, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
-        bool hits = TryArrival(request, time, out kick, out arrival);
+        bool hits = TryArrival(request, time, out kick, out arrival, out bool isEarly);
+        if (isEarly)
+        {
+            // Within the tolerance, but the ball comes down before it is due: a closer kick does not.
+            _context.Begin(request.MaximumIterations);
+            _general.IsTimely = true;
+            hits = TryArrival(request, time, out kick, out arrival, out _);
+            _general.IsTimely = false;
+        }
+
         if (!hits && isBetween)
         {
             // It grazes the drag law's jump.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
-            hits = TryArrival(request, time, out kick, out arrival);
+            hits = TryArrival(request, time, out kick, out arrival, out _);
             _context.Steps = AimSteps.Long;
         }
 
         return hits;
     }
 
-    private bool TryArrival(AimRequest request, double time, out AimSolution kick, out double arrival)
+    private bool TryArrival(AimRequest request, double time, out AimSolution kick, out double arrival, out bool isEarly)
     {
         kick = _general.FlightAtTime(request, time);
         kick.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
         arrival = SpeedAt(request, in velocity, in spin, time, rolls: false);
-        return measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
+        isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
+        return measured.Distance <= request.Tolerance && !isEarly;
     }
 
     /// <summary>How long the slowest flight to the target takes, s; or what comes closest to one.</summary>

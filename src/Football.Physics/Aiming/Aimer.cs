@@ -201,6 +201,20 @@ public sealed partial class Aimer
 
     private AimResult AtTime(AimRequest request, double time)
     {
+        AimResult result = AtTime(request, time, out bool isEarly);
+        if (isEarly)
+        {
+            // Within the tolerance, but the ball comes down before it is due: a closer kick does not.
+            _general.IsTimely = true;
+            result = AtTime(request, time, out _);
+            _general.IsTimely = false;
+        }
+
+        return result;
+    }
+
+    private AimResult AtTime(AimRequest request, double time, out bool isEarly)
+    {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
             // Why there is none: the search ran out of flights, or has seen all there is.
@@ -210,7 +224,8 @@ public sealed partial class Aimer
         // A kick that passes the target at another time is no hit.
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
-        bool there = measured.Distance <= request.Tolerance && time - measured.Time <= LargestDelay;
+        isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
+        bool there = measured.Distance <= request.Tolerance && !isEarly;
         AimStatus status = there ? AimStatus.Hit : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }

@@ -75,7 +75,7 @@ public static class SimulatorExtensions
             Check.GivenItem(nameof(into), i, into[i], "a trajectory");
 
             // Each path keeps the pieces and events of its own ball.
-            into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false);
+            into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false, goesOn: true);
         }
 
         BeginMoving(group.SimulatorOf(0), into[0], in states[0]);

@@ -190,9 +190,11 @@ public sealed partial class Trajectory
     /// <param name="from">Where it begins.</param>
     /// <param name="request">How far it goes.</param>
     /// <param name="endsWhenFull">Whether it ends with the memory's last piece; else the first piece without room tells that it is too small.</param>
-    internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull)
+    /// <param name="goesOn">Whether the ball goes on without a path once the memory is full, as one of several does.</param>
+    internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull, bool goesOn = false)
     {
         _recorder.EndsWhenFull = endsWhenFull;
+        _recorder.GoesOn = goesOn;
 
         // The same delegate as long as the request has the same one: a look-ahead allocates nothing.
         if (_bodiesAt != request.BodiesAt)
@@ -325,6 +327,9 @@ public sealed partial class Trajectory
         /// <summary>True when it ends with the memory's last piece, not with the first that has no room.</summary>
         public bool EndsWhenFull { get; set; } = true;
 
+        /// <summary>True if the ball goes on without a path once the memory is full.</summary>
+        public bool GoesOn { get; set; }
+
         /// <summary>True when there was a piece without room.</summary>
         public bool Overflows { get; private set; }
 
@@ -345,11 +350,12 @@ public sealed partial class Trajectory
         {
             PathPiece[] pieces = _owner._pieces;
 
-            // There is no room: the step is ended, and whoever asked may look ahead again up to where there is.
+            // There is no room: the step ends, and the caller may look ahead again up to where there is. The step of one of several balls goes on: ended
+            // after every piece, it would begin again with all the pieces and evaluations that a step may have, and might never be over.
             if (_owner.Count == pieces.Length)
             {
                 Overflows = true;
-                return true;
+                return !GoesOn;
             }
 
             pieces[_owner.Count++] = piece;

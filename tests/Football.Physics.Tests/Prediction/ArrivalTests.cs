@@ -116,6 +116,28 @@ public sealed class ArrivalTests
         Assert.InRange(hits, 8, 13);
     }
 
+    /// <summary>A hit within the tolerance that came down a few tenths of a millisecond early was not accepted, so that no time from 1.240 to 1.250 s had a kick.</summary>
+    [Fact]
+    public void A_ground_target_is_hit_at_every_time_between_two_that_have_a_kick()
+    {
+        var request = new AimRequest
+        {
+            From = new Vector3d(0, Ground, 0), Target = new Vector3d(2.3089603126556426, Ground, -32.57194511712154), Speed = 35, TopSpin = -4.064963843703719,
+        };
+        var aimer = new Aimer();
+        for (int i = 0; i <= 40; i++)
+        {
+            double time = 1.22 + (0.001 * i);
+            AimResult kick = aimer.FindAtTime(request, time);
+            Assert.Equal((AimStatus.Hit, i), (kick.Status, i));
+            Assert.InRange(time - kick.Time, -1e-9, 1e-4);
+        }
+
+        AimResult arrival = aimer.FindAtSpeed(request, 22.967212148674307);
+        Assert.Equal(AimStatus.Hit, arrival.Status);
+        Assert.Equal(22.967212148674307, Played(request, in arrival), 1e-3);
+    }
+
     private static double Played(AimRequest request, in AimResult kick)
     {
         var simulator = new Simulator();

@@ -132,6 +132,12 @@ internal sealed class GeneralAim
         return false;
     }
 
+    /// <summary>True if the next searches must find kicks that are at the target when due, to a tenth of a millisecond.</summary>
+    public bool IsTimely
+    {
+        set => _problem.IsTimely = value;
+    }
+
     /// <summary>The kick that flies to the target in a time, no faster than the request, or comes close: from the closed form alone.</summary>
     public AimSolution FlightAtTime(AimRequest request, double time)
     {

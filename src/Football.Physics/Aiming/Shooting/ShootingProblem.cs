@@ -21,6 +21,9 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     public const int MostEquations = 6;
 
     /// <summary>Step of a flight that the air rules, and longest step of a scan, s.</summary>
+    /// <summary>The miss distance of a hit that is timely, m: a ball falls through it in less than the delay that is allowed.</summary>
+    private const double TimelyMiss = 2e-5;
+
     private const double RuledByAirStep = 0.03;
     private const double ScanStep = 0.1;
 
@@ -86,6 +89,9 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>True when the air rules, so that there may be several kicks for one time.</summary>
     public bool IsRuledByAir { get; private set; }
 
+    /// <summary>True if a hit must be so close that a ball that comes down at its target touches the ground there when due, not earlier.</summary>
+    public bool IsTimely { get; set; }
+
     /// <summary>From the ball to the target, m.</summary>
     public double Way => Vector3d.Distance(_frame.From, in _frame.Target);
 
@@ -101,7 +107,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         _speed = speed;
         _frame = _context.Frame(request);
         _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
-        double tolerance = AimContext.Sharp(request.Tolerance);
+        double tolerance = Closeness(request);
         double spinRate = Math.Sqrt(through
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
@@ -137,11 +143,13 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>True when residuals are a hit, with room for what the steps of the flights are off.</summary>
     public bool IsHit(double[] r)
     {
-        double tolerance = AimContext.Sharp(Request.Tolerance);
+        double tolerance = Closeness(Request);
         double through = AimContext.Sharp(Request.ThroughTolerance, PlaneProblem.FineThrough);
         return (r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) <= tolerance * tolerance
             && (!_passesThrough || (r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5]) <= through * through);
     }
+
+    private double Closeness(AimRequest request) => IsTimely ? AimContext.Sharp(request.Tolerance, TimelyMiss) : AimContext.Sharp(request.Tolerance);
 
     /// <summary>The kick that unknowns stand for.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };

@@ -1,0 +1,288 @@
+using Football.Physics.Labs.People;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>
+/// A closed hall, drawn from a seed: boards as high as a house, two goals with nets, posts and boxes, players who run at the ball, cones that weigh little, an engine's
+/// spheres, wind, one to five balls. Its actors move only between steps, so that a match is a function of the seed and the frames.
+/// </summary>
+internal sealed class Arena
+{
+    private const double High = 100;
+    private const double Thick = 0.05;
+    private const double PlayerMass = 75;
+
+    /// <summary>Players that run at 8 m/s brake within this distance, m.</summary>
+    private const double Near = 0.15;
+
+    private readonly SeededRandom _random;
+    private readonly StandingSolids _standing = new();
+    private readonly WalkingPlayer[] _players;
+    private readonly Vector3d[] _homes;
+    private readonly Body[] _cones;
+    private readonly StadiumSpheres? _spheres;
+    private readonly bool _spheresStand;
+    private readonly WatchedColliders? _watched;
+    private readonly ArenaKicks _kicks;
+    private readonly BallGroup? _group;
+    private readonly double _halfWidth;
+    private readonly double _halfLength;
+    private readonly double _crowd;
+    private readonly bool _leaves;
+
+    public Arena(ulong seed)
+    {
+        _random = new SeededRandom(seed);
+        bool large = _random.Chance(0.2);
+        Pitch pitch = (large ? Pitch.Standard : Pitch.Futsal) with { BoardHeight = High, BoardHalfThickness = Thick, BoardDistance = _random.Any(large ? 4 : 1.5, 3.0) };
+        _halfWidth = (0.5 * pitch.Width) + pitch.BoardDistance;
+        _halfLength = (0.5 * pitch.Length) + pitch.BoardDistance;
+        foreach (int end in new[] { -1, 1 })
+        {
+            _standing.AddBox(new Vector3d(end * (_halfWidth + Thick), 0.5 * High, 0), new Vector3d(Thick, 0.5 * High, _halfLength + (2 * Thick)));
+            _standing.AddBox(new Vector3d(0, 0.5 * High, end * (_halfLength + Thick)), new Vector3d(_halfWidth + (2 * Thick), 0.5 * High, Thick));
+        }
+
+        foreach (Goal goal in pitch.Goals)
+        {
+            _standing.Add(goal);
+        }
+
+        var bodies = new Bodies();
+        bool weighs = _random.Chance(0.5);
+        _players = new WalkingPlayer[_random.Below(11)];
+        _homes = new Vector3d[_players.Length];
+        for (int i = 0; i < _players.Length; i++)
+        {
+            _homes[i] = Somewhere(1);
+            _players[i] = new WalkingPlayer(bodies, FormattableString.Invariant($"player {i}"), null, weighs && i % 2 == 0 ? PlayerMass : double.PositiveInfinity) { Place = _homes[i] };
+        }
+
+        _cones = new Body[_random.Below(4)];
+        for (int i = 0; i < _cones.Length; i++)
+        {
+            _cones[i] = bodies.Add(FormattableString.Invariant($"cone {i}"), BodyKind.Cone with { Mass = _random.Log(0.3, 30) });
+            _cones[i].MoveTo(Somewhere(2), Vector3d.Zero, 0);
+        }
+
+        bool sphereWeighs = _random.Chance(0.3);
+        _spheres = _random.Chance(0.5)
+            ? new StadiumSpheres(1 + _random.Below(6), _random, _halfWidth, _halfLength, sphereWeighs ? _random.Log(0.5, 50) : double.PositiveInfinity)
+            : null;
+        _spheresStand = !sphereWeighs;
+        Scene scene = pitch.On(AnyAir());
+        List<Obstacle> obstacles = Obstacles();
+        _kicks = new ArenaKicks(_random, 0.5 * pitch.Width, 0.5 * pitch.Length, pitch.Goal);
+        int balls = _random.Chance(0.4) ? 1 : 1 + _random.Below(5);
+        bool isGroup = balls > 1 || _random.Chance(0.3);
+        _watched = _spheres is not null || isGroup ? new WatchedColliders(_spheres) : null;
+        Scene = scene with { Obstacles = [.. scene.Obstacles, .. obstacles], Bodies = bodies, EngineColliders = _watched };
+        Simulator = new Simulator(Scene);
+        Radius = Scene.Ball.Radius;
+        _group = isGroup ? new BallGroup(Simulator, balls) : null;
+        Balls = new BallState[balls];
+        for (int i = 0; i < balls; i++)
+        {
+            Balls[i] = Simulator.Launch(Free(i), Vector3d.Zero, Vector3d.Zero);
+        }
+
+        _crowd = _random.Chance(0.5) ? Near : _random.Uniform(0.3, 3);
+        _leaves = _random.Chance(0.5);
+    }
+
+    public Scene Scene { get; }
+
+    public Simulator Simulator { get; }
+
+    /// <summary>Radius of the balls, m.</summary>
+    public double Radius { get; }
+
+    /// <summary>The balls as they are now.</summary>
+    public BallState[] Balls { get; }
+
+    /// <summary>Whether the balls are stepped as a group.</summary>
+    public bool IsGroup => _group is not null;
+
+    /// <summary>Whether the wind is steady: a ball comes to rest then.</summary>
+    public bool MustRest => Scene.Air.WindField is null;
+
+    public double Time => Balls[0].Time;
+
+    /// <summary>The distance of a point from what never moves, in closed form.</summary>
+    public double ToStanding(Vector3d point) =>
+        Math.Min(_standing.Distance(point), _spheresStand && _spheres is not null ? _spheres.ToStanding(point) : double.PositiveInfinity);
+
+    /// <summary>Whether a point is behind a board, or above them.</summary>
+    public bool IsOutside(Vector3d point) => Math.Abs(point.X) > _halfWidth || Math.Abs(point.Z) > _halfLength || point.Y > High;
+
+    /// <summary>Whether a ball is kicked before a frame of this length, about every 0.7 s, and how.</summary>
+    public (Vector3d Velocity, Vector3d Spin)? Decide(int ball, double frame) =>
+        _random.Chance(1 - Math.Exp(-frame / 0.7)) ? _kicks.Draw(Balls[ball].Position) : null;
+
+    public void Kick(int ball, Vector3d velocity, Vector3d spin) => SimulatorOf(ball).Kick(ref Balls[ball], velocity, spin);
+
+    /// <summary>Moves all actors to the time of the balls.</summary>
+    public void Put()
+    {
+        foreach (WalkingPlayer player in _players)
+        {
+            player.Put(Time);
+        }
+
+        foreach (Body cone in _cones)
+        {
+            cone.MoveTo(cone.Position, cone.Velocity, Time);
+        }
+
+        if (_watched is not null)
+        {
+            _watched.Time = Time;
+        }
+    }
+
+    /// <summary>One step of all balls.</summary>
+    public void Step(double frame, StepLog log)
+    {
+        _watched?.Begin();
+        if (_group is not null)
+        {
+            _group.Step(Balls, frame, log);
+        }
+        else
+        {
+            Simulator.Step(ref Balls[0], frame, log);
+        }
+    }
+
+    /// <summary>The paths of all balls in one step of this length.</summary>
+    public void LookAhead(double frame, Trajectory[] into) => LookAhead(frame, into, 1.5 * frame);
+
+    /// <summary>The paths of all balls for a duration.</summary>
+    public void LookAhead(double step, Trajectory[] into, double duration)
+    {
+        _watched?.Begin();
+        var request = new LookAheadRequest { TimeStep = step, Duration = duration, StopAt = StopAt.Time };
+        if (_group is not null)
+        {
+            _group.LookAhead(Balls, request, into);
+        }
+        else
+        {
+            Simulator.LookAhead(in Balls[0], request, into[0]);
+        }
+    }
+
+    /// <summary>Moves the actors by a frame, while the match is on.</summary>
+    public void Walk(double frame)
+    {
+        for (int i = 0; i < _players.Length; i++)
+        {
+            _players[i].Walk(frame);
+            Vector3d ball = Balls[i % Balls.Length].Position.Horizontal;
+            Vector3d goal = i % 3 == 2 ? _homes[i] + (0.35 * ball) : ball;
+            Run(_players[i], goal, i % 3 == 2 ? 0 : _crowd, frame);
+        }
+
+        MoveRest(frame);
+    }
+
+    /// <summary>Moves the actors by a frame after the match: players stop where they are, or leave the balls first.</summary>
+    public void Leave(double frame, double since)
+    {
+        foreach (WalkingPlayer player in _players)
+        {
+            player.Walk(frame);
+            Vector3d away = Vector3d.Zero;
+            foreach (BallState ball in Balls)
+            {
+                Vector3d apart = (player.Place - ball.Position).Horizontal;
+                away += apart.Length < 1 ? apart / Math.Max(apart.Length, 1e-6) : Vector3d.Zero;
+            }
+
+            player.Velocity = _leaves && since < 3 ? 3 * away : Vector3d.Zero;
+        }
+
+        MoveRest(frame);
+        _spheres?.Stop();
+    }
+
+    private void MoveRest(double frame)
+    {
+        // The grass brakes a cone that the ball has pushed.
+        foreach (Body cone in _cones)
+        {
+            Vector3d v = cone.Velocity.Horizontal;
+            double kept = Math.Max(0, v.Length - (4 * frame)) / Math.Max(v.Length, 1e-9);
+            cone.MoveTo((cone.Position + (frame * v)).Horizontal, kept * v, Time);
+        }
+
+        _spheres?.Move(frame);
+    }
+
+    private static void Run(WalkingPlayer player, Vector3d to, double stops, double frame)
+    {
+        Vector3d way = (to - player.Place).Horizontal;
+        double far = way.Length - stops;
+        Vector3d wanted = far > 0 ? Math.Min(8, 4 * far) / way.Length * way : Vector3d.Zero;
+        Vector3d change = wanted - player.Velocity;
+        double most = 9 * frame;
+        player.Velocity += change.Length > most ? most / change.Length * change : change;
+    }
+
+    private Simulator SimulatorOf(int ball) => _group?.SimulatorOf(ball) ?? Simulator;
+
+    private Scene AnyAir()
+    {
+        // Between 4 and 9 m/s the wind drives a ball on grass for minutes at a few centimetres a second, which is no fault.
+        double speed = _random.Any(0, 0, _random.Uniform(0, 4), _random.Uniform(9, 12));
+        Vector3d along = _random.Any(_random.Heading(), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1));
+        bool gusts = speed > 0 && _random.Chance(0.2);
+        var air = new Air { Wind = gusts ? Vector3d.Zero : speed * along, WindField = gusts ? new WindByHeight(speed, along.X, along.Z, gusts: new Gusts { Seed = _random.Below(1000) }) : null };
+        ForceSet forces = _random.Chance(0.2) ? ForceSet.Measured with { KnuckleSeed = _random.Below(1000) } : ForceSet.Measured;
+        return Scene.Default with { Air = air, Forces = forces };
+    }
+
+    private List<Obstacle> Obstacles()
+    {
+        var all = new List<Obstacle>();
+        for (int i = _random.Below(5); i > 0; i--)
+        {
+            Vector3d foot = Somewhere(2);
+            if (_random.Chance(0.5))
+            {
+                var half = new Vector3d(_random.Uniform(0.05, 1), _random.Uniform(0.1, 1), _random.Uniform(0.05, 1));
+                Vector3d center = foot + new Vector3d(0, half.Y, 0);
+                _standing.AddBox(center, half);
+                all.Add(new Obstacle { Name = "box", Shape = new BoxShape(center, half), Surface = Surface.Wood });
+            }
+            else
+            {
+                Vector3d tip = foot + new Vector3d(_random.Uniform(-0.5, 0.5), _random.Uniform(0.5, 2), _random.Uniform(-0.5, 0.5));
+                double radius = _random.Uniform(0.02, 0.2);
+                _standing.AddRod(foot, tip, radius);
+                all.Add(new Obstacle { Name = "rod", Shape = new CapsuleShape(foot, tip, radius) });
+            }
+        }
+
+        return all;
+    }
+
+    private Vector3d Somewhere(double margin) =>
+        new(_random.Uniform(margin - _halfWidth, _halfWidth - margin), 0, _random.Uniform(margin - _halfLength, _halfLength - margin));
+
+    /// <summary>Where a ball touches nothing: apart from what stands, from players, cones and the balls before it.</summary>
+    private Vector3d Free(int index)
+    {
+        while (true)
+        {
+            Vector3d at = Somewhere(0.5) + new Vector3d(0, _random.Chance(0.5) ? Radius : _random.Uniform(Radius, 2), 0);
+            bool isFree = ToStanding(at) >= Radius && (_spheres?.Distance(at, 0) ?? 1) > Radius && Balls.Take(index).All(ball => (ball.Position - at).Length > 3 * Radius)
+                && _players.All(player => player.Distance(at, 0) > Radius) && _cones.All(cone => (cone.Position - at).Horizontal.Length > 1);
+            if (isFree)
+            {
+                return at;
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>Scenes for states from outside: nets, goals, boards, tables to lie on, a knuckle force, wind. Nothing in them is moved, so that threads may share them.</summary>
+internal static class HallScenes
+{
+    private const int MostSteps = 90;
+
+    private static readonly double[] s_steps = [1 / 60.0, 0.25, 0.004];
+
+    public static IReadOnlyList<Simulator> All { get; } =
+    [
+        new(Pitch.Standard.On()),
+        new(Pitch.Cage.On(Scene.Default with { Air = new Air { Wind = new Vector3d(3, 0, -7) }, Forces = ForceSet.Measured with { KnuckleSeed = 3 } })),
+        new(Pitch.Futsal.On(Scene.Default with { Obstacles = [Table(5, 0.7), Table(-6, 1.1)] }), new SolverSettings { Integrator = Integrator.Rk2 }),
+        new(Scene.Default),
+    ];
+
+    /// <summary>A ball of a scene somewhere on its way: in a net, on a table, on the ground or in the air.</summary>
+    public static BallState State(SeededRandom random, Simulator simulator)
+    {
+        IReadOnlyList<Goal> goals = simulator.Scene.Goals;
+        Goal? goal = goals.Count > 0 ? goals[random.Below(goals.Count)] : null;
+        Vector3d from = goal is null ? new Vector3d(0, 0.11, 0) : goal.Center + (random.Uniform(1, 9) * goal.Facing) + new Vector3d(random.Uniform(-2, 2), random.Uniform(0.11, 2), 0);
+        Vector3d velocity = goal is null || random.Chance(0.3) ? random.Velocity(0, 30, 0, 60) : random.Uniform(4, 30) * (goal.Center + new Vector3d(random.Uniform(-2, 2), 1, 0) - from).Normalized();
+        if (random.Chance(0.2))
+        {
+            // Onto a table, in scenes that have one.
+            (from, velocity) = (new Vector3d(random.Uniform(-1, 1), 1.5, random.Any(5.0, -6)), random.Uniform(0, 1) * random.Heading());
+        }
+
+        BallState state = simulator.Launch(from, velocity, 60 * random.Next() * random.Direction());
+        var log = new StepLog(1);
+        for (int i = random.Below(MostSteps); i > 0; i--)
+        {
+            simulator.Step(ref state, s_steps[0] * (1 + (i % 4)), log);
+        }
+
+        return state;
+    }
+
+    /// <summary>The lengths of the steps that an accepted state is played with, s.</summary>
+    public static ReadOnlySpan<double> Steps => s_steps;
+
+    private static Obstacle Table(double z, double high) =>
+        new() { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5 * high, z), new Vector3d(1.5, 0.5 * high, 1.5)), Surface = Surface.Wood };
+}

@@ -1,0 +1,79 @@
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>One of the claims that a match is checked against.</summary>
+internal enum MatchClaim
+{
+    Inside,
+    Goals,
+    Rests,
+    Events,
+    Stalled,
+    Finite,
+    Stays,
+    Path,
+    Throws,
+}
+
+/// <summary>The counts of one match.</summary>
+internal sealed class MatchOutcome(long index)
+{
+    private static readonly int s_claims = Enum.GetValues<MatchClaim>().Length;
+
+    private readonly long[] _broken = new long[s_claims];
+    private readonly double[] _worst = new double[s_claims];
+    private readonly string[] _at = [.. Enumerable.Repeat("", s_claims)];
+
+    public long Index => index;
+
+    public int Balls { get; set; }
+
+    public long Steps { get; set; }
+
+    public long Kicks { get; set; }
+
+    public long KicksInNets { get; set; }
+
+    public long Goals { get; set; }
+
+    public long Positions { get; set; }
+
+    public long Undecided { get; set; }
+
+    /// <summary>Balls that must come to rest, and the latest of them, s after the match.</summary>
+    public int Resting { get; set; }
+
+    public double LatestRest { get; set; }
+
+    /// <summary>Events beyond the limit of a step, which are counted only.</summary>
+    public long Untold { get; set; }
+
+    public int MostEvents { get; set; }
+
+    /// <summary>Evaluations of each step, for each ball of it.</summary>
+    public List<int> Evaluations { get; } = [];
+
+    public long MostEvaluations { get; set; }
+
+    public string MostEvaluationsAt { get; set; } = "";
+
+    /// <summary>How often a claim does not hold.</summary>
+    public long Broken(MatchClaim claim) => _broken[(int)claim];
+
+    /// <summary>The worst size of that.</summary>
+    public double Worst(MatchClaim claim) => _worst[(int)claim];
+
+    /// <summary>Its scene.</summary>
+    public string At(MatchClaim claim) => _at[(int)claim];
+
+    /// <summary>A size that a claim bounds.</summary>
+    public void See(MatchClaim claim, double size, bool holds, FormattableString at)
+    {
+        int i = (int)claim;
+        _broken[i] += holds ? 0 : 1;
+        if (size > _worst[i] || (!holds && _at[i].Length == 0))
+        {
+            _worst[i] = Math.Max(size, _worst[i]);
+            _at[i] = FormattableString.Invariant($"match {index}, ") + FormattableString.Invariant(at);
+        }
+    }
+}

@@ -1,0 +1,259 @@
+using Football.Physics.Labs.Goals;
+using Football.Physics.Labs.People;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>Plays one match of an arena, and checks each step by geometry of its own.</summary>
+internal sealed class MatchPlay
+{
+    /// <summary>A ball that is deeper in a standing object, m, is inside.</summary>
+    private const double Entered = 1e-6;
+
+    /// <summary>The interval, s, at which a path is compared with standing objects.</summary>
+    private const double Sample = 0.002;
+
+    /// <summary>The path of a step may end this far, m, from the ball: objects that press it move it straight at the end of a piece.</summary>
+    private const double PutOn = 2e-6;
+
+    /// <summary>A goal and its event differ by less, s, and the time in which the ball moves as far as its path may be off.</summary>
+    private const double Closeness = 1e-6;
+
+    /// <summary>A ball that hangs in a net is slower, m/s.</summary>
+    private const double Hanging = 1e-6;
+
+    /// <summary>The length of the frames after the match, s, and the time for all balls to come to rest, s.</summary>
+    private const double RestFrame = 1 / 30.0;
+    private const double LongestRest = 150;
+
+    /// <summary>Pieces of motion that the path of a step can hold: those of two steps at their limit fit.</summary>
+    private const int PathPieces = 1 << 14;
+
+    private const double ShortestFrame = 0.004;
+    private const double LongestFrame = 0.25;
+
+    private readonly Arena _arena;
+    private readonly SeededRandom _frames;
+    private readonly int _frameKind;
+    private readonly double _fixedFrame;
+    private readonly StepLog _log = new();
+    private readonly Trajectory[] _paths;
+    private readonly GoalWatch[][] _watches;
+    private readonly MatchOutcome _outcome;
+
+    private MatchPlay(long seed, long index)
+    {
+        _arena = new Arena(SeededRandom.Mix(seed, index));
+        _frames = new SeededRandom(SeededRandom.Mix(seed, ~index));
+        _frameKind = _frames.Below(4);
+        _fixedFrame = _frames.Any(ShortestFrame, 1 / 120.0, 1 / 30.0, 0.05, 0.1, LongestFrame);
+        _paths = [.. _arena.Balls.Select(_ => new Trajectory(PathPieces))];
+        _watches = [.. _arena.Balls.Select(_ => _arena.Scene.Goals.Select(goal => new GoalWatch(goal, _arena.Radius)).ToArray())];
+        _outcome = new MatchOutcome(index) { Balls = _arena.Balls.Length };
+    }
+
+    /// <summary>Plays a match and the time until its balls rest.</summary>
+    public static MatchOutcome Play(long seed, long index, double seconds)
+    {
+        var play = new MatchPlay(seed, index);
+        try
+        {
+            play.Match(seconds);
+            play.Rest();
+        }
+        catch (Exception e) when (e is not OutOfMemoryException)
+        {
+            play._outcome.See(MatchClaim.Throws, 1, false, $"{play._arena.Time} s: {e.GetType().Name}: {e.Message} {e.StackTrace?.Split('\n')[0].Trim()}");
+        }
+
+        return play._outcome;
+    }
+
+    private void Match(double seconds)
+    {
+        for (int ball = 0; ball < _arena.Balls.Length; ball++)
+        {
+            BeginWatches(ball);
+        }
+
+        while (_arena.Time < seconds)
+        {
+            double frame = Frame();
+            _arena.Put();
+            for (int ball = 0; ball < _arena.Balls.Length; ball++)
+            {
+                if (_arena.Decide(ball, frame) is { } kick)
+                {
+                    _outcome.Kicks++;
+                    _outcome.KicksInNets += _arena.Balls[ball].Nets != 0 ? 1 : 0;
+                    _arena.Kick(ball, kick.Velocity, kick.Spin);
+                    BeginWatches(ball);
+                }
+            }
+
+            _arena.LookAhead(frame, _paths);
+            Step(frame);
+            for (int ball = 0; ball < _arena.Balls.Length; ball++)
+            {
+                Compare(ball, frame);
+            }
+
+            _arena.Walk(frame);
+        }
+    }
+
+    /// <summary>After the match: actors stop, and the balls come to rest.</summary>
+    private void Rest()
+    {
+        double end = _arena.Time;
+        double longest = _arena.MustRest ? LongestRest : 1;
+        while (_arena.Time - end < longest && !_arena.Balls.All(IsAtRest))
+        {
+            _arena.Put();
+            Step(RestFrame);
+            _arena.Leave(RestFrame, _arena.Time - end);
+        }
+
+        if (!_arena.MustRest)
+        {
+            return;
+        }
+
+        _outcome.Resting += _arena.Balls.Length;
+        _outcome.LatestRest = _arena.Time - end;
+        for (int ball = 0; ball < _arena.Balls.Length; ball++)
+        {
+            BallState state = _arena.Balls[ball];
+            _outcome.See(MatchClaim.Rests, 0, IsAtRest(state), $"ball {ball} of {_arena.Balls.Length}, wind {_arena.Scene.Air.Wind}: {state.ToString("R", null)}");
+        }
+    }
+
+    private static bool IsAtRest(BallState ball) => ball.Motion == MotionState.Stopped || (ball.Nets != 0 && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
+
+    private void Step(double frame)
+    {
+        FormattableString at = $"{_arena.Time} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}";
+        _log.Clear();
+        _arena.Step(frame, _log);
+        _outcome.Steps++;
+        int balls = _arena.Balls.Length;
+        int evaluations = (int)Math.Min((_log.Evaluations + balls - 1) / balls, int.MaxValue);
+        _outcome.Evaluations.Add(evaluations);
+        if (evaluations > _outcome.MostEvaluations)
+        {
+            _outcome.MostEvaluations = evaluations;
+            _outcome.MostEvaluationsAt = FormattableString.Invariant($"match {_outcome.Index}, {FormattableString.Invariant(at)}");
+        }
+
+        _outcome.See(MatchClaim.Stalled, _log.Stalled, _log.Stalled == 0, at);
+        _outcome.Untold += _log.Untold;
+        Span<int> events = stackalloc int[balls];
+        foreach (ref readonly BallEvent item in _log.Events)
+        {
+            events[item.Ball]++;
+        }
+
+        foreach (int count in events)
+        {
+            _outcome.MostEvents = Math.Max(_outcome.MostEvents, count);
+            _outcome.See(MatchClaim.Events, count, count <= StepMeter.MostAllowed, at);
+        }
+
+        for (int i = 0; i < balls; i++)
+        {
+            ref readonly BallState ball = ref _arena.Balls[i];
+            bool isFinite = ball.Position.IsFinite && ball.Velocity.IsFinite && ball.Spin.IsFinite && Math.Abs(ball.Orientation.LengthSquared - 1) < 1e-6;
+            _outcome.See(MatchClaim.Finite, 0, isFinite, at);
+            _outcome.See(MatchClaim.Stays, 0, !_arena.IsOutside(ball.Position), $"{FormattableString.Invariant(at)}, ball {i} at {ball.Position}");
+            Deep(ball.Position, $"{FormattableString.Invariant(at)}, ball {i}, end, {ball.Motion}");
+        }
+    }
+
+    private void Deep(Vector3d point, FormattableString at)
+    {
+        double depth = _arena.Radius - _arena.ToStanding(point);
+        _outcome.Positions++;
+        if (depth > _outcome.Worst(MatchClaim.Inside) || depth > Entered)
+        {
+            _outcome.See(MatchClaim.Inside, depth, depth <= Entered, at);
+        }
+    }
+
+    /// <summary>The path of a ball in the last step, against standing objects and goals.</summary>
+    private void Compare(int ball, double frame)
+    {
+        ref readonly BallState after = ref _arena.Balls[ball];
+        Trajectory path = _paths[ball];
+        double start = after.Time - frame;
+        if (!path.IsComplete || _log.Stalled > 0)
+        {
+            // A step at its limit leaves the ball where it is; its look-ahead may not. The watches start again from here.
+            _outcome.Undecided++;
+            BeginWatches(ball);
+            return;
+        }
+
+        Vector3d end = path.PositionAt(after.Time);
+        double apart = (end - after.Position).Length;
+        string at = FormattableString.Invariant($"{start} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}, ball {ball}");
+        _outcome.See(MatchClaim.Path, apart, apart <= PutOn || after.Motion == MotionState.Squeezed, $"{at}: {after.ToString("R", null)}");
+        int parts = Math.Max(1, (int)(frame / Sample));
+        for (int i = 1; i < parts; i++)
+        {
+            Deep(path.PositionAt(start + (frame * i / parts)), $"{at}, {i} of {parts} parts");
+        }
+
+        for (int goal = 0; goal < _arena.Scene.Goals.Count; goal++)
+        {
+            GoalWatch watch = _watches[ball][goal];
+            bool wasOver = !double.IsInfinity(watch.Time);
+            watch.Continue(path, after.Time);
+            watch.Jump(end, after.Position, after.Time);
+            Judge(ball, goal, watch, wasOver, at);
+        }
+    }
+
+    private void Judge(int ball, int goal, GoalWatch watch, bool wasOver, string at)
+    {
+        int reported = 0;
+        double time = double.NaN;
+        foreach (ref readonly BallEvent item in _log.Events)
+        {
+            if (item.Kind == BallEventKind.Goal && item.Ball == ball && Math.Sign(item.Position.Z) == Math.Sign(_arena.Scene.Goals[goal].Center.Z))
+            {
+                reported++;
+                time = item.Time;
+            }
+        }
+
+        bool isOver = !wasOver && !double.IsInfinity(watch.Time);
+        _outcome.Goals += reported;
+        if (watch.IsUndecided)
+        {
+            // Begins from scratch with the next kick.
+            _outcome.Undecided += isOver || reported > 0 ? 1 : 0;
+            return;
+        }
+
+        // A ball that is moved straight at the end of a piece passes at a time within the step.
+        double room = Closeness + (PutOn / Math.Max(_arena.Balls[ball].Velocity.Length, 1e-3));
+        bool holds = reported == (isOver ? 1 : 0) && (!isOver || Math.Abs(time - watch.Time) <= room || watch.Time == _arena.Balls[ball].Time);
+        _outcome.See(MatchClaim.Goals, 0, holds, $"{at}: {reported} reported at {time} s, over the line {isOver} at {watch.Time} s");
+    }
+
+    private void BeginWatches(int ball)
+    {
+        foreach (GoalWatch watch in _watches[ball])
+        {
+            watch.Begin(_arena.Balls[ball].Position);
+        }
+    }
+
+    private double Frame() => _frameKind switch
+    {
+        0 => 1 / 60.0,
+        1 => _fixedFrame,
+        2 => _frames.Log(ShortestFrame, LongestFrame),
+        _ => _frames.Chance(0.1) ? _frames.Log(ShortestFrame, LongestFrame) : _frames.Uniform(0.014, 0.019),
+    };
+}

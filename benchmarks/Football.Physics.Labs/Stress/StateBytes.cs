@@ -1,0 +1,116 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Football.Physics.Labs.Fuzz;
+using Football.Physics.Yardsticks;
+
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>States of a ball with fields that no ball has: as a snapshot, or as the memory that C passes.</summary>
+/// <param name="isMemory">Whether the bytes are the memory of the state, without a checksum.</param>
+internal sealed class StateBytes(bool isMemory) : FuzzTarget
+{
+    /// <summary>Steps of each length that an accepted state is played.</summary>
+    private const int Repeats = 3;
+
+    private static readonly double[] s_numbers =
+    [
+        double.NaN, double.PositiveInfinity, double.NegativeInfinity, double.MaxValue, double.MinValue, double.Epsilon, -double.Epsilon, 1e-310, 0, -0.0, -1, 1, 2, 1e-12, 0.1, 10, 100,
+        1e4, 3e4, 1e6, 1e9, 1e15, 1e30, 1e45, -1e-9, -1e4, -1e30,
+    ];
+
+    public override string Name => isMemory ? "states of C" : "snapshots";
+
+    public override byte[] Make(SeededRandom random, int mutations)
+    {
+        Simulator simulator = HallScenes.All[random.Below(HallScenes.All.Count)];
+        BallState state = HallScenes.State(random, simulator);
+        Span<ulong> words = stackalloc ulong[StateFields.Count];
+        StateFields.Read(in state, words);
+        for (int i = 0; i < mutations; i++)
+        {
+            Change(random, words);
+        }
+
+        byte[] bytes;
+        if (isMemory)
+        {
+            StateFields.Write(words, ref state);
+            bytes = MemoryMarshal.AsBytes(new ReadOnlySpan<BallState>(in state)).ToArray();
+        }
+        else
+        {
+            bytes = new byte[Snapshot.Size];
+            MemoryMarshal.AsBytes<ulong>(words).CopyTo(bytes);
+        }
+
+        // Some bytes too, which is all that a broken sender changes.
+        for (int i = random.Chance(0.2) ? 1 + random.Below(3) : 0; i > 0; i--)
+        {
+            bytes[random.Below(bytes.Length)] ^= (byte)(1 << random.Below(8));
+        }
+
+        return isMemory ? bytes : FuzzBytes.Sealed(bytes);
+    }
+
+    public override bool Try(byte[] input)
+    {
+        BallState state;
+        try
+        {
+            state = isMemory ? Unsafe.ReadUnaligned<BallState>(ref MemoryMarshal.GetReference<byte>(input)) : Snapshot.Read(input);
+        }
+        catch (FormatException)
+        {
+            return true;
+        }
+
+        bool refused = true;
+        foreach (Simulator simulator in HallScenes.All)
+        {
+            try
+            {
+                simulator.Validate(in state);
+            }
+            catch (ArgumentOutOfRangeException refusal)
+            {
+                Must(refusal.ParamName?.StartsWith("state.", StringComparison.Ordinal) == true, "a rejected state is not named");
+                continue;
+            }
+
+            refused = false;
+            BallState played = state;
+            for (int i = 0; i < Repeats; i++)
+            {
+                foreach (double step in HallScenes.Steps)
+                {
+                    MustBeShort(simulator, ref played, step);
+                }
+            }
+        }
+
+        return refused;
+    }
+
+    /// <summary>Changes one field: a number to one of those that programs stumble over, flags by a bit, an index to another.</summary>
+    private static void Change(SeededRandom random, Span<ulong> words)
+    {
+        int field = random.Below(StateFields.Count);
+        (string name, bool isNumber) = StateFields.NameOf(field);
+        if (random.Chance(0.3))
+        {
+            // The fields that only a scene can check.
+            string wanted = random.Any("nets", "netSides", "goalsPassed", "goalsEntered", "carrier", "airDistance", "clearUntil", "clearIn");
+            field = StateFields.IndexOf(wanted);
+            (name, isNumber) = StateFields.NameOf(field);
+        }
+
+        words[field] = isNumber && !random.Chance(0.1)
+            ? BitConverter.DoubleToUInt64Bits(random.Chance(0.7) ? random.Any<double>(s_numbers) : FuzzNumbers.AnyBits(random))
+            : name switch
+            {
+                "motion" or "dragRegion" => (ulong)random.Below(8),
+                "carrier" => (ulong)random.Below(40),
+                _ => words[field] ^ (1UL << random.Below(random.Chance(0.7) ? 10 : 64)),
+            };
+    }
+}

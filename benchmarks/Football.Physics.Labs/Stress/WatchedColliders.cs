@@ -1,0 +1,44 @@
+using Football.Physics.Labs.People;
+
+namespace Football.Physics.Labs.Stress;
+
+/// <summary>An engine's spheres, or none, that end a step which never ends: after very many sphere casts they throw.</summary>
+internal sealed class WatchedColliders(StadiumSpheres? spheres) : IEngineColliders
+{
+    /// <summary>The limit of a step or look-ahead of five balls at their 8 192 pieces is a fraction of this.</summary>
+    private const long MostCasts = 400_000;
+
+    private double _time;
+    private long _casts;
+
+    /// <inheritdoc/>
+    public double Time
+    {
+        get => _time;
+        set
+        {
+            _time = value;
+            if (spheres is not null)
+            {
+                spheres.Time = value;
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public double GreatestSpeed => spheres?.GreatestSpeed ?? 0;
+
+    /// <summary>Starts to count the casts of the next step or look-ahead.</summary>
+    public void Begin() => _casts = 0;
+
+    /// <inheritdoc/>
+    public void Cast(in SphereCast cast, EngineHits hits)
+    {
+        if (++_casts > MostCasts)
+        {
+            throw new TimeoutException($"more than {MostCasts} sphere casts in one call");
+        }
+
+        spheres?.Cast(in cast, hits);
+    }
+}
