@@ -11,7 +11,7 @@ internal sealed class FuzzRun(FuzzTarget target, long seed)
 
     /// <summary>How often it is tried again, and an input that takes longer than so many ms.</summary>
     private const int Again = 4;
-    private const double Suspicious = 50;
+    private const double Suspicious = 2000;
 
     /// <summary>Bytes that an input may make the program ask for: some for every byte of it, and a few megabytes for what it says.</summary>
     private const long MostMemory = 64L << 20;
