@@ -8,22 +8,19 @@ public sealed class ScenesTests
 {
     private const double Radius = 0.11;
 
-    /// <summary>One scene is known to be beyond its limit: on kerb 18 the error of the steps, 2e-5 m/s, is more than the tenfold limit that they may have.</summary>
     [Theory]
-    [InlineData("seams", 10, 100, null)]
-    [InlineData("turns", 40, 40, null)]
-    [InlineData("carriers", 8, 8, null)]
-    [InlineData("kerbs", 20, 20, "18")]
-    [InlineData("slopes", 20, 20, null)]
-    public void Every_scene_is_as_its_answer_says(string kind, int count, int scenes, string? known)
+    [InlineData("seams", 10, 100)]
+    [InlineData("turns", 40, 40)]
+    [InlineData("carriers", 8, 8)]
+    [InlineData("kerbs", 20, 20)]
+    [InlineData("slopes", 20, 20)]
+    public void Every_scene_is_as_its_answer_says(string kind, int count, int scenes)
     {
         FootballCommand done = FootballCommand.Run("", "lab", "scenes", "--only", kind, "--count", $"{count}", "--seed", "46");
         JsonElement[] tables = [.. done.Result.GetProperty("tables").EnumerateArray()];
-        JsonElement[] rows = [.. tables[0].GetProperty("rows").EnumerateArray()];
-        Assert.Equal(scenes, rows.Sum(row => row.GetProperty("scenes").GetInt32()));
-        string[] failures = tables.Length > 1 ? [.. tables[1].GetProperty("rows").EnumerateArray().Select(row => $"{row.GetProperty("scene")}")] : [];
-        Assert.Equal(known is null ? [] : [known], failures);
-        Assert.Equal(known is null ? 0 : 1, done.ExitCode);
+        Assert.Single(tables);
+        Assert.Equal(scenes, tables[0].GetProperty("rows").EnumerateArray().Sum(row => row.GetProperty("scenes").GetInt32()));
+        Assert.Equal(0, done.ExitCode);
     }
 
     [Fact]

@@ -9,6 +9,9 @@ internal sealed partial class BallCluster
     /// <summary>The path of a ball.</summary>
     public BallTrial TrialOf(int ball) => _trials[ball];
 
+    /// <summary>The balls that share a pushed object.</summary>
+    public PushShares Shares => _shares;
+
     /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
     private void Try(BallState[] states, int i, double end)
     {
@@ -24,6 +27,7 @@ internal sealed partial class BallCluster
     {
         _meets.Change(i);
         double reach = (states[i].Position - _before[i].Position).Length + _trials[i].Reach;
+        _shares.Extend(i, reach);
         if (!(reach > _reaches[i]))
         {
             return;

@@ -72,7 +72,7 @@ internal sealed partial class BallCluster
         _isIn = new bool[count];
         _again = new bool[count];
         _pushed = new PushedMotions(simulators[0].World);
-        _shares = new PushShares(_pushed, simulators, before, reaches);
+        _shares = new PushShares(_pushed, simulators, before);
         _touch = new BallTouch(simulators, _trials, _piles, _pushed);
     }
 

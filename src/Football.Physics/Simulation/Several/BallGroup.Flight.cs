@@ -58,6 +58,7 @@ public sealed partial class BallGroup
             {
                 // How far it gets is seen when the pile is played.
                 _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
+                _cluster.Shares.Begin(i, in before, 0, dt);
                 holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
                 continue;
             }
@@ -66,6 +67,7 @@ public sealed partial class BallGroup
             {
                 s.Time += dt;
                 _reaches[i] = 0;
+                _cluster.Shares.Begin(i, in before, 0, dt);
                 continue;
             }
 
@@ -80,6 +82,11 @@ public sealed partial class BallGroup
             again |= log.Halted;
             log.Halted = false;
             _pushes[i] = log.Pushed;
+            if (_simulators[i].World.MayGiveWay)
+            {
+                _cluster.Shares.Begin(i, in s, Fastest(first), dt);
+            }
+
             pushing += log.Pushed ? 1 : 0;
 
             // Within what its sphere was made for, also between events: else its reach has to be measured.
@@ -98,6 +105,19 @@ public sealed partial class BallGroup
         _firstEvent[states.Length] = log.Events.Count;
         again |= log.Events.Dropped > 0;
         return pushing > 0;
+    }
+
+    /// <summary>The greatest speed at the events of the last ball, m/s.</summary>
+    private double Fastest(int first)
+    {
+        double squared = 0;
+        for (int k = first; k < _flown.Events.Count; k++)
+        {
+            ref readonly BallEvent happened = ref _flown.Events[k];
+            squared = Math.Max(squared, Math.Max(happened.VelocityBefore.LengthSquared, happened.Velocity.LengthSquared));
+        }
+
+        return Math.Sqrt(squared);
     }
 
     private static void Refuse(in BallState state, int ball, double time)

@@ -4,13 +4,34 @@ namespace Football.Physics;
 /// <param name="pushed">The motions of all objects that balls push.</param>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="before">The balls before the step.</param>
-/// <param name="reaches">Not less than the distance that each ball gets from there, m.</param>
-internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, BallState[] before, double[] reaches)
+internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, BallState[] before)
 {
+    /// <summary>The reach of a ball has so much room, as a factor and as an acceleration, m/s².</summary>
+    private const double MoreReach = 1.1;
+    private const double Fall = 10;
+
+    private readonly double[] _reaches = new double[before.Length];
     private readonly bool[] _shares = new bool[before.Length];
 
     /// <summary>True if a ball shares an object.</summary>
     public bool this[int ball] => _shares[ball];
+
+    /// <summary>
+    /// Sets the distance that a ball may get from where it was before the step, m. It follows from this step alone: the spheres of neighbours depend on earlier steps,
+    /// and a step that is played again must end at the same pushes.
+    /// </summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="after">The ball after its own step.</param>
+    /// <param name="fastest">Its greatest speed at the events of the step, m/s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    public void Begin(int ball, in BallState after, double fastest, double dt)
+    {
+        double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), Math.Max(fastest, after.SqueezeSpeed));
+        _reaches[ball] = MoreReach * ((after.Position - before[ball].Position).Length + (dt * (speed + (Fall * dt))));
+    }
+
+    /// <summary>A ball gets at least so far, m.</summary>
+    public void Extend(int ball, double reach) => _reaches[ball] = Math.Max(_reaches[ball], reach);
 
     /// <summary>No ball shares an object.</summary>
     public void Clear() => Array.Clear(_shares, 0, _shares.Length);
@@ -31,7 +52,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
             int first = -1;
             for (int i = 0; i < before.Length; i++)
             {
-                if (!box.Grown(reaches[i] + simulators[i].Scene.Ball.Radius).Touches(new Bounds3d(before[i].Position, before[i].Position)))
+                if (!box.Grown(_reaches[i] + simulators[i].Scene.Ball.Radius).Touches(new Bounds3d(before[i].Position, before[i].Position)))
                 {
                     continue;
                 }
