@@ -189,9 +189,21 @@ internal struct NearThings
         return deepest;
     }
 
-    /// <summary>Which of two comes first that are equally deep: by the side that they are on, and of two on one side the first of the scene.</summary>
-    public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider) =>
-        normal.X != other.X ? normal.X < other.X : normal.Z != other.Z ? normal.Z < other.Z : normal.Y != other.Y ? normal.Y < other.Y : collider < otherCollider;
+    /// <summary>
+    /// True if the first of two contacts comes before the second: by their sides, and of two on one side the first of the scene. Height and sizes count first, so that a
+    /// mirrored scene has the same order unless the two are mirror images of each other.
+    /// </summary>
+    public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider)
+    {
+        double x = Math.Abs(normal.X) - Math.Abs(other.X);
+        double z = Math.Abs(normal.Z) - Math.Abs(other.Z);
+        return normal.Y != other.Y ? normal.Y < other.Y
+            : x != 0 ? x < 0
+            : z != 0 ? z < 0
+            : normal.X != other.X ? normal.X < other.X
+            : normal.Z != other.Z ? normal.Z < other.Z
+            : collider < otherCollider;
+    }
 
     /// <summary>Goes on to the next collider.</summary>
     /// <param name="collider">Its index.</param>

@@ -65,7 +65,6 @@ internal sealed partial class ContactSetParts
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
 
-            // Nets and goals are met as ever.
             var path = PathCubic.Line(s.Position, in v, h);
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
             BallState before = s;
