@@ -122,7 +122,10 @@ public sealed class ArrivalTests
     {
         var request = new AimRequest
         {
-            From = new Vector3d(0, Ground, 0), Target = new Vector3d(2.3089603126556426, Ground, -32.57194511712154), Speed = 35, TopSpin = -4.064963843703719,
+            From = new Vector3d(0, Ground, 0),
+            Target = new Vector3d(2.3089603126556426, Ground, -32.57194511712154),
+            Speed = 35,
+            TopSpin = -4.064963843703719,
         };
         var aimer = new Aimer();
         for (int i = 0; i <= 40; i++)
