@@ -163,9 +163,9 @@ internal sealed class SurfacePhase<TIntegrator>
 
         // How long the piece may be: first by stability, nets, borders and the turning normal, then by how fast the direction turns.
         double h = LongestPiece(in s, in from, in on, ref run);
+        MotionRates rates = system.RatesUnder(in on, s.Time, in from);
         if (size >= Slip.Rolling)
         {
-            MotionRates rates = system.RatesUnder(in on, s.Time, in from);
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates, in from.Spin);
 
@@ -178,21 +178,22 @@ internal sealed class SurfacePhase<TIntegrator>
             double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _alpha));
             h = TurnLimit.Follow(h, system.Direction, size, in rate, turned, out system.LocksDirection);
             h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
+            rates = system.LocksDirection ? system.RatesUnder(in on, s.Time, in from) : rates;
         }
 
         // Take it: in a net by RK4 in parts, for that settles faster than a step is long.
         if (s.Nets != 0)
         {
-            TakePiece<Substeps>(ref s, ref run, ref system, in from, in on, h);
+            TakePiece<Substeps>(ref s, ref run, ref system, in from, in rates, h);
         }
         else if (run.Spirals)
         {
             // RK4 makes no velocity longer that turns by up to 2.8 rad.
-            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, in on, h);
+            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, in rates, h);
         }
         else
         {
-            TakePiece<TIntegrator>(ref s, ref run, ref system, in from, in on, h);
+            TakePiece<TIntegrator>(ref s, ref run, ref system, in from, in rates, h);
         }
 
         // The thesis' end of a slide is looked for at the end of a piece.
@@ -225,11 +226,10 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
-    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, double h)
+    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in MotionRates start, double h)
         where TMethod : struct, IIntegrator
     {
         int order = default(TMethod).Order;
-        MotionRates start = system.RatesUnder(in on, s.Time, in from);
         var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
 
