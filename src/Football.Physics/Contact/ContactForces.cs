@@ -4,14 +4,11 @@ namespace Football.Physics;
 
 /// <summary>
 /// The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for each contact that sticks.
-/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is α/(1+α) of what would start a slip.
+/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
 /// So one equation is left for each contact that slips, and three for each further contact that sticks.
 /// </summary>
 internal static unsafe class ContactForces
 {
-    /// <summary>A smaller pivot, as a share of the largest entry, makes the solution not unique.</summary>
-    private const double Singular = ContactRows.Singular;
-
     /// <summary>Adds the forces of the contacts to the accelerations, and stores the load and the friction of each contact.</summary>
     /// <param name="system">The contacts, with their normals and slips at this state.</param>
     /// <param name="spin">Spin of the ball, rad/s.</param>
@@ -40,7 +37,7 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>The contact to eliminate: the bearer if it sticks, else the first one that sticks; −1 for none.</summary>
+    /// <summary>Returns the contact to eliminate: the bearer if it sticks, otherwise the first one that sticks; −1 if none does.</summary>
     private static int StuckOf(in ContactSystem system)
     {
         if (system.Bearer >= 0 && system.Contacts[system.Bearer].Width == 3)
@@ -59,7 +56,7 @@ internal static unsafe class ContactForces
         return -1;
     }
 
-    /// <summary>Solves for the other contacts, each with what the eliminated contact adds to it.</summary>
+    /// <summary>Eliminates the contact that sticks, and solves for the forces of the others.</summary>
     /// <returns>False if the solution is not unique, or more than two contacts stick: then nothing has changed.</returns>
     [SkipLocalsInit]
     private static bool Eliminate(ref ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
@@ -150,29 +147,17 @@ internal static unsafe class ContactForces
         return true;
     }
 
-    /// <summary>Solves G x = b for what the elimination has left.</summary>
+    /// <summary>Solves G x = b for the forces that remain after the elimination.</summary>
     /// <returns>False if the solution is not unique.</returns>
     [SkipLocalsInit]
     private static bool SolveRows(
         ForceRow* rows, double* x, double* z, int size, in Vector3d a, in Vector3d w, in ContactSystem system, int stuck, int pair, int pairRow)
     {
         double* g = stackalloc double[ContactRows.Most * ContactRows.Most];
-        double largest = 1;
-        for (int i = 0; i < size; i++)
-        {
-            ref readonly ForceRow row = ref rows[i];
-            x[i] = row.Asked - Vector3d.Dot(in row.AlongV, in a) - Vector3d.Dot(in row.AlongW, in w);
-            for (int j = 0; j < size; j++)
-            {
-                double entry = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
-                g[(i * size) + j] = entry;
-                largest = Math.Max(largest, Math.Abs(entry));
-            }
-        }
-
+        double largest = SetSystem(rows, g, x, size, in a, in w);
         if (pair < 0)
         {
-            return ContactRows.Eliminate(g, x, size, Singular * largest);
+            return ContactRows.Eliminate(g, x, size, ContactRows.Singular * largest);
         }
 
         // Two contacts that stick: along the line from one contact point to the other both conditions are the same.
@@ -183,6 +168,26 @@ internal static unsafe class ContactForces
 
         SetLine(in system.Contacts[pair], in system.Contacts[stuck], z + pairRow);
         return ContactRows.SolveBraced(g, x, z, size);
+    }
+
+    /// <summary>Sets G, the effect of a unit of each force on each condition, and b, the rest of the conditions without these forces.</summary>
+    /// <returns>The largest entry of G, at least 1.</returns>
+    private static double SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)
+    {
+        double largest = 1;
+        for (int i = 0; i < size; i++)
+        {
+            ref readonly ForceRow row = ref rows[i];
+            b[i] = row.Asked - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
+            for (int j = 0; j < size; j++)
+            {
+                double entry = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
+                g[(i * size) + j] = entry;
+                largest = Math.Max(largest, Math.Abs(entry));
+            }
+        }
+
+        return largest;
     }
 
     /// <summary>Takes the least forces of two contacts that stick, or those that are nearest to them and inside both friction cones.</summary>
@@ -251,7 +256,7 @@ internal static unsafe class ContactForces
             size += system.Contacts[i].Bears ? SetRows(in system, i, in spin, rows + size) : 0;
         }
 
-        // What holds a standing ball, and its spin, is no load and no friction force. It is eliminated first, so that it does not count in the sum of squares.
+        // The resistance that holds a standing ball, and its spin, must not count in the sum of squares of the forces. So it is eliminated first.
         Vector3d normal = system.Bearer >= 0 ? system.Contacts[system.Bearer].Normal : Vector3d.Zero;
         Vector3d turning = Vector3d.Cross(in normal, in system.Along) / system.World.Ball.Radius;
         double held = 0;
@@ -273,16 +278,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref spinAcceleration, rows, size);
         }
 
-        for (int i = 0; i < size; i++)
-        {
-            ref readonly ForceRow row = ref rows[i];
-            x[i] = row.Asked - Vector3d.Dot(in row.AlongV, in acceleration) - Vector3d.Dot(in row.AlongW, in spinAcceleration);
-            for (int j = 0; j < size; j++)
-            {
-                g[(i * size) + j] = Vector3d.Dot(in row.AlongV, in rows[j].PushV) + Vector3d.Dot(in row.AlongW, in rows[j].PushW);
-            }
-        }
-
+        SetSystem(rows, g, x, size, in acceleration, in spinAcceleration);
         if (size > 0 && (sticking != 2 || !SolvePair(g, x, size, in system.Contacts[first], firstRow, in system.Contacts[second], secondRow)))
         {
             ContactRows.Solve(g, x, size);

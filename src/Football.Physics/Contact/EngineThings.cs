@@ -339,7 +339,7 @@ internal sealed class EngineThings
         return place;
     }
 
-    /// <summary>Makes more places, which the world has as colliders too.</summary>
+    /// <summary>Adds places. The world gets them as colliders too.</summary>
     private void Extend(int count)
     {
         int before = _colliders.Length;

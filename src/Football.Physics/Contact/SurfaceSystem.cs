@@ -248,7 +248,7 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
-    /// <summary>Acceleration of the slip velocity, friction apart, m/s²: the push along the surface, r n × the torques, and what the turning normal adds.</summary>
+    /// <summary>Acceleration of the slip velocity without friction, m/s²: the push along the surface, r n × the torques, and the term of the turning normal.</summary>
     public readonly Vector3d SlipPush(in SurfaceForces on, in Vector3d spin) =>
         on.Body + on.Air + (World.Ball.Radius * (Vector3d.Cross(in on.Normal, in on.Torque) + SlipTurn(in on, in spin))) - on.SurfaceRate;
 

@@ -282,10 +282,10 @@ internal sealed class World
     /// <summary>True if a number is the index of a collider.</summary>
     public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
 
-    /// <summary>Adds the places from one on that an engine's table has grown by.</summary>
+    /// <summary>Adds the new places of an engine's table as colliders.</summary>
     /// <param name="places">All places of the engine.</param>
     /// <param name="from">The first new one.</param>
-    /// <param name="index">Its index among the colliders. What lies before it and after the last one so far are numbers of nets and goals.</param>
+    /// <param name="index">Its index among the colliders. The numbers between the last collider so far and this index belong to nets and goals.</param>
     public void Extend(Collider[] places, int from, int index)
     {
         int before = Colliders.Length;

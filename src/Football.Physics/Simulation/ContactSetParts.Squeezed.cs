@@ -8,18 +8,18 @@ internal sealed partial class ContactSetParts
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;
 
-    /// <summary>Out of what squeezes it a ball is put by no more than this, m/s.</summary>
+    /// <summary>The greatest speed at which an overlap with moving objects is resolved, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
-    /// <summary>From here on, m, the path that is shown of a squeezed ball runs along what stands still.</summary>
+    /// <summary>Below this gap, m, the displayed path of a squeezed ball follows a stationary surface.</summary>
     private const double AllButTouching = 1e-4;
 
-    /// <summary>A way off all contacts goes off each by at least this share.</summary>
+    /// <summary>A direction that leaves all contacts has at least this component along each normal.</summary>
     private const double Room = 0.1;
 
     /// <summary>
-    /// Takes what is left of a step for a ball that is squeezed: what stands still is never entered, what moves pushes the ball as far as it can go at the speed
-    /// that it may have, and nothing bounces. When nothing that moves presses it against anything any more, or there is a way off all that does, it is free.
+    /// Takes the rest of a step for a squeezed ball. The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, and nothing
+    /// bounces. The ball is free when no moving object presses it any longer, or when some direction leads off all contacts.
     /// </summary>
     [SkipLocalsInit]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
@@ -32,17 +32,18 @@ internal sealed partial class ContactSetParts
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             run.Parts++;
 
-            // What the forces alone would make of it: v + h a, ω + h ω̇.
+            // The velocity and spin under the forces alone: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates free = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
 
-            // As fast as it is, with what the forces give it on its way, or as what presses it: how it came is over.
+            // Its speed is bounded by its own speed plus the work of the forces, or by the speed of the objects that press it.
             double came = from.Velocity.Length;
             s.SqueezeSpeed = came;
-            // All that it may come to in this part: by itself, at twice the speed of what hits it, which comes too, and by being put out of that.
+
+            // The reach of this part: the ball's own path, the path of a mover and of a ball that it hits at twice its speed, and the resolved overlap.
             double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
@@ -50,17 +51,17 @@ internal sealed partial class ContactSetParts
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
             LeaveOut(ref set, run.Log);
 
-            // Out of the way of what moves whatever friction does, as fast as it may be; and never into what stands still.
+            // Friction must not hold the ball in the path of a moving object; and the ball must not enter a stationary one.
             KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
             Vector3d kept = v;
             KeepOff(set, h, movers: false, ref kept);
 
-            // f² = |v|² + 2 h f W·d: what the forces W do on the way d at the speed f that it comes to.
+            // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
             double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
 
-            // Cut to that speed; what stands still has the last word.
+            // The speed is cut to that. Stationary objects come last, so that the ball does not enter them.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -74,7 +75,7 @@ internal sealed partial class ContactSetParts
                 _guard.Meet(ref s, in passed, ref run);
             }
 
-            // Depenetration: out of what moves at a bounded speed, out of what stands still at once. Nets and goals are met on that way too.
+            // Overlaps with moving objects end at a bounded speed, those with stationary objects at once. The ball meets nets and goals on that path too.
             Vector3d moved = s.Position;
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             _displacement.Follow(ref s, in moved, ref run);
@@ -82,17 +83,14 @@ internal sealed partial class ContactSetParts
             ShowSqueezed(in before, in s, set, ref run);
         }
 
-        // Free where no mover pressed it against anything in the last part, or where a direction leads off all that it touches.
+        // It is free if no mover pressed it in the last part, or if some direction leads off all contacts.
         if ((isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
         }
     }
 
-    /// <summary>
-    /// Shows a piece of a squeezed ball, which goes from place to place: straight on, but along what stands still where the straight way would lead through that, as it does
-    /// from one place of a post to the next.
-    /// </summary>
+    /// <summary>Shows a piece of a squeezed ball to the observer: a straight path, except next to stationary surfaces such as a post, which the path must not enter.</summary>
     private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
     {
         double h = after.Time - before.Time;
@@ -105,7 +103,7 @@ internal sealed partial class ContactSetParts
         Vector3d v = way;
         Vector3d w = way;
 
-        // Tangents of a Hermite path: none at its start that leads into what stands still, none at its end that comes out of it.
+        // Tangents of a Hermite path: the first must not lead into a stationary surface, the last must not come out of one.
         foreach (ref readonly Contact contact in set)
         {
             if (!contact.Moves)
@@ -119,7 +117,7 @@ internal sealed partial class ContactSetParts
         Show(in before, in after, in v, in w, ref run);
     }
 
-    /// <summary>How fast a way leads off a thing where the ball all but touches it, m/s; 0 where it does not.</summary>
+    /// <summary>The speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
     private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
     {
         ShapePoint at = collider.At(place, time);
@@ -139,7 +137,7 @@ internal sealed partial class ContactSetParts
         KeepOff(set, h, movers: true, ref v);
     }
 
-    /// <summary>Takes from a velocity what goes into things that stand still, and into what moves.</summary>
+    /// <summary>Removes the closing components of a velocity at stationary contacts, and on request at moving ones.</summary>
     private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
     {
         bool closes = true;
@@ -148,7 +146,7 @@ internal sealed partial class ContactSetParts
             closes = false;
             foreach (ref readonly Contact contact in set)
             {
-                // (v − V)·n + gap/h < 0 would overlap within the part: projected out, contact by contact, until none does.
+                // With (v − V)·n + gap/h < 0 the ball would overlap the collider within the part. The excess is projected out, contact by contact.
                 double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
                 if ((movers || !contact.Moves) && closing < 0)
                 {
@@ -159,7 +157,7 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>True when nothing that moves presses the ball against anything, or overlaps it.</summary>
+    /// <summary>True if no moving object overlaps the ball or presses it against another contact.</summary>
     private bool IsFree(in BallState s, Span<Contact> set)
     {
         bool pushed = false;
@@ -175,7 +173,7 @@ internal sealed partial class ContactSetParts
         return !overlaps && (!pushed || pressing < 2);
     }
 
-    /// <summary>True when there is a way off all that the ball touches, and it overlaps nothing: d · n > 0 for all of them.</summary>
+    /// <summary>True if the ball overlaps nothing and some direction d leads off all contacts: d·n > 0 for each.</summary>
     [SkipLocalsInit]
     private bool HasRoom(in BallState s)
     {
@@ -203,7 +201,7 @@ internal sealed partial class ContactSetParts
                 return true;
             }
 
-            // Perceptron: towards the normal of the one that it goes off least.
+            // Perceptron: turn the direction towards the normal along which it leads off least.
             way += set[nearest].Normal;
             way = 1.0 / Math.Max(1.0, way.Length) * way;
         }
@@ -226,7 +224,7 @@ internal sealed partial class ContactSetParts
         return false;
     }
 
-    /// <summary>Puts a squeezed ball out of what moves, by no more than a distance, and then out of what stands still: where there is no such place, back.</summary>
+    /// <summary>Resolves overlaps of a squeezed ball: with moving objects up to a distance, then with stationary ones completely. If that is impossible, the ball goes back.</summary>
     private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
         Vector3d from = s.Position;
@@ -237,12 +235,12 @@ internal sealed partial class ContactSetParts
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
-        // All of them together put it out no faster than one: the set knows what stands still no farther off.
+        // All movers together displace the ball no farther than one may: beyond that distance the set does not contain the stationary surfaces.
         Vector3d pushed = s.Position - from;
         double length = pushed.Length;
         s.Position = length > most ? from + (most / length * pushed) : s.Position;
 
-        // No place clear of what stands still: back to where it was, without speed.
+        // Every position near overlaps a stationary object: the ball returns to its old position, without speed.
         if (!ContactSet.KeepOut(_world, ref s, set) || IsInside(in s))
         {
             s.Position = back;

@@ -84,7 +84,7 @@ internal sealed partial class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // No impulses satisfy all contacts, or they would make the ball faster than what presses it may: there is no room. Only objects that move squeeze.
+            // There is no room if no impulses satisfy all contacts, or if they would give the ball more than its allowed speed. Only objects that move squeeze.
             if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);

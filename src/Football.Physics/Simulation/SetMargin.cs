@@ -107,7 +107,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         return shortened;
     }
 
-    /// <summary>True if every value keeps a good share of what it is at the start.</summary>
+    /// <summary>True if every value keeps a good share of its value at the start.</summary>
     private static bool IsClear(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
     {
         for (int i = 0; i < Limits * sweep.System.Count; i++)

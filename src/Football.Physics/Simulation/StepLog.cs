@@ -50,7 +50,7 @@ public sealed class StepLog
     /// <summary>True after an impact has pushed an object that has a mass.</summary>
     internal bool Pushed { get; set; }
 
-    /// <summary>Remembers the motions before a push, for steps that are taken again; null where none are.</summary>
+    /// <summary>Keeps the motions before a push, for steps that are taken again; null if none are.</summary>
     internal MotionsBefore? Motions { get; set; }
 
     /// <summary>True if a call continues a step: its counters start at <see cref="Spent"/> instead of zero.</summary>

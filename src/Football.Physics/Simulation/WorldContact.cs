@@ -465,7 +465,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // Out of what moves it goes in the rest of the step, no faster than it may: put onto that at once, it would be in what stands still behind it.
+        // The rest of the step moves the ball out of the mover at its allowed speed. If it were put onto the mover at once, it could end inside a stationary object.
         s.Velocity = velocity;
         Collider carrier = _world.CarrierOf(in s);
         if (!carrier.Moves)

@@ -23,6 +23,19 @@ public sealed class ScenesTests
         Assert.Equal(0, done.ExitCode);
     }
 
+    /// <summary>On these drums a slide ends in a roll: the spin about the turning normal is part of the slip, whatever the step is.</summary>
+    [Theory]
+    [InlineData("232")]
+    [InlineData("17")]
+    [InlineData("300")]
+    [InlineData("46")]
+    public void A_slide_ends_on_a_drum_as_the_model_says(string scene)
+    {
+        FootballCommand done = FootballCommand.Run("", "lab", "scenes", "--only", "carriers", "--scene", scene);
+        Assert.StartsWith("Drum", done.Result.GetProperty("tables")[0].GetProperty("rows")[0].GetProperty("group").GetString(), StringComparison.Ordinal);
+        Assert.Equal(0, done.ExitCode);
+    }
+
     [Fact]
     public void One_scene_is_shown_alone()
     {

@@ -57,7 +57,7 @@ public sealed partial class BallGroup
             if (_cluster.Rests.IsInPile(i))
             {
                 // How far it gets is seen when the pile is played.
-                _reaches[i] = dt * (before.Velocity.Length + (Fall * dt));
+                _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
                 _cluster.Shares.Begin(i, in before, 0, dt);
                 holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
                 continue;
@@ -89,7 +89,7 @@ public sealed partial class BallGroup
 
             pushing += log.Pushed ? 1 : 0;
 
-            // Within what its sphere was made for, also between events: else its reach has to be measured.
+            // If the ball exceeds the bounds of its sphere, at its ends or at an event, its reach must be measured.
             bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
             _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
             holds &= keeps;
@@ -127,7 +127,7 @@ public sealed partial class BallGroup
             FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
     }
 
-    /// <summary>How far those balls got that did not keep to what was expected; and the neighbours anew where one left its sphere.</summary>
+    /// <summary>Measures the reach of balls that exceed the bounds of their spheres, and finds the neighbours again if a ball has left its sphere.</summary>
     private void RenewNeighbours(double dt, bool again)
     {
         // All balls are played again: then their paths are measured among objects that are not pushed yet.

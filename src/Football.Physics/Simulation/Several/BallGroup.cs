@@ -13,9 +13,6 @@ public sealed partial class BallGroup
     /// <summary>So many events a ball are kept of a step without playing it again.</summary>
     private const int EventsOfBall = 16;
 
-    /// <summary>A ball of a pile may fall, m/s².</summary>
-    private const double Fall = 10;
-
     private readonly Simulator[] _simulators;
     private readonly Simulator? _alone; // null if there are several balls, or code of the game may throw within a step
     private readonly bool _mayThrow;

@@ -13,7 +13,7 @@ internal sealed class BallNeighbours
     private const double LeastRoom = 0.25;
 
     /// <summary>In the time of a sphere a ball may fall, m/s².</summary>
-    private const double Fall = 10;
+    public const double Fall = 10;
 
     private readonly Sphere[] _spheres;
     private readonly int[] _order;

@@ -13,7 +13,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
     private const double Overlap = 1e-7;
     private const double Closed = 1e-13;
 
-    /// <summary>Deeper than this, m, no ball is in what stands still at the end of a part; rounds of projections out of all of that together.</summary>
+    /// <summary>The greatest depth of a ball in stationary surfaces at the end of a part, m; and the most rounds of projections that ensure it.</summary>
     private const double Inside = 5e-10;
     private const int MostWays = 16;
 

@@ -6,9 +6,8 @@ namespace Football.Physics;
 /// <param name="before">The balls before the step.</param>
 internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, BallState[] before)
 {
-    /// <summary>The reach of a ball has so much room, as a factor and as an acceleration, m/s².</summary>
+    /// <summary>The reach of a ball is estimated with this factor of room.</summary>
     private const double MoreReach = 1.1;
-    private const double Fall = 10;
 
     private readonly double[] _reaches = new double[before.Length];
     private readonly bool[] _shares = new bool[before.Length];
@@ -27,7 +26,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
     public void Begin(int ball, in BallState after, double fastest, double dt)
     {
         double speed = Math.Max(Math.Max(before[ball].Velocity.Length, after.Velocity.Length), Math.Max(fastest, after.SqueezeSpeed));
-        _reaches[ball] = MoreReach * ((after.Position - before[ball].Position).Length + (dt * (speed + (Fall * dt))));
+        _reaches[ball] = MoreReach * ((after.Position - before[ball].Position).Length + (dt * (speed + (BallNeighbours.Fall * dt))));
     }
 
     /// <summary>A ball gets at least so far, m.</summary>
