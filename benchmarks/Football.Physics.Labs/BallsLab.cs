@@ -22,7 +22,7 @@ internal static class BallsLab
 
     public static IReadOnlyList<(string Name, BallProperties Ball)> Balls { get; } =
     [
-        ("generic", BallProperties.Football), ("tango12", BallProperties.Tango12), ("teamgeist", BallProperties.Teamgeist),
+        ("generic", BallProperties.Tunnel), ("tango12", BallProperties.Tango12), ("teamgeist", BallProperties.Teamgeist),
         ("jabulani", BallProperties.Jabulani), ("brazuca", BallProperties.Brazuca),
     ];
 
@@ -44,10 +44,10 @@ internal static class BallsLab
         var spins = new LabTable(
             $"By spin across the motion, {SpinSpeed} m/s",
             "S", "C_D generic", "by spin", "Goff & Carré", "Kiratidis & Leinweber", "C_D published", "C_L generic", "C_L published");
-        double without = Of(BallProperties.Football, SpinSpeed, 0).Drag;
+        double without = Of(BallProperties.Tunnel, SpinSpeed, 0).Drag;
         foreach (double spin in Spins)
         {
-            (double drag, double lift) = Of(BallProperties.Football, SpinSpeed, spin);
+            (double drag, double lift) = Of(BallProperties.Tunnel, SpinSpeed, spin);
             (double thesisDrag, double thesisLift) = Published(SpinSpeed, spin);
             spins.Add(spin, drag, drag - without, spin > 0 ? GoffAndCarre(spin) : null, spin <= 0.3 ? KiratidisAndLeinweber(spin) : null, thesisDrag, lift, thesisLift);
         }
@@ -55,7 +55,7 @@ internal static class BallsLab
         var told = new LabTable("C_L that was measured", "source", "S", "told", "measured laws", "published laws");
         foreach ((string source, double spin, double lift) in Told)
         {
-            told.Add(source, spin, lift, Of(BallProperties.Football, SpinSpeed, spin).Lift, Published(SpinSpeed, spin).Lift);
+            told.Add(source, spin, lift, Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, Published(SpinSpeed, spin).Lift);
         }
 
         var report = new LabReport { Name = "balls", Seed = seed, Tables = { drags, spins, told } };
@@ -84,15 +84,15 @@ internal static class BallsLab
         }
 
         drag.Items.Add(Line(speeds, speed => Published(speed, 0).Drag, "published", Palette.Faint, "4 3"));
-        double without = Of(BallProperties.Football, SpinSpeed, 0).Drag;
-        lift.Items.Add(Line(spins, spin => Of(BallProperties.Football, SpinSpeed, spin).Lift, "measured laws", Palette.Blue));
+        double without = Of(BallProperties.Tunnel, SpinSpeed, 0).Drag;
+        lift.Items.Add(Line(spins, spin => Of(BallProperties.Tunnel, SpinSpeed, spin).Lift, "measured laws", Palette.Blue));
         lift.Items.Add(Line(spins, spin => Published(SpinSpeed, spin).Lift, "published", Palette.Faint, "4 3"));
         for (int i = 0; i < Told.Length; i++)
         {
             lift.Items.Add(new ScatterItem([new PlotPoint(Told[i].Spin, Told[i].Lift)]) { Label = Told[i].Source, Colour = Palette.Series[i + 1], Mark = (Mark)(i + 1) });
         }
 
-        added.Items.Add(Line(spins, spin => Of(BallProperties.Football, SpinSpeed, spin).Drag - without, "measured laws", Palette.Blue));
+        added.Items.Add(Line(spins, spin => Of(BallProperties.Tunnel, SpinSpeed, spin).Drag - without, "measured laws", Palette.Blue));
         added.Items.Add(Line([.. spins.Where(spin => spin >= 0.05)], GoffAndCarre, "Goff & Carré", Palette.Orange, "4 3"));
         added.Items.Add(Line([.. spins.Where(spin => spin <= 0.3)], KiratidisAndLeinweber, "Kiratidis & Leinweber", Palette.Green, "4 3"));
         return Figure.Tile("", [drag.Draw(), lift.Draw(), added.Draw()]);

@@ -11,7 +11,7 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
 
     /// <summary>The balls that kicks are made with.</summary>
     public static BallProperties[] Balls { get; } =
-        [BallProperties.Football, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall];
+        [BallProperties.Tunnel, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall];
 
     /// <summary>The same request with its point on the way, and the spins to be found.</summary>
     public AimRequest TwoPoint => Request with

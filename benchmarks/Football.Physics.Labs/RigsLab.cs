@@ -27,19 +27,19 @@ internal static class RigsLab
     /// <summary>Every surface, its scene, and what the rigs ask of it; null where nothing is known.</summary>
     public static IReadOnlyList<(string Profile, string Surface, Scene Scene, RigWindow? Window)> Surfaces { get; } =
     [
-        Measured("dryTurf", Ground.DryTurf, Natural),
-        Measured("artificialTurf", Ground.ArtificialTurf, QualityPro),
-        Measured("wetTurf", Ground.WetTurf, Wet),
-        Measured("matchTurf", Ground.MatchTurf, Wet),
-        Measured("hardGround", Ground.HardGround, null),
-        Measured("longGrass", Ground.LongGrass, null),
-        Measured("indoor", Ground.Indoor, null),
-        Measured("concrete", Ground.Concrete, Concrete),
-        Measured("snow", Ground.Snow, null),
+        Measured("dryTurf", Ground.Of(SurfaceMaterial.DryTurf), Natural),
+        Measured("artificialTurf", Ground.Of(SurfaceMaterial.ArtificialTurf), QualityPro),
+        Measured("wetTurf", Ground.Of(SurfaceMaterial.WetTurf), Wet),
+        Measured("matchTurf", Ground.Of(SurfaceMaterial.MatchTurf), Wet),
+        Measured("hardGround", Ground.Of(SurfaceMaterial.HardGround), null),
+        Measured("longGrass", Ground.Of(SurfaceMaterial.LongGrass), null),
+        Measured("indoor", Ground.Of(SurfaceMaterial.Indoor), null),
+        Measured("concrete", Ground.Of(SurfaceMaterial.Concrete), Concrete),
+        Measured("snow", Ground.Of(SurfaceMaterial.Snow), null),
         Published("publishedTurf", Ground.PublishedTurf, Natural),
-        Published("publishedWetTurf", Ground.PublishedWetTurf, Wet),
-        Published("publishedCourt", Ground.PublishedCourt, null),
-        Published("publishedSand", Ground.PublishedSand, null),
+        Published("publishedWetTurf", Ground.Presets["publishedWetTurf"], Wet),
+        Published("publishedCourt", Ground.Presets["publishedCourt"], null),
+        Published("publishedSand", Ground.Presets["publishedSand"], null),
     ];
 
     public static Command Create(Terminal terminal) => LabOptions.Create(

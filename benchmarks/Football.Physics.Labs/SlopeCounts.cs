@@ -42,7 +42,7 @@ internal sealed class SlopeCounts
         double z = AimSets.Between(random, -steepest, steepest);
         if (!isUneven)
         {
-            return Ground.DryTurf with { Normal = new Vector3d(x, 1, z).Normalized() };
+            return new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(x, 1, z).Normalized() };
         }
 
         // Long waves, as steep.
@@ -55,7 +55,7 @@ internal sealed class SlopeCounts
             }
         }
 
-        return Ground.DryTurf with { Heights = new HeightField(-40, -40, 2, values) };
+        return new Ground { Material = SurfaceMaterial.DryTurf, Heights = new HeightField(-40, -40, 2, values) };
     }
 
     private void Run(Random random, int count, double steepest, bool isUneven)

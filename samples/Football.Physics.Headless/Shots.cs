@@ -20,7 +20,7 @@ internal static class Shots
     // Four people shoulder to shoulder, 9.15 m from the ball.
     private static readonly Scene s_wall = s_goalAhead with
     {
-        Obstacles = [new Obstacle { Name = "wall", Shape = new BoxShape(new Vector3d(-1.2, 0.9, -9.15), new Vector3d(1, 0.9, 0.2)), Surface = Surface.Boot }],
+        Obstacles = [new Obstacle { Name = "wall", Shape = new BoxShape(new Vector3d(-1.2, 0.9, -9.15), new Vector3d(1, 0.9, 0.2)), Surface = SurfaceMaterial.Boot }],
     };
 
     public static IEnumerable<Shot> All()
@@ -30,7 +30,7 @@ internal static class Shots
         yield return Kick("a shot off the post", s_goalAhead, spot + new Vector3d(0, 0, -14), speed: 26, elevation: 3, azimuth: 18.45);
         yield return Kick("a dipping shot", s_goalAhead, spot, speed: 29, elevation: 16, azimuth: 4, topSpin: 55);
         yield return Kick("a goal kick in the wind", new Scene { Air = new Air { Wind = new Vector3d(6, 0, 2) } }, spot, speed: 30, elevation: 40, topSpin: -30);
-        yield return Kick("a pass over wet turf", new Scene { Ground = Ground.WetTurf }, spot, speed: 14, elevation: 1, sideSpin: 10);
+        yield return Kick("a pass over wet turf", new Scene { Ground = Ground.Of(SurfaceMaterial.WetTurf) }, spot, speed: 14, elevation: 1, sideSpin: 10);
     }
 
     /// <summary>The kick over the wall into the upper left corner is not tried out: it is asked for.</summary>

@@ -7,7 +7,7 @@ using Football.Physics.Prediction;
 var scene = new Scene
 {
     Air = new Air { Wind = new Vector3d(2, 0, 0) },
-    Ground = Ground.WetTurf,
+    Ground = Ground.Of(SurfaceMaterial.WetTurf),
 };
 var ball = new Ball(scene);
 

@@ -49,7 +49,7 @@ public sealed class Match
         }
 
         // A pitch with goals, in a hall: four walls keep the ball in.
-        Obstacle Wall(Vector3d point, Vector3d normal) => new() { Name = "wall", Shape = new PlaneShape(point, normal), Surface = Surface.Board };
+        Obstacle Wall(Vector3d point, Vector3d normal) => new() { Name = "wall", Shape = new PlaneShape(point, normal), Surface = SurfaceMaterial.Board };
         Scene scene = Pitch.Standard.On() with
         {
             Bodies = _bodies,

@@ -31,8 +31,8 @@ internal sealed class Keeper
         _feet = goal.Center + new Vector3d(0, 0, 0.5);
         _ready = _feet + new Vector3d(0, 1.2, 0.25);
         _player = new Player { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, HighestHeight = 2.6 };
-        _trunk = Bodies.Add("keeper", new CapsuleShape(new Vector3d(0, -0.6, 0), new Vector3d(0, 0.6, 0), 0.2), Surface.Boot);
-        _gloves = Bodies.Add("gloves", new SphereShape(Vector3d.Zero, 0.17), Surface.Glove);
+        _trunk = Bodies.Add("keeper", new CapsuleShape(new Vector3d(0, -0.6, 0), new Vector3d(0, 0.6, 0), 0.2), SurfaceMaterial.Boot);
+        _gloves = Bodies.Add("gloves", new SphereShape(Vector3d.Zero, 0.17), SurfaceMaterial.Glove);
         MoveTo(0);
     }
 

@@ -25,7 +25,7 @@ internal static partial class Playground
     }
 
     [JSExport]
-    internal static string Names() => string.Join(' ', Setting.Balls.Keys) + "|" + string.Join(' ', Setting.Grounds.Keys);
+    internal static string Names() => string.Join(' ', BallProperties.Presets.Keys) + "|" + string.Join(' ', SurfaceMaterial.Presets.Keys.TakeWhile(name => name != "goalFrame"));
 
     /// <summary>Sets the scene, and tells what stands in it as the drawings read it.</summary>
     [JSExport]

@@ -6,8 +6,8 @@ namespace Football.Web;
 
 /// <summary>What a visitor has set: from it come the scene, and the C# that builds the same scene.</summary>
 /// <param name="Profile">"measured" or "published".</param>
-/// <param name="Ball">The name of a ball in <see cref="BallProperties"/>.</param>
-/// <param name="Ground">The name of a ground in <see cref="Physics.Ground"/>.</param>
+/// <param name="Ball">The name of a ball in <see cref="BallProperties.Presets"/>.</param>
+/// <param name="Ground">The name of a ground in <see cref="Physics.Ground.Presets"/>.</param>
 /// <param name="Altitude">Above the sea, m.</param>
 /// <param name="WindAcross">To the right, m/s.</param>
 /// <param name="WindAlong">Towards the goal, m/s.</param>
@@ -24,43 +24,14 @@ internal sealed record Setting(
     private const double WallDistance = 9.15;
     private const double Shoulder = 0.5;
 
-    /// <summary>The balls of the page, by name.</summary>
-    public static IReadOnlyDictionary<string, BallProperties> Balls { get; } = new Dictionary<string, BallProperties>
-    {
-        ["Football"] = BallProperties.Football,
-        ["Jabulani"] = BallProperties.Jabulani,
-        ["Brazuca"] = BallProperties.Brazuca,
-        ["Teamgeist"] = BallProperties.Teamgeist,
-        ["Tango12"] = BallProperties.Tango12,
-        ["Modern"] = BallProperties.Modern,
-        ["Telstar18"] = BallProperties.Telstar18,
-        ["AlRihla"] = BallProperties.AlRihla,
-        ["Trionda"] = BallProperties.Trionda,
-        ["YouthFootball"] = BallProperties.YouthFootball,
-        ["Futsal"] = BallProperties.Futsal,
-        ["BeachBall"] = BallProperties.BeachBall,
-        ["MedicineBall"] = BallProperties.MedicineBall,
-    };
-
-    /// <summary>The grounds of the page, by name.</summary>
-    public static IReadOnlyDictionary<string, Ground> Grounds { get; } = new Dictionary<string, Ground>
-    {
-        ["DryTurf"] = Physics.Ground.DryTurf,
-        ["WetTurf"] = Physics.Ground.WetTurf,
-        ["MatchTurf"] = Physics.Ground.MatchTurf,
-        ["ArtificialTurf"] = Physics.Ground.ArtificialTurf,
-        ["LongGrass"] = Physics.Ground.LongGrass,
-        ["HardGround"] = Physics.Ground.HardGround,
-        ["Indoor"] = Physics.Ground.Indoor,
-        ["Concrete"] = Physics.Ground.Concrete,
-        ["Snow"] = Physics.Ground.Snow,
-    };
+    /// <summary>The default ground is that of the profile.</summary>
+    private string GroundName => Profile == "published" && Ground == "dryTurf" ? "publishedTurf" : Ground;
 
     /// <summary>The goal that is kicked at.</summary>
     public Goal Goal => new() { Center = new Vector3d(-Aside, 0, -Distance), Facing = new Vector3d(0, 0, 1) };
 
     /// <summary>Where the ball lies.</summary>
-    public Vector3d Start => new(0, Balls[Ball].Radius, 0);
+    public Vector3d Start => new(0, BallProperties.Presets[Ball].Radius, 0);
 
     /// <summary>Where the players of the wall stand: on the way to the near half of the goal.</summary>
     public IReadOnlyList<Vector3d> Players
@@ -80,8 +51,8 @@ internal sealed record Setting(
     /// <summary>The scene, with a goalkeeper's bodies or without.</summary>
     public Scene Scene(Bodies? bodies) => (Profile == "published" ? Physics.Scene.Published : Physics.Scene.Measured) with
     {
-        Ball = Balls[Ball],
-        Ground = Profile == "published" && Ground == "DryTurf" ? Physics.Ground.PublishedTurf : Grounds[Ground],
+        Ball = BallProperties.Presets[Ball],
+        Ground = Physics.Ground.Presets[GroundName],
         Air = Weather.AtAltitude(Altitude).ToAir() with { Wind = new Vector3d(WindAcross, 0, -WindAlong) },
         Goals = [Goal],
         Obstacles = [.. Players.SelectMany(Player)],
@@ -104,12 +75,11 @@ internal sealed record Setting(
         }
 
         string profile = Profile == "published" ? "Published" : "Measured";
-        string ground = Profile == "published" && Ground == "DryTurf" ? "PublishedTurf" : Ground;
-        code.Append(CultureInfo.InvariantCulture, $"var scene = Scene.{profile} with\n{{\n    Ball = BallProperties.{Ball},\n    Ground = Ground.{ground},\n")
+        code.Append(CultureInfo.InvariantCulture, $"var scene = Scene.{profile} with\n{{\n    Ball = BallProperties.Presets[\"{Ball}\"],\n    Ground = Ground.Presets[\"{GroundName}\"],\n")
             .Append(CultureInfo.InvariantCulture, $"    Air = Weather.AtAltitude({Altitude}).ToAir() with {{ Wind = {Of(new Vector3d(WindAcross, 0, -WindAlong))} }},\n    Goals = [goal],\n")
             .Append(Wall > 0 ? "    Obstacles =\n    [\n        .. wall.SelectMany(at => new[]\n        {\n"
-                + "            new Obstacle { Name = \"wall\", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = Surface.Boot },\n"
-                + "            new Obstacle { Name = \"wall\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },\n        }),\n    ],\n" : "")
+                + "            new Obstacle { Name = \"wall\", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = SurfaceMaterial.Boot },\n"
+                + "            new Obstacle { Name = \"wall\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = SurfaceMaterial.Head },\n        }),\n    ],\n" : "")
             .Append("};\n\n");
         if (Keeper > 0)
         {
@@ -136,8 +106,8 @@ internal sealed record Setting(
 
     private static Obstacle[] Player(Vector3d at) =>
     [
-        new Obstacle { Name = "wall", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = Surface.Boot },
-        new Obstacle { Name = "wall", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = Surface.Head },
+        new Obstacle { Name = "wall", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = SurfaceMaterial.Boot },
+        new Obstacle { Name = "wall", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = SurfaceMaterial.Head },
     ];
 
     private static string Of(Vector3d v) => FormattableString.Invariant($"new Vector3d({v.X + 0.0:R}, {v.Y + 0.0:R}, {v.Z + 0.0:R})");

@@ -76,7 +76,7 @@ public sealed class KeeperDive
     public static BodyKind Kind { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, -HalfAxis, 0), new Vector3d(0, HalfAxis, 0), Radius),
-        Surface = Surface.Glove,
+        Surface = SurfaceMaterial.Glove,
     };
 
     /// <summary>Abilities of a good keeper: reaction 0.2 s, 8 m/s², at most 5 m/s, 1.9 m of reach in a dive, up to 2.6 m. Evidence: guess.</summary>

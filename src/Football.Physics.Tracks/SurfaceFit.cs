@@ -65,7 +65,7 @@ internal sealed class SurfaceFit
     private void Find()
     {
         // 1. Downhill, weights by how far each impact is off. 2. The scatter that is left, and the uncertainty from it.
-        double[] likely = [_ground.NormalRestitution, _ground.RestitutionRise, Math.Min(_ground.ImpactFriction, 2)];
+        double[] likely = [_ground.Material.NormalRestitution, _ground.Material.RestitutionRise, Math.Min(_ground.Material.ImpactFriction, 2)];
         double[] values = (double[])likely.Clone();
         double[] normal = new double[Numbers * Numbers];
         double[] right = new double[Numbers];
@@ -110,7 +110,10 @@ internal sealed class SurfaceFit
         Ground = With(values);
     }
 
-    private Ground With(double[] values) => _ground with { NormalRestitution = values[0], RestitutionRise = values[1], ImpactFriction = values[2] };
+    private Ground With(double[] values) => _ground with
+    {
+        Material = _ground.Material with { NormalRestitution = values[0], RestitutionRise = values[1], ImpactFriction = values[2] },
+    };
 
     private static void Fill(double[] normal, double[] right, double[] system)
     {

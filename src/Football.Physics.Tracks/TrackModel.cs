@@ -91,14 +91,17 @@ internal sealed class TrackModel
             return _simulator;
         }
 
-        Ground ground = _scene.Ground;
+        SurfaceMaterial turf = _scene.Ground.Material;
         Scene scene = _scene with
         {
-            Ground = ground with
+            Ground = _scene.Ground with
             {
-                NormalRestitution = Math.Min(1, Math.Max(0, restitution) * ground.NormalRestitution),
-                ImpactFriction = Math.Max(0, friction) * ground.ImpactFriction,
-                SlidingFriction = Math.Max(0, friction) * ground.SlidingFriction,
+                Material = turf with
+                {
+                    NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.NormalRestitution),
+                    ImpactFriction = Math.Max(0, friction) * turf.ImpactFriction,
+                    SlidingFriction = Math.Max(0, friction) * turf.SlidingFriction,
+                },
             },
         };
         if (_request.Drag || _request.Lift)

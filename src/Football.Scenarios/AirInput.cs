@@ -15,10 +15,8 @@ public static class AirInput
         air.Exclude("density", "weather");
         air.Exclude("kinematicViscosity", "weather");
         Air still = air.Has("weather") ? Weather(air.Object("weather")).ToAir() : defaults;
-        return new Air
+        return air.Numbers(SceneFields.Air, still) with
         {
-            Density = air.Number("density", still.Density),
-            KinematicViscosity = air.Number("kinematicViscosity", still.KinematicViscosity),
             Wind = byHeight ? Vector3d.Zero : air.Vector("wind", defaults.Wind),
             WindField = byHeight ? Wind(air.Object("wind"), groundHeight) : null,
         };

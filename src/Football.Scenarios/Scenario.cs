@@ -24,7 +24,7 @@ public sealed record Scenario
     public IReadOnlyList<BallLaunch> Balls { get; init; } = [];
 
     /// <summary>What two balls are to each other.</summary>
-    public Surface BallContact { get; init; } = Surface.Ball;
+    public SurfaceMaterial BallContact { get; init; } = SurfaceMaterial.Ball;
 
     public required Vector3d Position { get; init; }
 
@@ -77,7 +77,7 @@ public sealed record Scenario
             Settings = settings,
             TimeStep = timeStep,
             Balls = balls,
-            BallContact = WorldInput.Material(root.Object("ballContact"), Surface.Ball),
+            BallContact = WorldInput.Material(root.Object("ballContact"), SurfaceMaterial.Ball),
             Position = several ? Vector3d.Zero : launch.Vector("position"),
             Velocity = several ? Vector3d.Zero : launch.Vector("velocity"),
             Spin = several ? Vector3d.Zero : launch.Vector("spin", Vector3d.Zero),

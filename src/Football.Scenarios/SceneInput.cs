@@ -16,13 +16,13 @@ public static class SceneInput
         InputObject ground = root.Object("ground");
         Profile profile = root.Choice("profile", Profile.Measured);
         Scene scene = profile == Profile.Measured ? Physics.Scene.Measured : Physics.Scene.Published;
-        Surface frame = profile == Profile.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame;
+        SurfaceMaterial frame = profile == Profile.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame;
         return new Scene
         {
             Ball = Ball(ball, profile),
             Gravity = gravity,
             Forces = Forces(forces, scene.Forces),
-            Ground = Ground(ground, Surface(ground, profile)),
+            Ground = Ground(ground, Physics.Ground.Presets[ground.Preset("surface", Physics.Ground.Presets, profile == Profile.Measured ? "dryTurf" : "publishedTurf")]),
             Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
@@ -55,24 +55,7 @@ public static class SceneInput
     /// <summary>The ball; in the measured profile one of the known ones.</summary>
     public static BallProperties Ball(InputObject ball, Profile profile)
     {
-        BallProperties defaults = profile != Profile.Measured ? BallProperties.Football : ball.Choice("type", BallType.Generic) switch
-        {
-            BallType.Tango12 => BallProperties.Tango12,
-            BallType.Teamgeist => BallProperties.Teamgeist,
-            BallType.Jabulani => BallProperties.Jabulani,
-            BallType.Brazuca => BallProperties.Brazuca,
-            BallType.Telstar18 => BallProperties.Telstar18,
-            BallType.Flight2020 => BallProperties.Flight2020,
-            BallType.AlRihla => BallProperties.AlRihla,
-            BallType.Fussballliebe => BallProperties.Fussballliebe,
-            BallType.Trionda => BallProperties.Trionda,
-            BallType.Modern => BallProperties.Modern,
-            BallType.YouthFootball => BallProperties.YouthFootball,
-            BallType.Futsal => BallProperties.Futsal,
-            BallType.BeachBall => BallProperties.BeachBall,
-            BallType.MedicineBall => BallProperties.MedicineBall,
-            _ => BallProperties.Football,
-        };
+        BallProperties defaults = profile != Profile.Measured ? BallProperties.Tunnel : BallProperties.Presets[ball.Preset("type", BallProperties.Presets, "generic")];
         DragCurve curve = defaults.DragCurve;
         if (profile == Profile.Measured && ball.Has("roughness"))
         {
@@ -85,62 +68,22 @@ public static class SceneInput
         if (profile == Profile.Measured && ball.Has("dragCurve"))
         {
             ball.Exclude("dragCurve", "roughness");
-            curve = Curve(ball.Object("dragCurve"), curve);
+            curve = ball.Object("dragCurve").Numbers(SceneFields.Drag, curve);
         }
 
-        return defaults with
-        {
-            DragCurve = curve,
-            Mass = ball.Number("mass", defaults.Mass),
-            Radius = ball.Number("radius", defaults.Radius),
-            InertiaFactor = ball.Number("inertiaFactor", defaults.InertiaFactor),
-            KnuckleForce = profile == Profile.Measured ? ball.Number("knuckleForce", defaults.KnuckleForce) : defaults.KnuckleForce,
-        };
+        NumberField<BallProperties>[] numbers = profile == Profile.Measured ? SceneFields.Ball : [.. SceneFields.Ball.Where(field => field.Name != "knuckleForce")];
+        return ball.Numbers(numbers, defaults) with { DragCurve = curve };
     }
 
-    private static DragCurve Curve(InputObject curve, DragCurve defaults) => new()
-    {
-        Subcritical = curve.Number("subcritical", defaults.Subcritical),
-        CriticalReynolds = curve.Number("criticalReynolds", defaults.CriticalReynolds),
-        Width = curve.Number("width", defaults.Width),
-        Supercritical = curve.Number("supercritical", defaults.Supercritical),
-        Risen = curve.Number("risen", defaults.Risen),
-        RiseFrom = curve.Number("riseFrom", defaults.RiseFrom),
-        RiseTo = curve.Number("riseTo", defaults.RiseTo),
-    };
-
-    private static ForceSet Forces(InputObject forces, ForceSet defaults) => new()
+    private static ForceSet Forces(InputObject forces, ForceSet defaults) => forces.Numbers(SceneFields.Forces, defaults) with
     {
         Buoyancy = forces.Flag("buoyancy", defaults.Buoyancy),
         Drag = forces.Choice("drag", defaults.Drag),
         Magnus = forces.Choice("magnus", defaults.Magnus),
         SpinDecay = forces.Choice("spinDecay", defaults.SpinDecay),
         Coefficients = forces.Choice("coefficients", defaults.Coefficients),
-        DragCoefficient = forces.Number("dragCoefficient", defaults.DragCoefficient),
-        MagnusCoefficient = forces.Number("magnusCoefficient", defaults.MagnusCoefficient),
-        SpinDecayCoefficient = forces.Number("spinDecayCoefficient", defaults.SpinDecayCoefficient),
         KnuckleSeed = forces.OptionalWhole("knuckleSeed"),
     };
-
-    /// <summary>The preset whose numbers the ground has by default.</summary>
-    private static Ground Surface(InputObject ground, Profile profile) =>
-        ground.Choice("surface", profile == Profile.Measured ? SurfaceType.DryTurf : SurfaceType.PublishedTurf) switch
-        {
-            SurfaceType.ArtificialTurf => Physics.Ground.ArtificialTurf,
-            SurfaceType.WetTurf => Physics.Ground.WetTurf,
-            SurfaceType.MatchTurf => Physics.Ground.MatchTurf,
-            SurfaceType.HardGround => Physics.Ground.HardGround,
-            SurfaceType.LongGrass => Physics.Ground.LongGrass,
-            SurfaceType.Indoor => Physics.Ground.Indoor,
-            SurfaceType.Concrete => Physics.Ground.Concrete,
-            SurfaceType.Snow => Physics.Ground.Snow,
-            SurfaceType.PublishedTurf => Physics.Ground.PublishedTurf,
-            SurfaceType.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
-            SurfaceType.PublishedCourt => Physics.Ground.PublishedCourt,
-            SurfaceType.PublishedSand => Physics.Ground.PublishedSand,
-            SurfaceType.None => Physics.Ground.None,
-            _ => Physics.Ground.DryTurf,
-        };
 
     private static Ground Ground(InputObject ground, Ground defaults)
     {
@@ -149,25 +92,16 @@ public static class SceneInput
             ground.Demand(name, !ground.Has(name), "a surface other than none");
         }
 
-        double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [defaults.TangentialRestitutionX, defaults.TangentialRestitutionZ]);
-        return new Ground
+        // One tangential restitution, or one along x and one along z.
+        double along = defaults.Material.TangentialRestitution;
+        double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [along, along]);
+        SurfaceMaterial material = ground.Numbers([.. SceneFields.Material.Where(field => field.Name != "tangentialRestitution")], defaults.Material);
+        return ground.Numbers(SceneFields.Ground, defaults) with
         {
-            NormalRestitution = ground.Number("normalRestitution", defaults.NormalRestitution),
-            RestitutionSpeed = ground.Limit("restitutionSpeed", defaults.RestitutionSpeed),
-            RestitutionRise = ground.Number("restitutionRise", defaults.RestitutionRise),
-            ImpactFriction = ground.Limit("impactFriction", defaults.ImpactFriction),
-            RollingFrictionBySpeed = ground.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
-            DrillingLength = ground.Number("drillingLength", defaults.DrillingLength),
+            Material = tangential[0] == along ? material : material with { TangentialRestitution = tangential[0] },
+            TangentialRestitutionZ = tangential[1] == tangential[0] ? null : tangential[1],
             Normal = ground.Vector("normal", defaults.Normal),
             Heights = WorldInput.Heights(ground),
-            TangentialRestitutionX = tangential[0],
-            TangentialRestitutionZ = tangential[1],
-            SpinRestitution = ground.Number("spinRestitution", defaults.SpinRestitution),
-            SlidingFriction = ground.Number("slidingFriction", defaults.SlidingFriction),
-            RollingFriction = ground.Number("rollingFriction", defaults.RollingFriction),
-            SpinDamping = ground.Number("spinDamping", defaults.SpinDamping),
-            MinimumBounceSpeed = ground.Number("minimumBounceSpeed", defaults.MinimumBounceSpeed),
-            RestEnergy = ground.Number("restEnergy", defaults.RestEnergy),
             Height = ground.Number("height", defaults.Height),
             Aerodynamics = ground.Choice("aerodynamics", defaults.Aerodynamics),
         };

@@ -6,7 +6,7 @@ namespace Football.Scenarios;
 public static class WorldInput
 {
     /// <summary>The obstacles.</summary>
-    public static IReadOnlyList<Obstacle> Obstacles(InputObject root, Surface frame) =>
+    public static IReadOnlyList<Obstacle> Obstacles(InputObject root, SurfaceMaterial frame) =>
         [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
     /// <summary>The bodies, which the game moves; null where there are none.</summary>
@@ -18,7 +18,7 @@ public static class WorldInput
         {
             string name = items[i].Text("name", FormattableString.Invariant($"body {i}"));
             IShape? shape = Shape(items[i]);
-            Surface surface = Surface(items[i], Physics.Surface.Boot);
+            SurfaceMaterial surface = Surface(items[i], SurfaceMaterial.Boot);
             double mass = items[i].Limit("mass", double.PositiveInfinity);
             _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass));
         }
@@ -30,7 +30,7 @@ public static class WorldInput
     public static IReadOnlyList<Net> Nets(InputObject root) => [.. root.Objects("nets").Select((item, i) => Net(item, i))];
 
     /// <summary>The goals.</summary>
-    public static IReadOnlyList<Goal> Goals(InputObject root, Surface frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
+    public static IReadOnlyList<Goal> Goals(InputObject root, SurfaceMaterial frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
 
     /// <summary>Uneven ground; null where none is given.</summary>
     public static HeightField? Heights(InputObject ground)
@@ -48,11 +48,11 @@ public static class WorldInput
             : null;
     }
 
-    private static Obstacle? Obstacle(InputObject item, int index, Surface frame)
+    private static Obstacle? Obstacle(InputObject item, int index, SurfaceMaterial frame)
     {
         string name = item.Text("name", FormattableString.Invariant($"obstacle {index}"));
         IShape? shape = Shape(item);
-        Surface surface = Surface(item, frame);
+        SurfaceMaterial surface = Surface(item, frame);
         Vector3d velocity = item.Vector("velocity", Vector3d.Zero);
         Vector3d spin = item.Vector("spin", Vector3d.Zero);
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
@@ -85,25 +85,14 @@ public static class WorldInput
         }
     }
 
-    private static Surface Surface(InputObject item, Surface defaults) => Material(item.Object("surface"), defaults);
+    /// <summary>The material of an object: numbers, and the name of the preset that the others come from.</summary>
+    private static SurfaceMaterial Surface(InputObject item, SurfaceMaterial defaults) => Material(item.Object("surface"), defaults);
 
-    /// <summary>The numbers of a material.</summary>
-    public static Surface Material(InputObject surface, Surface defaults)
+    /// <summary>The numbers of a material. <c>"material"</c> names the preset of those that are missing.</summary>
+    public static SurfaceMaterial Material(InputObject surface, SurfaceMaterial defaults)
     {
-        return new Surface
-        {
-            NormalRestitution = surface.Number("normalRestitution", defaults.NormalRestitution),
-            RestitutionSpeed = surface.Limit("restitutionSpeed", defaults.RestitutionSpeed),
-            RestitutionRise = surface.Number("restitutionRise", defaults.RestitutionRise),
-            TangentialRestitution = surface.Number("tangentialRestitution", defaults.TangentialRestitution),
-            SpinRestitution = surface.Number("spinRestitution", defaults.SpinRestitution),
-            ImpactFriction = surface.Limit("impactFriction", defaults.ImpactFriction),
-            SlidingFriction = surface.Number("slidingFriction", defaults.SlidingFriction),
-            RollingFriction = surface.Number("rollingFriction", defaults.RollingFriction),
-            RollingFrictionBySpeed = surface.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
-            SpinDamping = surface.Number("spinDamping", defaults.SpinDamping),
-            DrillingLength = surface.Number("drillingLength", defaults.DrillingLength),
-        };
+        string name = surface.Preset("material", SurfaceMaterial.Presets, "");
+        return surface.Numbers(SceneFields.Material, name.Length > 0 ? SurfaceMaterial.Presets[name] : defaults);
     }
 
     private static Net Net(InputObject item, int index)
@@ -118,16 +107,10 @@ public static class WorldInput
             HalfLength = half[0],
             HalfWidth = half[1],
         };
-        return net with
-        {
-            Stiffness = item.Number("stiffness", net.Stiffness),
-            Damping = item.Number("damping", net.Damping),
-            TangentialDamping = item.Number("tangentialDamping", net.TangentialDamping),
-            SpinDamping = item.Number("spinDamping", net.SpinDamping),
-        };
+        return item.Numbers(SceneFields.Net, net);
     }
 
-    private static Goal Goal(InputObject item, Surface frame)
+    private static Goal Goal(InputObject item, SurfaceMaterial frame)
     {
         var goal = new Goal { Center = item.Vector("center"), Facing = item.Vector("facing") };
         double[] depth = item.Numbers("depth", "[at the bar, on the ground]", [goal.DepthAtBar, goal.DepthOnGround]);

@@ -16,9 +16,9 @@ public sealed class BundleTests : IDisposable
     private static readonly Dictionary<string, Func<Scene>> s_scenes = new()
     {
         ["default"] = () => Scene.Default,
-        ["published"] = () => Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.PublishedCourt },
+        ["published"] = () => Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.Presets["publishedCourt"] },
         ["stadium"] = () => Pitch.Stadium.On(),
-        ["cage, beach ball"] = () => Pitch.Cage.On(new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Indoor }),
+        ["cage, beach ball"] = () => Pitch.Cage.On(new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Of(SurfaceMaterial.Indoor) }),
         ["storm"] = () => new Scene
         {
             Ball = BallProperties.Trionda,
@@ -28,12 +28,12 @@ public sealed class BundleTests : IDisposable
         ["no ground, wind by height"] = () => new Scene { Ground = Ground.None, Air = new Air { WindField = new WindByHeight(3, 1, 0) } },
         ["hills and things"] = () => new Scene
         {
-            Ground = Ground.WetTurf with { Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
+            Ground = new Ground { Material = SurfaceMaterial.WetTurf, Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
             Obstacles =
             [
                 new Obstacle { Name = "ramp \"A\"", Shape = new PlaneShape(new Vector3d(0, -3, 0), new Vector3d(0.1, 1, 0.3)) },
                 new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12 },
-                new Obstacle { Shape = new BoxShape(new Vector3d(-4, 1, -9), new Vector3d(1, 1.1, 0.3), new Quaterniond(0.1, 0.7, 0.2, 0.5)), Surface = Surface.Wood },
+                new Obstacle { Shape = new BoxShape(new Vector3d(-4, 1, -9), new Vector3d(1, 1.1, 0.3), new Quaterniond(0.1, 0.7, 0.2, 0.5)), Surface = SurfaceMaterial.Wood },
                 new Obstacle { Shape = new CapsuleShape(new Vector3d(5, 0.2, 1), new Vector3d(5, 1.9, 2), 0.3), Velocity = new Vector3d(-1, 0, 0) },
             ],
             Nets = [new Net { Center = new Vector3d(0, 1, -15), Normal = new Vector3d(0, 0, 1), Along = new Vector3d(1, 0, 0), HalfLength = 2, HalfWidth = 1 }],

@@ -137,7 +137,7 @@ public sealed class MatchTests
     /// <summary>A kick with a bounce, at 50 Hz, to a tenth of a millimetre.</summary>
     private static string Track(string header)
     {
-        var simulator = new Simulator(new Scene { Ball = BallProperties.Modern, Ground = Ground.MatchTurf });
+        var simulator = new Simulator(new Scene { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(12, 7, 5), new Vector3d(0, 20, 0));
         var text = new StringBuilder(header);

@@ -113,10 +113,10 @@ public static class GoldenGames
     private static IEnumerable<KeyValuePair<string, Scene>> Grounds()
     {
         yield return GoldenShots.Named("default", Plain);
-        yield return GoldenShots.Named("wet", Plain with { Ground = Ground.PublishedWetTurf });
+        yield return GoldenShots.Named("wet", Plain with { Ground = Ground.Presets["publishedWetTurf"] });
         var wind = new WindByHeight(7, 0.6, -0.8, gusts: new Gusts { Seed = 11 });
         yield return GoldenShots.Named("gusts", Plain with { Air = new Air { WindField = wind }, Forces = ForceSet.Measured with { KnuckleSeed = 5 } });
-        yield return GoldenShots.Named("slope", Plain with { Ground = Ground.DryTurf with { Normal = new Vector3d(0.05, 1, 0.02) } });
+        yield return GoldenShots.Named("slope", Plain with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0.05, 1, 0.02) } });
     }
 
     // The line of the goal is at z = -52.5, its posts at x = -3.72 and 3.72, its bar at y = 2.5.

@@ -121,7 +121,7 @@ public sealed class GodotPlayTests : IDisposable
         FootballBall ball = NewBall();
         ball.Preset = new FootballPreset { Surface = FootballPreset.GroundChoice.LongGrass };
         Play(1);
-        Assert.Equal(Ground.LongGrass, ball.Runner.Simulator.Scene.Ground);
+        Assert.Equal(Ground.Of(SurfaceMaterial.LongGrass), ball.Runner.Simulator.Scene.Ground);
         ball.Preset.Gravity = 1.62f;
         Play(1);
         Assert.Equal(1.62, ball.Runner.Simulator.Scene.Gravity);
@@ -322,8 +322,8 @@ public sealed class GodotPlayTests : IDisposable
         var before = (Vector3)ball.Emitted[0].Arguments[1].Value;
         var after = (Vector3)ball.Emitted[0].Arguments[2].Value;
         double closing = 4 - before.Z;
-        double e = Surface.GoalFrame.NormalRestitution;
-        double v = Surface.GoalFrame.RestitutionSpeed;
+        double e = SurfaceMaterial.GoalFrame.NormalRestitution;
+        double v = SurfaceMaterial.GoalFrame.RestitutionSpeed;
         double restitution = e * Math.Sqrt(1 + (36 / (v * v))) / Math.Sqrt(1 + (closing * closing / (v * v)));
         Assert.Equal(4 + (restitution * closing), after.Z, 0.2);
     }
@@ -375,7 +375,7 @@ public sealed class GodotPlayTests : IDisposable
         FootballBall ball = NewBall(new Vector3(30, 2.4f, 0));
         Play(1);
         Scene scene = ball.Runner.Simulator.Scene;
-        Assert.Equal(Ground.Indoor with { Height = 2 }, scene.Ground);
+        Assert.Equal(new Ground { Material = SurfaceMaterial.Indoor, Height = 2 }, scene.Ground);
         Assert.Equal(4, scene.Obstacles.Count);
         Assert.Equal([-52.5, 52.5], scene.Goals.Select(goal => goal.Center.Z).Order());
         Assert.All(scene.Goals, goal => Assert.True(goal.Facing.Z * goal.Center.Z < 0));

@@ -59,18 +59,17 @@ public sealed partial class OneDefaultTests
     [Fact]
     public void Every_ground_has_one_name_everywhere()
     {
-        string[] names = [.. Presets(typeof(Ground))];
-        Assert.Equal(names.Order(), Enum.GetNames<SurfaceType>().Order());
         // Saved presets hold numbers: what came later stands at the end of the engines' lists.
-        Assert.Equal(names.Append("OfProfile").Append("Custom").Order(), Enum.GetNames<UnityPreset.GroundChoice>().Order());
-        Assert.Equal(names.Append("OfProfile").Append("Custom").Order(), Enum.GetNames<GodotPreset.GroundChoice>().Order());
-        foreach (string name in names)
+        string[] grounds = [.. Enum.GetNames<UnityPreset.GroundChoice>().Where(name => name is not ("OfProfile" or "Custom"))];
+        Assert.Equal(Enum.GetNames<UnityPreset.GroundChoice>(), Enum.GetNames<GodotPreset.GroundChoice>());
+        foreach (string name in grounds)
         {
-            var ground = (Ground)typeof(Ground).GetProperty(name)!.GetValue(null)!;
+            string word = JsonNamingPolicy.CamelCase.ConvertName(name);
+            Ground ground = Ground.Presets[word];
             Simulator unity = new UnityPreset { ground = Enum.Parse<UnityPreset.GroundChoice>(name) }.Compile();
             Assert.Equal(ground, unity.Scene.Ground);
             Assert.Equal(ground, new GodotPreset { Surface = Enum.Parse<GodotPreset.GroundChoice>(name) }.Compile().Scene.Ground);
-            JsonElement played = FootballCommand.Run("", [.. s_kick, "--set", "ground.surface=" + JsonNamingPolicy.CamelCase.ConvertName(name)]).Result;
+            JsonElement played = FootballCommand.Run("", [.. s_kick, "--set", "ground.surface=" + word]).Result;
             JsonElement first = played.GetProperty("samples")[0];
             Same(name, played, unity, unity.Launch(Vector3d.Zero, Vector(first, "velocity"), Vector(first, "spin")));
         }
@@ -79,21 +78,28 @@ public sealed partial class OneDefaultTests
     [Fact]
     public void Every_ball_has_one_name_everywhere()
     {
-        string[] names = [.. Presets(typeof(BallProperties))];
-        Assert.Equal(names.Select(name => name == nameof(BallProperties.Football) ? nameof(BallType.Generic) : name).Order(), Enum.GetNames<BallType>().Order());
-        Assert.Equal(names.Append("Custom").Order(), Enum.GetNames<UnityPreset.BallChoice>().Order());
-        Assert.Equal(names.Append("Custom").Order(), Enum.GetNames<GodotPreset.BallChoice>().Order());
-        foreach (string name in names)
+        Assert.Equal(Enum.GetNames<UnityPreset.BallChoice>(), Enum.GetNames<GodotPreset.BallChoice>());
+        Assert.Equal(
+            BallProperties.Presets.Keys.Order(),
+            Enum.GetNames<UnityPreset.BallChoice>().Where(name => name != "Custom").Select(JsonNamingPolicy.CamelCase.ConvertName).Order());
+        foreach ((string word, BallProperties ball) in BallProperties.Presets)
         {
-            var ball = (BallProperties)typeof(BallProperties).GetProperty(name)!.GetValue(null)!;
-            Simulator unity = new UnityPreset { ball = Enum.Parse<UnityPreset.BallChoice>(name) }.Compile();
+            Simulator unity = new UnityPreset { ball = Enum.Parse<UnityPreset.BallChoice>(word, ignoreCase: true) }.Compile();
             Assert.Equal(ball, unity.Scene.Ball);
-            Assert.Equal(ball, new GodotPreset { Ball = Enum.Parse<GodotPreset.BallChoice>(name) }.Compile().Scene.Ball);
-            string type = name == nameof(BallProperties.Football) ? "generic" : JsonNamingPolicy.CamelCase.ConvertName(name);
-            JsonElement played = FootballCommand.Run("", [.. s_kick, "--set", "ball.type=" + type]).Result;
+            Assert.Equal(ball, new GodotPreset { Ball = Enum.Parse<GodotPreset.BallChoice>(word, ignoreCase: true) }.Compile().Scene.Ball);
+            JsonElement played = FootballCommand.Run("", [.. s_kick, "--set", "ball.type=" + word]).Result;
             JsonElement first = played.GetProperty("samples")[0];
-            Same(name, played, unity, unity.Launch(Vector3d.Zero, Vector(first, "velocity"), Vector(first, "spin")));
+            Same(word, played, unity, unity.Launch(Vector3d.Zero, Vector(first, "velocity"), Vector(first, "spin")));
         }
+    }
+
+    /// <summary>Every preset of a type is in its list, under its name.</summary>
+    [Fact]
+    public void Every_preset_is_in_the_list_of_its_type()
+    {
+        Assert.Equal(Presets(typeof(SurfaceMaterial)).Order(), SurfaceMaterial.Presets.Keys.Order());
+        Assert.Equal(Presets(typeof(BallProperties)).Select(name => name == "tunnel" ? "generic" : name).Order(), BallProperties.Presets.Keys.Order());
+        Assert.Equal(SurfaceMaterial.Presets.Keys.Append("none").Order(), Ground.Presets.Keys.Order());
     }
 
     [Theory]
@@ -102,7 +108,7 @@ public sealed partial class OneDefaultTests
     public void The_frame_of_a_goal_and_a_plain_obstacle_are_the_profile_s(string profile)
     {
         Scene scene = profile == "measured" ? Scene.Default : Scene.Published;
-        Surface frame = profile == "measured" ? Surface.GoalFrame : Surface.PublishedGoalFrame;
+        SurfaceMaterial frame = profile == "measured" ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame;
         var simulator = new Simulator(scene with
         {
             Goals = [new Goal { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) }],
@@ -121,8 +127,7 @@ public sealed partial class OneDefaultTests
             Same($"{profile}, {meets}", played, simulator, simulator.Launch(from, velocity, new Vector3d(0, 3, 0)));
         }
 
-        Assert.Equal(Surface.GoalFrame, new Surface());
-        Assert.Equal(Surface.GoalFrame, new Obstacle { Shape = new SphereShape(Vector3d.Zero, 1) }.Surface);
+        Assert.Equal(SurfaceMaterial.GoalFrame, new Obstacle { Shape = new SphereShape(Vector3d.Zero, 1) }.Surface);
     }
 
     /// <summary>README names the command that kicks as its ten lines do, and it lands where they say.</summary>
@@ -165,9 +170,9 @@ public sealed partial class OneDefaultTests
         return new Vector3d(parts[0].GetDouble(), parts[1].GetDouble(), parts[2].GetDouble());
     }
 
-    /// <summary>Names of a type's presets, in the order in which they are declared.</summary>
+    /// <summary>Names of a type's presets, with a small first letter.</summary>
     private static IEnumerable<string> Presets(Type type) =>
-        type.GetProperties(BindingFlags.Public | BindingFlags.Static).Where(property => property.PropertyType == type).Select(property => property.Name);
+        type.GetProperties(BindingFlags.Public | BindingFlags.Static).Where(property => property.PropertyType == type).Select(property => JsonNamingPolicy.CamelCase.ConvertName(property.Name));
 
     [GeneratedRegex("`football (kick [^`]*)`")]
     private static partial Regex KickLine();

@@ -101,7 +101,7 @@ public sealed class UnityPlayTests : IDisposable
         FootballBall ball = NewBall();
         ball.Preset = new FootballPreset { ground = FootballPreset.GroundChoice.LongGrass };
         Play(1);
-        Assert.Equal(Ground.LongGrass, ball.Runner.Simulator.Scene.Ground);
+        Assert.Equal(Ground.Of(SurfaceMaterial.LongGrass), ball.Runner.Simulator.Scene.Ground);
         ball.Preset.gravity = 1.62f;
         Play(1);
         Assert.Equal(1.62, ball.Runner.Simulator.Scene.Gravity);
@@ -330,7 +330,7 @@ public sealed class UnityPlayTests : IDisposable
         FootballBall ball = NewBall(new Vector3(30f, 2.4f, 0f));
         Play(1);
         Scene scene = ball.Runner.Simulator.Scene;
-        Assert.Equal(Ground.Indoor with { Height = 2 }, scene.Ground);
+        Assert.Equal(new Ground { Material = SurfaceMaterial.Indoor, Height = 2 }, scene.Ground);
         Assert.Equal(4, scene.Obstacles.Count);
         Assert.Equal([52.5, -52.5], scene.Goals.Select(goal => goal.Center.Z).Order().Reverse());
         Assert.All(scene.Goals, goal => Assert.True(goal.Facing.Z * goal.Center.Z < 0)); // Both open towards the middle.

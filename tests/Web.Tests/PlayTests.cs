@@ -128,7 +128,7 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told)
     [Theory]
     [InlineData("")]
     [InlineData(Alone)]
-    [InlineData("#keeper=3&wall=5&aside=8&windAcross=4&ball=Brazuca&ground=WetTurf&altitude=2200&profile=published")]
+    [InlineData("#keeper=3&wall=5&aside=8&windAcross=4&ball=brazuca&ground=wetTurf&altitude=2200&profile=published")]
     public async Task The_copied_program_plays_what_is_seen(string hash)
     {
         Window window = await browser.Playing(hash);

@@ -9,8 +9,8 @@ internal static class BankShotRows
 
     private static readonly Scene Scene = Scene.Measured with
     {
-        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board }],
-        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame, HasNet = false }],
+        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board }],
+        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame, HasNet = false }],
     };
 
     public static IReadOnlyList<TargetRow> All { get; } =

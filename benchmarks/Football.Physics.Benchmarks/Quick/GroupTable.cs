@@ -130,7 +130,7 @@ internal static class GroupTable
         for (int i = 0; i < 22; i++)
         {
             var shape = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);
-            players.Add($"player {i}", shape, Surface.Boot, mass).MoveTo(StadiumScenes.Place(i), Vector3d.Zero, 0);
+            players.Add($"player {i}", shape, SurfaceMaterial.Boot, mass).MoveTo(StadiumScenes.Place(i), Vector3d.Zero, 0);
         }
 
         return new Scene { Bodies = players };

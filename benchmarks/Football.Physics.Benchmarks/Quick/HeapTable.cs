@@ -48,7 +48,7 @@ internal static class HeapTable
         Obstacle[] walls =
         [
             .. new[] { new Vector3d(1, 0, 0), new Vector3d(-1, 0, 0), new Vector3d(0, 0, 1), new Vector3d(0, 0, -1) }
-                .Select(normal => new Obstacle { Name = "wall", Shape = new PlaneShape(-half * normal, normal), Surface = Surface.Board }),
+                .Select(normal => new Obstacle { Name = "wall", Shape = new PlaneShape(-half * normal, normal), Surface = SurfaceMaterial.Board }),
         ];
         var group = new BallGroup(new Simulator(new Scene { Obstacles = walls }, new SolverSettings { Integrator = integrator }), balls);
         BallState[] states = Drop(group, balls, half);

@@ -115,7 +115,7 @@ internal sealed class ContactCase
         return worst;
     }
 
-    private static Obstacle Board(in Vector3d normal) => new() { Name = "board", Shape = new PlaneShape(-Radius * normal, normal), Surface = Surface.Board };
+    private static Obstacle Board(in Vector3d normal) => new() { Name = "board", Shape = new PlaneShape(-Radius * normal, normal), Surface = SurfaceMaterial.Board };
 
     private static Scene InWind(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
@@ -130,7 +130,7 @@ internal sealed class ContactCase
     private static ContactCase WithPlayer(Integrator integrator, bool atRest, double mass)
     {
         var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), Surface.Boot, mass);
+        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), SurfaceMaterial.Boot, mass);
         Scene scene = InWind(new Vector3d(3, 0, 0)) with { Obstacles = [Board(new Vector3d(-1, 0, 0))], Bodies = bodies };
 
         // The upright side of the capsule is higher than the ball's centre, so its round end touches: as far away as both radii are from there.
@@ -166,10 +166,10 @@ internal sealed class ContactCase
         var along = new Vector3d(0, -Math.Sin(tilt), -Math.Cos(tilt));
         Vector3d left = (Math.Cos(Side) * up) + (Math.Sin(Side) * new Vector3d(1, 0, 0));
         Vector3d right = (Math.Cos(Side) * up) - (Math.Sin(Side) * new Vector3d(1, 0, 0));
-        Surface turf = Surface.Of(Ground.DryTurf);
+        SurfaceMaterial turf = SurfaceMaterial.DryTurf;
         Scene scene = InWind(new Vector3d(1, 0, 0)) with
         {
-            Ground = Ground.DryTurf with { Height = -100 },
+            Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -100 },
             Obstacles = [new Obstacle { Name = "left", Shape = new PlaneShape(default, left), Surface = turf }, new Obstacle { Name = "right", Shape = new PlaneShape(default, right), Surface = turf }],
         };
         double speed = atRest ? 0.3 : 3;

@@ -10,7 +10,7 @@ internal static class Errors
     private const double ReferenceStep = 0.5e-3;
     private const double LongestFlight = 20;
 
-    private static readonly double Contact = BallProperties.Football.Radius;
+    private static readonly double Contact = BallProperties.Tunnel.Radius;
     private static readonly ConcurrentDictionary<(object Shots, Scene Scene, double? After), Vector3d[]> References = new();
 
     /// <summary>First landings of shots from the ground, by the library.</summary>

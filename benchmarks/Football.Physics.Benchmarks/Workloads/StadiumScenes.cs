@@ -40,7 +40,7 @@ internal sealed class StadiumScenes(Scene scene)
         Obstacles =
         [
             .. WithoutPlayers.Obstacles,
-            .. Enumerable.Range(0, 2 * Team).Select(i => new Obstacle { Name = $"player {i}", Shape = Player(Place(i)), Surface = Surface.Boot, Velocity = velocity(i) }),
+            .. Enumerable.Range(0, 2 * Team).Select(i => new Obstacle { Name = $"player {i}", Shape = Player(Place(i)), Surface = SurfaceMaterial.Boot, Velocity = velocity(i) }),
         ],
     };
 

@@ -17,8 +17,8 @@ internal static class BankShotLab
 
     private static readonly Scene Scene = Scene.Measured with
     {
-        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.PublishedGoalFrame }],
-        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame }],
+        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.PublishedGoalFrame }],
+        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame }],
     };
 
     public static Command Create(Terminal terminal)

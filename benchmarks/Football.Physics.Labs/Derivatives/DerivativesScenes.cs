@@ -9,17 +9,17 @@ internal static class DerivativesScenes
     {
         DerivativesKind.Published => Scene.Published with { Air = new Air { Wind = new Vector3d(1, 0, -2) } },
         DerivativesKind.Measured => Scene.Measured with { Air = new Air { Wind = new Vector3d(1, 0, -2) } },
-        DerivativesKind.Goal => Scene.Measured with { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame }] },
+        DerivativesKind.Goal => Scene.Measured with { Goals = [new Goal { Center = new Vector3d(0, 0, -12), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame }] },
         DerivativesKind.Slope => Scene.Published with
         {
-            Ground = Ground.PublishedTurf with { Normal = new Vector3d(0.02, 1, 0.01), TangentialRestitutionX = 0.5, TangentialRestitutionZ = 0.5 },
+            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { TangentialRestitution = 0.5 }, Normal = new Vector3d(0.02, 1, 0.01) },
             Obstacles =
             [
-                new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -14), new Vector3d(0, 0, 1)), Surface = Surface.PublishedGoalFrame },
-                new Obstacle { Name = "player", Shape = new CapsuleShape(new Vector3d(-2, 0, -8), new Vector3d(-2, 1.6, -8), 0.25), Surface = Surface.PublishedGoalFrame, Velocity = new Vector3d(2, 0, 0) },
+                new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -14), new Vector3d(0, 0, 1)), Surface = SurfaceMaterial.PublishedGoalFrame },
+                new Obstacle { Name = "player", Shape = new CapsuleShape(new Vector3d(-2, 0, -8), new Vector3d(-2, 1.6, -8), 0.25), Surface = SurfaceMaterial.PublishedGoalFrame, Velocity = new Vector3d(2, 0, 0) },
             ],
         },
-        DerivativesKind.Hills => Scene.Measured with { Ground = Ground.DryTurf with { Heights = Hills() } },
+        DerivativesKind.Hills => Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Heights = Hills() } },
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };
 

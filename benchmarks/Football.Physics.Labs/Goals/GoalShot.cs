@@ -19,7 +19,7 @@ internal sealed class GoalShot
             Height = random.Chance(0.7) ? 2.44 : random.Uniform(1.5, 3),
             PostRadius = random.Chance(0.7) ? 0.06 : random.Uniform(0.02, 0.1),
             HasNet = random.Chance(0.85),
-            Surface = Surface.GoalFrame,
+            Surface = SurfaceMaterial.GoalFrame,
         };
         Vector3d Place(double aside, double height, double before) => Goal.Center + (aside * right) + new Vector3d(0, height, 0) + (before * facing);
 
@@ -28,7 +28,7 @@ internal sealed class GoalShot
         double ahead = random.Uniform(0, 1.5);
         Obstacle[] people = random.Chance(0.5) ? [] :
         [
-            new Obstacle { Name = "keeper", Shape = new CapsuleShape(Place(stands, 0.25, ahead), Place(stands, 1.6, ahead), 0.25), Surface = Surface.PublishedGoalFrame },
+            new Obstacle { Name = "keeper", Shape = new CapsuleShape(Place(stands, 0.25, ahead), Place(stands, 1.6, ahead), 0.25), Surface = SurfaceMaterial.PublishedGoalFrame },
         ];
         Scene scene = random.Chance(0.8) ? Scene.Default : Scene.Published;
         Simulator = new Simulator(

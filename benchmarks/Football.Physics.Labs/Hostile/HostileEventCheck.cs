@@ -126,15 +126,15 @@ internal static class HostileEventCheck
 
         double a = scene.Ball.InertiaFactor;
         double r = scene.Ball.Radius;
-        double ex = scene.Ground.TangentialRestitutionX;
-        double ez = scene.Ground.TangentialRestitutionZ;
+        double ex = scene.Ground.Material.TangentialRestitution;
+        double ez = scene.Ground.TangentialRestitutionZ ?? ex;
         velocity = new Vector3d(
             (((1 - (a * ex)) * v.X) - (a * (1 + ex) * r * w.Z)) / (1 + a),
-            -scene.Ground.NormalRestitution * v.Y,
+            -scene.Ground.Material.NormalRestitution * v.Y,
             (((1 - (a * ez)) * v.Z) + (a * (1 + ez) * r * w.X)) / (1 + a));
         spin = new Vector3d(
             (((a - ez) * w.X) + ((1 + ez) * v.Z / r)) / (1 + a),
-            scene.Ground.SpinRestitution * w.Y,
+            scene.Ground.Material.SpinRestitution * w.Y,
             (((a - ex) * w.Z) - ((1 + ex) * v.X / r)) / (1 + a));
     }
 }

@@ -34,7 +34,7 @@ internal static class HostileGenerator
             Position = position,
             Velocity = velocity,
             Spin = spin,
-            Frames = Frames(random, ground.NormalRestitution > 0.9),
+            Frames = Frames(random, ground.Material.NormalRestitution > 0.9),
         };
     }
 
@@ -42,7 +42,7 @@ internal static class HostileGenerator
     {
         if (!random.Chance(0.6))
         {
-            return BallProperties.Football;
+            return BallProperties.Tunnel;
         }
 
         double mass = random.Any(random.Log(1e-3, 100), random.Log(0.01, 10), 1e-3, 100);
@@ -69,14 +69,16 @@ internal static class HostileGenerator
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
         return Ground.PublishedTurf with
         {
-            Height = height,
+            Material = SurfaceMaterial.PublishedTurf with
+        {
             NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),
-            TangentialRestitutionX = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
-            TangentialRestitutionZ = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
             SpinRestitution = random.Any(0.0, 1.0, 0.8),
             SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
             RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
             SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
+            TangentialRestitution = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
+        },
+            Height = height,
             MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
             RestEnergy = random.Any(1e-4, 1e-12, 100, random.Log(1e-12, 100)),
             Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),

@@ -23,7 +23,7 @@ internal static class ImpactBalances
             }
 
             BallProperties ball = Ball(random);
-            ContactMaterial material = new(new Surface
+            ContactMaterial material = new(SurfaceMaterial.GoalFrame with
             {
                 NormalRestitution = random.Next(),
                 RestitutionSpeed = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),

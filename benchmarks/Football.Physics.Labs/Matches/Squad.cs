@@ -76,7 +76,7 @@ internal sealed class Squad
     private sealed class Engine(Squad squad) : IEngineColliders
     {
         private readonly EngineCollider[] _colliders =
-            [.. Enumerable.Range(0, Players).Select(i => new EngineCollider("player", BodyKind.Player.Shape, Surface.Boot) { Mass = i % 2 == 0 ? 75 : double.PositiveInfinity })];
+            [.. Enumerable.Range(0, Players).Select(i => new EngineCollider("player", BodyKind.Player.Shape, SurfaceMaterial.Boot) { Mass = i % 2 == 0 ? 75 : double.PositiveInfinity })];
 
         public double Time { get; set; }
 

@@ -10,7 +10,7 @@ internal static class BoardDrops
     /// <param name="drops">How many heights.</param>
     public static (double Least, double Greatest) Measure(double step, int drops)
     {
-        var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.1, 1)), Surface = Surface.PublishedGoalFrame with { NormalRestitution = 0.6 } };
+        var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.1, 1)), Surface = SurfaceMaterial.PublishedGoalFrame with { NormalRestitution = 0.6 } };
         var simulator = new Simulator(Scene.Vacuum with { Obstacles = [board], Ground = Ground.None });
         double least = double.PositiveInfinity;
         double greatest = 0;

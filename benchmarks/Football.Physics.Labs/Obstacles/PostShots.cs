@@ -28,7 +28,7 @@ internal sealed record PostShots(int Passed, double Mean, double Worst)
         var post = new Obstacle
         {
             Shape = new CapsuleShape(s_post - new Vector3d(0, 9, 0), s_post + new Vector3d(0, 9, 0), PostRadius),
-            Surface = Surface.PublishedGoalFrame with { NormalRestitution = Restitution, ImpactFriction = 0 },
+            Surface = SurfaceMaterial.PublishedGoalFrame with { NormalRestitution = Restitution, ImpactFriction = 0 },
         };
         var simulator = new Simulator(Scene.Vacuum with { Obstacles = [post], Ground = Ground.None, Gravity = 0 });
         var log = new StepLog();

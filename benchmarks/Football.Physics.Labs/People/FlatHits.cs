@@ -18,7 +18,7 @@ internal sealed class FlatHits
     [
         On(Pitch.Cage),
         On(Pitch.Stadium),
-        (new Simulator(new Scene { Obstacles = [new Obstacle { Name = "right board", Shape = new BoxShape(new Vector3d(5.05, 0.5, 0), new Vector3d(0.05, 0.5, 400)), Surface = Surface.Board }] }), 5),
+        (new Simulator(new Scene { Obstacles = [new Obstacle { Name = "right board", Shape = new BoxShape(new Vector3d(5.05, 0.5, 0), new Vector3d(0.05, 0.5, 400)), Surface = SurfaceMaterial.Board }] }), 5),
     ];
 
     private readonly Simulator _open = new(new Scene());

@@ -73,7 +73,7 @@ internal sealed class Pinches
 
             Meter.Step(ball, frame, $"pinch {index}, frame {i}");
             BallState after = ball.State;
-            double most = bound.Follow(in before, in after, Touch(players, ball, frame, in before, in after), Surface.Boot);
+            double most = bound.Follow(in before, in after, Touch(players, ball, frame, in before, in after), SurfaceMaterial.Boot);
             double speed = after.Velocity.Length;
             fastest = Math.Max(fastest, speed);
             tooFast |= speed > most * (1 + Rounding);

@@ -143,8 +143,8 @@ internal sealed class Presses(PressKind kind)
 
     private static Scene Scene(PressKind kind, Bodies bodies)
     {
-        Obstacle end = new() { Name = "end", Shape = new BoxShape(s_end, s_half), Surface = Surface.Board };
-        Obstacle side = new() { Name = "side", Shape = new BoxShape(s_side, new Vector3d(Thick, 0.5, 2000)), Surface = Surface.Board };
+        Obstacle end = new() { Name = "end", Shape = new BoxShape(s_end, s_half), Surface = SurfaceMaterial.Board };
+        Obstacle side = new() { Name = "side", Shape = new BoxShape(s_side, new Vector3d(Thick, 0.5, 2000)), Surface = SurfaceMaterial.Board };
         Obstacle post = new() { Name = "post", Shape = new CapsuleShape(s_foot, s_tip, 0.06) };
         Scene scene = new() { Bodies = bodies };
         return kind switch

@@ -18,7 +18,7 @@ internal sealed class SpeedBound(double gravity)
     /// <param name="after">The ball after it.</param>
     /// <param name="touch">What moves and touched it in that step.</param>
     /// <param name="material">The material of it.</param>
-    public double Follow(in BallState before, in BallState after, in MoverTouch touch, Surface material)
+    public double Follow(in BallState before, in BallState after, in MoverTouch touch, SurfaceMaterial material)
     {
         if (touch.Speed >= 0)
         {
@@ -45,7 +45,7 @@ internal sealed class SpeedBound(double gravity)
     }
 
     /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), that of the slowest hits.</summary>
-    private static double Restitution(Surface surface) => double.IsInfinity(surface.RestitutionSpeed)
+    private static double Restitution(SurfaceMaterial surface) => double.IsInfinity(surface.RestitutionSpeed)
         ? surface.NormalRestitution
         : Math.Min(1, surface.NormalRestitution * Math.Sqrt(1 + (36 / (surface.RestitutionSpeed * surface.RestitutionSpeed))));
 }

@@ -63,7 +63,7 @@ internal sealed class Stadium
             int side = i < 11 ? -1 : 1;
             int line = i % 11;
             _homes[i] = line == 0 ? new Vector3d(0, 0, side * 51) : new Vector3d((((line - 1) % 4) - 1.5) * 14, 0, side * (8 + ((line - 1) / 4 * 14)));
-            _players[i] = new WalkingPlayer(bodies, FormattableString.Invariant($"player {i}"), line == 0 ? Surface.Glove : Surface.Boot)
+            _players[i] = new WalkingPlayer(bodies, FormattableString.Invariant($"player {i}"), line == 0 ? SurfaceMaterial.Glove : SurfaceMaterial.Boot)
             {
                 Place = _homes[i] + (_random.Uniform(0, 2) * _random.Heading()),
             };
@@ -71,7 +71,7 @@ internal sealed class Stadium
 
         for (int i = 0; i < Feet; i++)
         {
-            _feet[i] = bodies.Add(FormattableString.Invariant($"foot {i}"), new BoxShape(s_footCenter, s_footHalf), Surface.Boot);
+            _feet[i] = bodies.Add(FormattableString.Invariant($"foot {i}"), new BoxShape(s_footCenter, s_footHalf), SurfaceMaterial.Boot);
         }
 
         Spheres = new StadiumSpheres(8, _random);

@@ -35,7 +35,7 @@ internal sealed class StadiumSpheres : IEngineColliders
         for (int i = 0; i < count; i++)
         {
             _radii[i] = random.Uniform(0.1, 0.6);
-            _colliders[i] = new EngineCollider(FormattableString.Invariant($"sphere {i}"), new SphereShape(Vector3d.Zero, _radii[i]), Surface.Wood) { Mass = mass };
+            _colliders[i] = new EngineCollider(FormattableString.Invariant($"sphere {i}"), new SphereShape(Vector3d.Zero, _radii[i]), SurfaceMaterial.Wood) { Mass = mass };
             double x = random.Uniform(Margin - halfWidth, halfWidth - Margin);
             double y = (_radii[i] * random.Uniform(0.8, 1)) + random.Uniform(0, 2.2);
             _places[i] = new Vector3d(x, y, random.Uniform(EndMargin - halfLength, halfLength - EndMargin));

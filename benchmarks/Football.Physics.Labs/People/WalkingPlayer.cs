@@ -7,8 +7,8 @@ internal sealed class WalkingPlayer
     private const double Top = 1.55;
     private readonly Body _body;
 
-    public WalkingPlayer(Bodies bodies, string name, Surface? surface = null, double mass = double.PositiveInfinity) =>
-        _body = bodies.Add(name, new CapsuleShape(new Vector3d(0, Radius, 0), new Vector3d(0, Top, 0), Radius), surface ?? Surface.Boot, mass);
+    public WalkingPlayer(Bodies bodies, string name, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity) =>
+        _body = bodies.Add(name, new CapsuleShape(new Vector3d(0, Radius, 0), new Vector3d(0, Top, 0), Radius), surface ?? SurfaceMaterial.Boot, mass);
 
     /// <summary>On the ground, m.</summary>
     public Vector3d Place { get; set; }

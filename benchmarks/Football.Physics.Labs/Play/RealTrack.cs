@@ -11,10 +11,10 @@ internal static class RealTrack
 
     private static readonly (string Name, BallProperties Ball)[] Balls =
     [
-        ("generic", BallProperties.Football), ("brazuca", BallProperties.Brazuca), ("trionda", BallProperties.Trionda), ("modern", BallProperties.Modern),
+        ("generic", BallProperties.Tunnel), ("brazuca", BallProperties.Brazuca), ("trionda", BallProperties.Trionda), ("modern", BallProperties.Modern),
     ];
 
-    private static readonly (string Name, Ground Ground)[] Grounds = [("dryTurf", Ground.DryTurf), ("wetTurf", Ground.WetTurf), ("matchTurf", Ground.MatchTurf)];
+    private static readonly (string Name, Ground Ground)[] Grounds = [("dryTurf", Ground.Of(SurfaceMaterial.DryTurf)), ("wetTurf", Ground.Of(SurfaceMaterial.WetTurf)), ("matchTurf", Ground.Of(SurfaceMaterial.MatchTurf))];
 
     public static void Add(string file, double? altitude, LabTable flights, LabTable impacts, LabReport report, Action<string> said)
     {
@@ -37,7 +37,7 @@ internal static class RealTrack
             foreach (bool fitted in (bool[])[false, true])
             {
                 // The ball as it ships, and with its drag fitted
-                MatchFitResult fit = new MatchFit(new Scene { Ball = properties, Air = air, Ground = Ground.MatchTurf }).Find(track, new MatchFitRequest { Drag = fitted });
+                MatchFitResult fit = new MatchFit(new Scene { Ball = properties, Air = air, Ground = Ground.Of(SurfaceMaterial.MatchTurf) }).Find(track, new MatchFitRequest { Drag = fitted });
                 flights.Add(name, ball, fitted ? "drag, wind, height" : "wind, height", fit.Flights, 100 * fit.Rms, 100 * fit.Covered, Value(fit, "drag"), fit.Scene.Ball.DragCurve.CriticalReynolds, Limit(fit, ball, fitted));
                 last = fit;
             }

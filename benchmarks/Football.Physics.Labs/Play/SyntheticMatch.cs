@@ -27,7 +27,7 @@ internal sealed class SyntheticMatch
     public double Noise { get; private init; }
 
     /// <summary>The scene that a fit is to begin with: the ball without the factor, no wind.</summary>
-    public static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.MatchTurf };
+    public static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) };
 
     /// <summary>The ball at every sample, before anything of a tracker.</summary>
     public List<BallState> Truth { get; } = [];
@@ -63,9 +63,12 @@ internal sealed class SyntheticMatch
             Air = Known.Air with { Wind = Wind },
             Ground = Known.Ground with
             {
+                Material = Known.Ground.Material with
+                {
+                    NormalRestitution = _random.Uniform(0.56, 0.68),
+                    ImpactFriction = _random.Uniform(0.3, 0.6),
+                },
                 Height = GroundHeight,
-                NormalRestitution = _random.Uniform(0.56, 0.68),
-                ImpactFriction = _random.Uniform(0.3, 0.6),
             },
         };
         scene = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, Drag, 1)] } };

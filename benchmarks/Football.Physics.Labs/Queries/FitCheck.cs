@@ -42,9 +42,12 @@ internal sealed class FitCheck
             {
                 Ground = ground with
                 {
-                    NormalRestitution = factors[2] * ground.NormalRestitution,
-                    ImpactFriction = factors[3] * ground.ImpactFriction,
-                    SlidingFriction = factors[3] * ground.SlidingFriction,
+                    Material = ground.Material with
+                    {
+                        NormalRestitution = factors[2] * ground.Material.NormalRestitution,
+                        ImpactFriction = factors[3] * ground.Material.ImpactFriction,
+                        SlidingFriction = factors[3] * ground.Material.SlidingFriction,
+                    },
                 },
                 Forces = scene.Forces with { Custom = [new ScaledAir(scene, factors[0], factors[1])] },
             };

@@ -53,15 +53,15 @@ internal sealed class Carriers : SceneKind
 
         double damping = random.Chance(0.5) ? 0 : random.Uniform(0.1, 5);
         double rolling = random.Chance(0.6) ? 0 : random.Log(0.005, 0.1);
-        BallProperties ball = BallProperties.Football with { Radius = radius, InertiaFactor = inertia };
-        Surface surface = new()
-        {
-            NormalRestitution = 0.5,
-            SlidingFriction = random.Chance(0.3) ? 5 : random.Uniform(0.15, 1),
-            RollingFriction = rolling,
-            RollingFrictionBySpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
-            SpinDamping = damping * ball.MomentOfInertia,
-        };
+        BallProperties ball = BallProperties.Tunnel with { Radius = radius, InertiaFactor = inertia };
+        SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
+    {
+        NormalRestitution = 0.5,
+        SlidingFriction = random.Chance(0.3) ? 5 : random.Uniform(0.15, 1),
+        RollingFriction = rolling,
+        RollingFrictionBySpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
+        SpinDamping = damping * ball.MomentOfInertia,
+    };
         Vector3d place = form == Form.Drum ? ((curve + radius) * normal) + (random.Uniform(-1, 1) * axis) : (radius * normal) + Along(random.Uniform(0, 2) * random.Direction(), normal);
         Vector3d beneath = velocity + Vector3d.Cross(spin, place - (radius * normal));
         Vector3d moves = beneath + Along(random.Log(0.3, form == Form.Drum ? 1 : 4) * random.Direction(), normal);
@@ -124,13 +124,13 @@ internal sealed class Carriers : SceneKind
     }
 
     private static BallState Library(
-        PieceKind kind, IShape shape, Surface surface, BallProperties ball, Vector3d place, Vector3d moves, Vector3d turns, Vector3d axis,
+        PieceKind kind, IShape shape, SurfaceMaterial surface, BallProperties ball, Vector3d place, Vector3d moves, Vector3d turns, Vector3d axis,
         List<(Vector3d Pivot, double Angle, Vector3d Velocity, Vector3d Spin)> frames, double frame, int parts)
     {
         var pieces = new ScenePieces(kind);
         pieces.Add(shape, surface);
         pieces.MoveTo(default, Quaterniond.Identity, frames[0].Velocity, frames[0].Spin, 0);
-        var scene = new Scene { Ball = ball, Air = new Air { Density = 0 }, Ground = Ground.DryTurf with { Height = -1000, RestEnergy = 1e-12 } };
+        var scene = new Scene { Ball = ball, Air = new Air { Density = 0 }, Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -1000, RestEnergy = 1e-12 } };
         var simulator = new Simulator(pieces.In(scene, frames[0].Velocity, frames[0].Spin));
         BallState state = simulator.Launch(place, moves, turns);
         var log = new StepLog();

@@ -7,15 +7,15 @@ internal sealed class Kerbs : SceneKind
     private const double Limit = 1e-6;
     private const double Edge = 1;
 
-    private static readonly Surface s_dead = new()
-    {
-        NormalRestitution = 0,
-        RestitutionSpeed = double.PositiveInfinity,
-        TangentialRestitution = 0,
-        ImpactFriction = 100,
-        SlidingFriction = 10,
-        RollingFriction = 0,
-    };
+    private static readonly SurfaceMaterial s_dead = SurfaceMaterial.GoalFrame with
+{
+    NormalRestitution = 0,
+    RestitutionSpeed = double.PositiveInfinity,
+    TangentialRestitution = 0,
+    ImpactFriction = 100,
+    SlidingFriction = 10,
+    RollingFriction = 0,
+};
 
     public override string Name => "kerbs";
 
@@ -43,9 +43,20 @@ internal sealed class Kerbs : SceneKind
 
         var scene = new Scene
         {
-            Ball = BallProperties.Football with { Radius = radius, InertiaFactor = k },
+            Ball = BallProperties.Tunnel with { Radius = radius, InertiaFactor = k },
             Air = new Air { Density = 0 },
-            Ground = Ground.DryTurf with { ImpactFriction = 10, SlidingFriction = 10, RollingFriction = 0, RollingFrictionBySpeed = 0, DrillingLength = 0, RestEnergy = 1e-12 },
+            Ground = new Ground
+            {
+                Material = SurfaceMaterial.DryTurf with
+            {
+                ImpactFriction = 10,
+                SlidingFriction = 10,
+                RollingFriction = 0,
+                RollingFrictionBySpeed = 0,
+                DrillingLength = 0,
+            },
+                RestEnergy = 1e-12,
+            },
         };
         double end = 60 * radius / speed;
         double rest = (speed * lever * speed * lever) - (2 * Gravity * height / (1 + k));

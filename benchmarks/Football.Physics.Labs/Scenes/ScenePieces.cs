@@ -12,7 +12,7 @@ internal enum PieceKind
 /// <param name="kind">Which of them.</param>
 internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
 {
-    private readonly List<(IShape Shape, Surface Surface)> _pieces = [];
+    private readonly List<(IShape Shape, SurfaceMaterial Surface)> _pieces = [];
     private readonly List<EngineCollider> _colliders = [];
     private readonly Bodies _bodies = new();
     private double _reach;
@@ -24,7 +24,7 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
     public double GreatestSpeed { get; private set; }
 
     /// <summary>Adds a shape in the common frame.</summary>
-    public void Add(IShape shape, Surface surface)
+    public void Add(IShape shape, SurfaceMaterial surface)
     {
         string name = FormattableString.Invariant($"piece {_pieces.Count}");
         _pieces.Add((shape, surface));

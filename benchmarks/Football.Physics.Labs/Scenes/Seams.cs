@@ -26,13 +26,13 @@ internal sealed class Seams : SceneKind
         PieceKind kind = random.Any(PieceKind.Obstacles, PieceKind.Bodies, PieceKind.Colliders);
         bool published = lie != Lie.Boards && random.Chance(0.2);
         Ground ground = Material(random, published);
-        var surface = Surface.Of(ground);
+        SurfaceMaterial surface = ground.Material;
         double radius = random.Chance(0.7) ? 0.11 : random.Uniform(0.08, 0.2);
         double pressing = random.Uniform(2, 9);
         var wind = new Vector3d(random.Uniform(-4, 4), 0, random.Uniform(-4, 4));
         Scene scene = (published ? Scene.Published : Scene.Measured) with
         {
-            Ball = BallProperties.Football with { Radius = radius, InertiaFactor = random.Any(2.0 / 3, 2.0 / 3, 0.4) },
+            Ball = BallProperties.Tunnel with { Radius = radius, InertiaFactor = random.Any(2.0 / 3, 2.0 / 3, 0.4) },
             Air = lie == Lie.Boards ? new Air { Wind = new Vector3d(pressing, 0, wind.Z) }
                 : random.Chance(0.5) ? new Air { Wind = random.Chance(0.5) ? wind : default } : new Air { Density = 0 },
             Ground = lie is Lie.InTurf or Lie.Boards ? ground : ground with { Height = -10 },
@@ -70,11 +70,11 @@ internal sealed class Seams : SceneKind
     {
         if (published)
         {
-            return random.Any(Ground.PublishedTurf, Ground.PublishedCourt, Ground.PublishedWetTurf) with { TangentialRestitutionX = 0.5, TangentialRestitutionZ = 0.5 };
+            return random.Any(Ground.PublishedTurf, Ground.Presets["publishedCourt"], Ground.Presets["publishedWetTurf"]);
         }
 
-        Ground ground = random.Any(Ground.DryTurf, Ground.ArtificialTurf, Ground.WetTurf, Ground.HardGround, Ground.LongGrass, Ground.Indoor, Ground.Concrete, Ground.Snow);
-        return random.Chance(0.3) ? ground with { SlidingFriction = random.Uniform(0, 1), RollingFriction = random.Uniform(0, 0.2) } : ground;
+        Ground ground = random.Any(Ground.Of(SurfaceMaterial.DryTurf), Ground.Of(SurfaceMaterial.ArtificialTurf), Ground.Of(SurfaceMaterial.WetTurf), Ground.Of(SurfaceMaterial.HardGround), Ground.Of(SurfaceMaterial.LongGrass), Ground.Of(SurfaceMaterial.Indoor), Ground.Of(SurfaceMaterial.Concrete), Ground.Of(SurfaceMaterial.Snow));
+        return random.Chance(0.3) ? ground with { Material = ground.Material with { SlidingFriction = random.Uniform(0, 1), RollingFriction = random.Uniform(0, 0.2) } } : ground;
     }
 
     /// <summary>Rolls, slides with a spin of its own, or slides without.</summary>
@@ -92,7 +92,7 @@ internal sealed class Seams : SceneKind
 
     /// <summary>Strips between parallel seams that the ball's way crosses: turned boxes whose tops are level, or boards whose faces are in one plane.</summary>
     private static void Lay(
-        ScenePieces pieces, LabRandom random, Lie lie, in Vector3d heading, double speed, double radius, Surface surface, double top)
+        ScenePieces pieces, LabRandom random, Lie lie, in Vector3d heading, double speed, double radius, SurfaceMaterial surface, double top)
     {
         // At the boards a seam is upright; on the ground it is turned against the way by up to 80 degrees.
         double turn = lie == Lie.Boards ? 0 : random.Uniform(-1.4, 1.4);
@@ -125,7 +125,7 @@ internal sealed class Seams : SceneKind
     }
 
     /// <summary>The same without seams: nothing where the turf is that, else one piece.</summary>
-    private static void LayOne(ScenePieces one, Lie lie, double radius, Surface surface)
+    private static void LayOne(ScenePieces one, Lie lie, double radius, SurfaceMaterial surface)
     {
         if (lie != Lie.InTurf)
         {

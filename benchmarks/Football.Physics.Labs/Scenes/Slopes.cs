@@ -95,10 +95,10 @@ internal sealed class Slopes : SceneKind
 
     private static BallState Library(PieceKind? kind, Vector3d normal, AirModel air, double rolling, double bySpeed, double step, out Vector3d from)
     {
-        Ground ground = Ground.DryTurf with { SlidingFriction = 5, RollingFriction = rolling, RollingFrictionBySpeed = bySpeed };
+        Ground ground = Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 5, RollingFriction = rolling, RollingFrictionBySpeed = bySpeed });
         var scene = new Scene
         {
-            Ball = BallProperties.Football,
+            Ball = BallProperties.Tunnel,
             Gravity = Gravity,
             Air = new Air { Density = air.Density, KinematicViscosity = air.Viscosity, Wind = air.Wind },
             Ground = kind is null ? ground with { Normal = normal } : ground with { Height = -1000 },
@@ -109,7 +109,7 @@ internal sealed class Slopes : SceneKind
             Vector3d axis = Vector3d.Cross(Vector3d.Up, normal);
             double sine = axis.Length;
             Quaterniond turn = sine < 1e-15 ? Quaterniond.Identity : Quaterniond.FromAxisAngle(axis / sine, Math.Atan2(sine, normal.Y));
-            pieces.Add(new BoxShape(-0.5 * normal, new Vector3d(200, 0.5, 200), turn), Surface.Of(ground));
+            pieces.Add(new BoxShape(-0.5 * normal, new Vector3d(200, 0.5, 200), turn), ground.Material);
         }
 
         pieces.MoveTo(default, Quaterniond.Identity, default, default, 0);

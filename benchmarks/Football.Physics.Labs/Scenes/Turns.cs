@@ -12,13 +12,13 @@ internal sealed class Turns : SceneKind
     /// <summary>A touch that closes slower than this, m/s, may be a pass.</summary>
     private const double Slow = 0.01;
 
-    private static readonly Surface s_rubber = new()
-    {
-        NormalRestitution = 0.5,
-        RestitutionSpeed = double.PositiveInfinity,
-        ImpactFriction = 0,
-        SlidingFriction = 0,
-    };
+    private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
+{
+    NormalRestitution = 0.5,
+    RestitutionSpeed = double.PositiveInfinity,
+    ImpactFriction = 0,
+    SlidingFriction = 0,
+};
 
     public override string Name => "turns";
 
@@ -106,7 +106,7 @@ internal sealed class Turns : SceneKind
     {
         var pieces = new ScenePieces(kind);
         pieces.Add(shape, s_rubber);
-        var simulator = new Simulator(pieces.In(new Scene { Ball = BallProperties.Football, Gravity = gravity, Ground = Ground.None, Forces = ForceSet.None }));
+        var simulator = new Simulator(pieces.In(new Scene { Ball = BallProperties.Tunnel, Gravity = gravity, Ground = Ground.None, Forces = ForceSet.None }));
 
         // The shape is put where it is before the ball is launched: a launch puts the ball out of every shape that it overlaps.
         pieces.MoveTo(model.PivotAt(0), Quaterniond.FromAxisAngle(model.Axis, model.Angle), model.Velocity, model.Rate * model.Axis, 0);

@@ -56,7 +56,7 @@ internal sealed class EnergyCheck : PieceObserver
         _inertiaFactor = scene.Ball.InertiaFactor;
         _radius = scene.Ball.Radius;
         _weight = _mass * Math.Abs(upward);
-        _damping = scene.Ground.SpinDamping / scene.Ball.MomentOfInertia;
+        _damping = scene.Ground.Material.SpinDamping / scene.Ball.MomentOfInertia;
         _log.Observer = this;
     }
 
@@ -116,7 +116,7 @@ internal sealed class EnergyCheck : PieceObserver
             // Friction may turn a sliding ball the faster, by r ω̇ = μ g/α; a rolling one has the spin of its speed, and inertia of it too.
             double speed = piece.StartVelocity.Length;
             bool rolls = piece.Motion == MotionState.Rolling;
-            double faster = _scene.Ground.SlidingFriction * Math.Abs(_upward) / _inertiaFactor * length;
+            double faster = _scene.Ground.Material.SlidingFriction * Math.Abs(_upward) / _inertiaFactor * length;
             _slowSurface = 0;
             _fastSurface = rolls ? Math.Max(_fastSurface, speed) : _fastSurface + faster;
             if (_scene.Ground.Aerodynamics == GroundAerodynamics.Horizontal)

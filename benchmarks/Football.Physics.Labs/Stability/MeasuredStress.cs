@@ -20,12 +20,15 @@ internal static class MeasuredStress
             // Where rest is promised, it is by the numbers that the promise is made of.
             ground = ground with
             {
-                TangentialRestitutionZ = ground.TangentialRestitutionX,
-                RestitutionSpeed = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
-                ImpactFriction = random.Any(0, double.PositiveInfinity, random.Log(0.01, 3)),
-                RollingFrictionBySpeed = random.Any(0, random.Log(1e-4, 0.1)),
-                DrillingLength = random.Any(0, random.Log(1e-4, 0.1)),
+                Material = ground.Material with
+                {
+                    RestitutionSpeed = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
+                    ImpactFriction = random.Any(0, double.PositiveInfinity, random.Log(0.01, 3)),
+                    RollingFrictionBySpeed = random.Any(0, random.Log(1e-4, 0.1)),
+                    DrillingLength = random.Any(0, random.Log(1e-4, 0.1)),
+                },
                 Aerodynamics = GroundAerodynamics.Full,
+                TangentialRestitutionZ = null,
             };
         }
 

@@ -32,7 +32,7 @@ internal static class StressGenerator
         }
 
         Ground ground = AnyGround(random, kind);
-        ground = ground with { SpinDamping = Math.Min(ground.SpinDamping, ball.MostDamping) };
+        ground = ground with { Material = ground.Material with { SpinDamping = Math.Min(ground.Material.SpinDamping, ball.MostDamping) } };
         double gravity = kind switch
         {
             StressKind.Absurd => random.Any(0, 1e-9, 1e-3, 9.81, 100, 1000),
@@ -100,8 +100,8 @@ internal static class StressGenerator
 
         // Explicit Euler's bounces lose a third as much.
         double slower = s.Integrator == Integrator.Euler ? 3 : 1;
-        return floats + (slower * 2 * v / (g * (1 - ground.NormalRestitution))) + (v / (ground.SlidingFriction * g)) + (v / (ground.RollingFriction * g))
-            + (decades * inertia / ground.SpinDamping);
+        return floats + (slower * 2 * v / (g * (1 - ground.Material.NormalRestitution))) + (v / (ground.Material.SlidingFriction * g)) + (v / (ground.Material.RollingFriction * g))
+            + (decades * inertia / ground.Material.SpinDamping);
     }
 
     private static BallProperties Ball(LabRandom random, StressKind kind)
@@ -117,7 +117,7 @@ internal static class StressGenerator
         }
 
         BallProperties preset = random.Any(
-            BallProperties.Football, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall);
+            BallProperties.Tunnel, BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall);
 
         // Anything between a beach ball and a medicine ball.
         return random.Chance(0.6) ? preset : new BallProperties { Mass = random.Log(0.1, 3), Radius = random.Uniform(0.1, 0.2), InertiaFactor = random.Uniform(0.4, 1) };
@@ -140,22 +140,17 @@ internal static class StressGenerator
     {
         bool rests = kind == StressKind.ComesToRest;
         double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
-        return Ground.PublishedTurf with
+        return Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with
         {
-            Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20),
             NormalRestitution = rests ? random.Uniform(0, 0.95)
-                : kind == StressKind.BounceTrain ? random.Any(1, 1, 0.99999, 0.999, 0.95)
-                : random.Any(0, 1, random.Next()),
-            TangentialRestitutionX = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
-            TangentialRestitutionZ = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
+            : kind == StressKind.BounceTrain ? random.Any(1, 1, 0.99999, 0.999, 0.95)
+            : random.Any(0, 1, random.Next()),
             SpinRestitution = random.Any(0, 1, random.Next()),
             SlidingFriction = Friction(),
             RollingFriction = Friction(),
             SpinDamping = rests ? random.Log(1e-4, 0.1) : random.Chance(0.2) ? 0 : random.Log(1e-5, 1),
-            MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)),
-            RestEnergy = rests ? random.Log(1e-6, 1e-2) : random.Log(1e-9, 1e-1),
-            Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
-        };
+            TangentialRestitution = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
+        }, Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20), MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)), RestEnergy = rests ? random.Log(1e-6, 1e-2) : random.Log(1e-9, 1e-1), Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None) };
     }
 
     private static ForceSet Forces(LabRandom random, StressKind kind)

@@ -47,18 +47,16 @@ internal sealed record StressScene
         string type = MeasuredStress.Curves.First(item => item.Curve == Scene.Ball.DragCurve).Type;
         string profile = Measured ? "\"profile\":\"measured\"," : "";
         string ofBall = Measured ? $"\"type\":\"{type}\"," : "";
-        string ofGround = Measured
-            ? $"\"restitutionSpeed\":{Limit(g.RestitutionSpeed)},\"impactFriction\":{Limit(g.ImpactFriction)},\"rollingFrictionBySpeed\":{N(g.RollingFrictionBySpeed)},"
-                + $"\"drillingLength\":{N(g.DrillingLength)},"
-            : "";
+        string ofGround = string.Concat(
+            SceneFields.Material.Where(field => field.Name != "tangentialRestitution").Select(field => $"\"{field.Name}\":{Limit(field.Get(g.Material))},")
+                .Concat(SceneFields.Ground.Select(field => $"\"{field.Name}\":{N(field.Get(g))},")));
+        double along = g.Material.TangentialRestitution;
         return $"{{{profile}\"ball\":{{{ofBall}\"mass\":{N(Scene.Ball.Mass)},\"radius\":{N(Scene.Ball.Radius)},\"inertiaFactor\":{N(Scene.Ball.InertiaFactor)}}},"
             + $"\"air\":{{\"density\":{N(Scene.Air.Density)},\"kinematicViscosity\":{N(Scene.Air.KinematicViscosity)},\"wind\":{V(Scene.Air.Wind)}}},"
             + $"\"gravity\":{N(Scene.Gravity)},\"forces\":{{\"buoyancy\":{(f.Buoyancy ? "true" : "false")},\"drag\":\"{Name(f.Drag)}\",\"magnus\":\"{Name(f.Magnus)}\","
             + $"\"spinDecay\":\"{Name(f.SpinDecay)}\",\"coefficients\":\"{Name(f.Coefficients)}\",\"dragCoefficient\":{N(f.DragCoefficient)},"
             + $"\"magnusCoefficient\":{N(f.MagnusCoefficient)},\"spinDecayCoefficient\":{N(f.SpinDecayCoefficient)}}},"
-            + $"\"ground\":{{{ofGround}\"normalRestitution\":{N(g.NormalRestitution)},\"tangentialRestitution\":[{N(g.TangentialRestitutionX)},{N(g.TangentialRestitutionZ)}],"
-            + $"\"spinRestitution\":{N(g.SpinRestitution)},\"slidingFriction\":{N(g.SlidingFriction)},\"rollingFriction\":{N(g.RollingFriction)},"
-            + $"\"spinDamping\":{N(g.SpinDamping)},\"minimumBounceSpeed\":{N(g.MinimumBounceSpeed)},\"restEnergy\":{N(g.RestEnergy)},"
+            + $"\"ground\":{{{ofGround}\"tangentialRestitution\":[{N(along)},{N(g.TangentialRestitutionZ ?? along)}],"
             + $"\"height\":{N(g.Height)},\"aerodynamics\":\"{Name(g.Aerodynamics)}\"}},"
             + $"\"launch\":{{\"position\":{V(Position)},\"velocity\":{V(Velocity)},\"spin\":{V(Spin)}}},"
             + $"\"solver\":{{\"integrator\":\"{Name(Settings.Integrator)}\",\"timeStep\":{N(Frames[^1])},\"rollingTransition\":\"{Name(Settings.RollingTransition)}\","

@@ -254,7 +254,7 @@ internal sealed class Arena
                 var half = new Vector3d(_random.Uniform(0.05, 1), _random.Uniform(0.1, 1), _random.Uniform(0.05, 1));
                 Vector3d center = foot + new Vector3d(0, half.Y, 0);
                 _standing.AddBox(center, half);
-                all.Add(new Obstacle { Name = "box", Shape = new BoxShape(center, half), Surface = Surface.Wood });
+                all.Add(new Obstacle { Name = "box", Shape = new BoxShape(center, half), Surface = SurfaceMaterial.Wood });
             }
             else
             {

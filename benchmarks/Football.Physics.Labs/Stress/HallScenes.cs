@@ -44,5 +44,5 @@ internal static class HallScenes
     public static ReadOnlySpan<double> Steps => s_steps;
 
     private static Obstacle Table(double z, double high) =>
-        new() { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5 * high, z), new Vector3d(1.5, 0.5 * high, 1.5)), Surface = Surface.Wood };
+        new() { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5 * high, z), new Vector3d(1.5, 0.5 * high, 1.5)), Surface = SurfaceMaterial.Wood };
 }

@@ -6,8 +6,8 @@ public sealed class RigidBodyEngine
     /// <summary>Frame rate of the engines' default, Hz.</summary>
     public const double FrameRate = 60;
 
-    private readonly double _radius = BallProperties.Football.Radius;
-    private readonly double _inertiaFactor = BallProperties.Football.InertiaFactor;
+    private readonly double _radius = BallProperties.Tunnel.Radius;
+    private readonly double _inertiaFactor = BallProperties.Tunnel.InertiaFactor;
 
     /// <summary>Gravity, m/s².</summary>
     public double Gravity { get; init; } = 9.81;
@@ -19,10 +19,10 @@ public sealed class RigidBodyEngine
     public double AngularDamping { get; init; } = 0.05;
 
     /// <summary>Restitution.</summary>
-    public double Restitution { get; init; } = Ground.PublishedTurf.NormalRestitution;
+    public double Restitution { get; init; } = SurfaceMaterial.PublishedTurf.NormalRestitution;
 
     /// <summary>Coulomb friction.</summary>
-    public double Friction { get; init; } = Ground.PublishedTurf.SlidingFriction;
+    public double Friction { get; init; } = SurfaceMaterial.PublishedTurf.SlidingFriction;
 
     /// <summary>Below this speed of approach, m/s, a contact does not bounce.</summary>
     public double RestitutionThreshold { get; init; } = 0.5;

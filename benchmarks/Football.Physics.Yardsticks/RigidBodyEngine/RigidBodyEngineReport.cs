@@ -17,7 +17,7 @@ public sealed record RigidBodyEngineReport(
 {
     private static readonly double[] Frames = [1.0 / 25, 1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240];
 
-    private static readonly double Radius = BallProperties.Football.Radius;
+    private static readonly double Radius = BallProperties.Tunnel.Radius;
 
     /// <summary>Measures all of it.</summary>
     public static RigidBodyEngineReport Measure()

@@ -71,7 +71,7 @@ public static class ShotSets
         Shot[] shots = Make(seed, 10, 25, 0, 25, 0, 0);
         for (int i = 0; i < shots.Length; i++)
         {
-            Shot shot = shots[i].From(BallProperties.Football.Radius + random.Uniform(0.01, 0.09));
+            Shot shot = shots[i].From(BallProperties.Tunnel.Radius + random.Uniform(0.01, 0.09));
             shots[i] = shot with { Velocity = shot.Velocity + new Vector3d(0, -random.Uniform(10, 15), 0) };
         }
 
@@ -80,5 +80,5 @@ public static class ShotSets
 
     // ω_h = ŷ × v / r
     private static Shot Rolls(Shot shot) =>
-        shot with { Spin = new Vector3d(shot.Velocity.Z, 0, -shot.Velocity.X) / BallProperties.Football.Radius };
+        shot with { Spin = new Vector3d(shot.Velocity.Z, 0, -shot.Velocity.X) / BallProperties.Tunnel.Radius };
 }

@@ -115,9 +115,9 @@ public sealed class ThesisBall
     {
         Ground ground = _scene.Ground;
         float alpha = (float)_scene.Ball.InertiaFactor;
-        float ex = (float)ground.TangentialRestitutionX;
-        float ey = (float)ground.NormalRestitution;
-        float ez = (float)ground.TangentialRestitutionZ;
+        float ex = (float)ground.Material.TangentialRestitution;
+        float ey = (float)ground.Material.NormalRestitution;
+        float ez = (float)(ground.TangentialRestitutionZ ?? ground.Material.TangentialRestitution);
         Vector3 v = Velocity;
         Vector3 w = AngularVelocity;
         Velocity = new Vector3(
@@ -126,7 +126,7 @@ public sealed class ThesisBall
             ((1f - (alpha * ez)) / (alpha + 1f) * v.Z) + (alpha * (ez + 1f) / (alpha + 1f) * _radius * w.X));
         AngularVelocity = new Vector3(
             ((alpha - ez) / (alpha + 1f) * w.X) + ((ez + 1f) / (alpha + 1f) * v.Z / _radius),
-            (float)ground.SpinRestitution * w.Y,
+            (float)ground.Material.SpinRestitution * w.Y,
             ((alpha - ex) / (alpha + 1f) * w.Z) - ((ex + 1f) / (alpha + 1f) * v.X / _radius));
         Position = new Vector3(Position.X, _radius, Position.Z);
         if (Velocity.Y < (float)ground.MinimumBounceSpeed)

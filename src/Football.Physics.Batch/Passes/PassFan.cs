@@ -212,7 +212,7 @@ public sealed class PassFan
         Ground ground = scene.Ground;
         double speed = request.MaximumSpeed + (scene.Ball.Radius * request.SpinRate) + (2.0 * scene.Air.Wind.Length);
         double spin = request.SpinRate + (speed / (Math.Sqrt(scene.Ball.InertiaFactor) * scene.Ball.Radius));
-        double friction = Math.Max(ground.SlidingFriction, ground.RollingFriction + (ground.RollingFrictionBySpeed * speed));
+        double friction = Math.Max(ground.Material.SlidingFriction, ground.Material.RollingFriction + (ground.Material.RollingFrictionBySpeed * speed));
         return (1.0 + friction) * _domain.AccelerationAtMost(speed, spin);
     }
 }

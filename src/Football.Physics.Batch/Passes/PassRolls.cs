@@ -32,7 +32,7 @@ internal sealed class PassRolls
         _length = length;
         Scene scene = simulator.Scene;
         Vector3d wind = scene.Air.Wind;
-        bool isRound = wind.X == 0 && wind.Z == 0 && scene.Ground.TangentialRestitutionX == scene.Ground.TangentialRestitutionZ;
+        bool isRound = wind.X == 0 && wind.Z == 0 && (scene.Ground.TangentialRestitutionZ is not { } z || z == scene.Ground.Material.TangentialRestitution);
         _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 

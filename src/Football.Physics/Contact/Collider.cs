@@ -290,22 +290,9 @@ internal readonly struct ContactMaterial
     public readonly double DrillingLength;
 
     public ContactMaterial(Ground ground)
-    {
-        PerRestitutionSpeed = 1.0 / ground.RestitutionSpeed;
-        SlowRestitution = AtRest(ground.NormalRestitution, PerRestitutionSpeed);
-        RestitutionRise = ground.RestitutionRise;
-        TangentialX = ground.TangentialRestitutionX;
-        TangentialZ = ground.TangentialRestitutionZ;
-        Spin = ground.SpinRestitution;
-        ImpactFriction = ground.ImpactFriction;
-        SlidingFriction = ground.SlidingFriction;
-        RollingFriction = ground.RollingFriction;
-        RollingFrictionBySpeed = ground.RollingFrictionBySpeed;
-        SpinDamping = ground.SpinDamping;
-        DrillingLength = ground.DrillingLength;
-    }
+        : this(ground.Material) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
 
-    public ContactMaterial(Surface surface)
+    public ContactMaterial(SurfaceMaterial surface)
     {
         PerRestitutionSpeed = 1.0 / surface.RestitutionSpeed;
         SlowRestitution = AtRest(surface.NormalRestitution, PerRestitutionSpeed);

@@ -64,8 +64,7 @@ internal sealed class SceneText
         }
 
         Text("profile", "measured");
-        Object("ball", () => Number("mass", scene.Ball.Mass).Number("radius", scene.Ball.Radius).Number("inertiaFactor", scene.Ball.InertiaFactor)
-            .Number("knuckleForce", scene.Ball.KnuckleForce).Curve(scene.Ball.DragCurve));
+        Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Curve(scene.Ball.DragCurve));
         Object("air", () => AddAir(scene.Air, scene.Ground));
         Number("gravity", scene.Gravity);
         Object("forces", () => AddForces(scene.Forces));
@@ -73,15 +72,14 @@ internal sealed class SceneText
         List("obstacles", scene.Obstacles, item => Text("name", item.Name).Shape("obstacles", item.Shape).Material(item.Surface).Vector("velocity", item.Velocity)
             .Vector("spin", item.Spin).Vector("pivot", item.Pivot).Limit("mass", item.Mass));
         List("nets", scene.Nets, net => Text("name", net.Name).Vector("center", net.Center).Vector("normal", net.Normal).Vector("along", net.Along)
-            .Numbers("halfSize", net.HalfLength, net.HalfWidth).Number("stiffness", net.Stiffness).Number("damping", net.Damping)
-            .Number("tangentialDamping", net.TangentialDamping).Number("spinDamping", net.SpinDamping));
+            .Numbers("halfSize", net.HalfLength, net.HalfWidth).Numbers(SceneFields.Net, net));
         List("goals", scene.Goals, goal => Vector("center", goal.Center).Vector("facing", goal.Facing).Number("width", goal.Width).Number("height", goal.Height)
             .Number("postRadius", goal.PostRadius).Numbers("depth", goal.DepthAtBar, goal.DepthOnGround).Flag("net", goal.HasNet).Material(goal.Frame(scene.Forces).First().Surface));
     }
 
     private void AddAir(Air air, Ground ground)
     {
-        Number("density", air.Density).Number("kinematicViscosity", air.KinematicViscosity);
+        Numbers(SceneFields.Air, air);
         if (air.WindField is null)
         {
             Vector("wind", air.Wind);
@@ -112,7 +110,7 @@ internal sealed class SceneText
         }
 
         Flag("buoyancy", forces.Buoyancy).Word("drag", forces.Drag).Word("magnus", forces.Magnus).Word("spinDecay", forces.SpinDecay).Word("coefficients", forces.Coefficients)
-            .Number("dragCoefficient", forces.DragCoefficient).Number("magnusCoefficient", forces.MagnusCoefficient).Number("spinDecayCoefficient", forces.SpinDecayCoefficient);
+            .Numbers(SceneFields.Forces, forces);
         if (forces.KnuckleSeed is { } seed)
         {
             Raw("knuckleSeed", seed.ToString(CultureInfo.InvariantCulture));
@@ -126,11 +124,10 @@ internal sealed class SceneText
             throw Code("ground.pattern");
         }
 
-        Number("normalRestitution", ground.NormalRestitution).Limit("restitutionSpeed", ground.RestitutionSpeed).Number("restitutionRise", ground.RestitutionRise)
-            .Numbers("tangentialRestitution", ground.TangentialRestitutionX, ground.TangentialRestitutionZ).Number("spinRestitution", ground.SpinRestitution)
-            .Limit("impactFriction", ground.ImpactFriction).Number("slidingFriction", ground.SlidingFriction).Number("rollingFriction", ground.RollingFriction)
-            .Number("rollingFrictionBySpeed", ground.RollingFrictionBySpeed).Number("spinDamping", ground.SpinDamping).Number("drillingLength", ground.DrillingLength)
-            .Number("minimumBounceSpeed", ground.MinimumBounceSpeed).Number("restEnergy", ground.RestEnergy);
+        // Level ground may have two tangential restitutions, which the scenario writes as [x, z].
+        double along = ground.Material.TangentialRestitution;
+        Numbers([.. SceneFields.Material.Where(field => field.Name != "tangentialRestitution")], ground.Material).Numbers(SceneFields.Ground, ground)
+            .Numbers("tangentialRestitution", along, ground.TangentialRestitutionZ ?? along);
 
         // JSON has no number for the height of no ground: the name of the preset stands for it, and nothing else says where it is.
         SceneText place = ground.IsNone ? Text("surface", "none") : Number("height", ground.Height).Vector("normal", ground.Normal);
@@ -147,17 +144,13 @@ internal sealed class SceneText
 
     private SceneText Curve(DragCurve curve)
     {
-        Object("dragCurve", () => Number("subcritical", curve.Subcritical).Number("criticalReynolds", curve.CriticalReynolds).Number("width", curve.Width)
-            .Number("supercritical", curve.Supercritical).Number("risen", curve.Risen).Number("riseFrom", curve.RiseFrom).Number("riseTo", curve.RiseTo));
+        Object("dragCurve", () => Numbers(SceneFields.Drag, curve));
         return this;
     }
 
-    private SceneText Material(Surface surface)
+    private SceneText Material(SurfaceMaterial surface)
     {
-        Object("surface", () => Number("normalRestitution", surface.NormalRestitution).Limit("restitutionSpeed", surface.RestitutionSpeed).Number("restitutionRise", surface.RestitutionRise)
-            .Number("tangentialRestitution", surface.TangentialRestitution).Number("spinRestitution", surface.SpinRestitution).Limit("impactFriction", surface.ImpactFriction)
-            .Number("slidingFriction", surface.SlidingFriction).Number("rollingFriction", surface.RollingFriction).Number("rollingFrictionBySpeed", surface.RollingFrictionBySpeed)
-            .Number("spinDamping", surface.SpinDamping).Number("drillingLength", surface.DrillingLength));
+        Object("surface", () => Numbers(SceneFields.Material, surface));
         return this;
     }
 
@@ -173,8 +166,19 @@ internal sealed class SceneText
 
     private SceneText Number(string name, double value) => Raw(name, Digits(value));
 
-    /// <summary>A number that may be infinite, which JSON has not.</summary>
+    /// <summary>A number that may be infinite; JSON writes that as null.</summary>
     private SceneText Limit(string name, double value) => Raw(name, double.IsPositiveInfinity(value) ? "null" : Digits(value));
+
+    /// <summary>All numbers of a part of the scene.</summary>
+    private SceneText Numbers<T>(NumberField<T>[] fields, T part)
+    {
+        foreach (NumberField<T> field in fields)
+        {
+            Limit(field.Name, field.Get(part));
+        }
+
+        return this;
+    }
 
     private SceneText Flag(string name, bool value) => Raw(name, value ? "true" : "false");
 

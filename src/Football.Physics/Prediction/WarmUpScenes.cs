@@ -20,9 +20,9 @@ internal static class WarmUpScenes
         foreach (double mass in (double[])[double.PositiveInfinity, 75])
         {
             var bodies = new Bodies();
-            Body player = bodies.Add("player", BodyKind.Player.Shape, Surface.Boot, mass);
-            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.35), new Vector3d(5, 0.5, 0.05)), Surface = Surface.Board };
-            var box = new Obstacle { Name = "box", Shape = new BoxShape(new Vector3d(0.8, 0.2, 0.3), new Vector3d(0.2, 0.2, 0.2)), Surface = Surface.Wood, Mass = 5 };
+            Body player = bodies.Add("player", BodyKind.Player.Shape, SurfaceMaterial.Boot, mass);
+            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.35), new Vector3d(5, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
+            var box = new Obstacle { Name = "box", Shape = new BoxShape(new Vector3d(0.8, 0.2, 0.3), new Vector3d(0.2, 0.2, 0.2)), Surface = SurfaceMaterial.Wood, Mass = 5 };
             var simulator = new Simulator(new Scene { Bodies = bodies, Obstacles = [board, box] }, settings);
             ball = simulator.Launch(new Vector3d(0, simulator.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
             var at = new Vector3d(0.04, 0, 1);

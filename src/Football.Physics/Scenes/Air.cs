@@ -20,8 +20,7 @@ public sealed record Air
 
     internal void Validate()
     {
-        Check.Within("air.density", Density, 0, 100);
-        Check.Within("air.kinematicViscosity", KinematicViscosity, 1e-7, 0.1);
+        SceneFields.Check(SceneFields.Air, this, "air.");
         Check.Size("air.wind", Wind, Limits.Speed, "m/s");
 
         // How fast it can be is all that is known of a game's own wind: flights rely on it.

@@ -36,13 +36,13 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <summary>Adds a body.</summary>
     /// <param name="name">Its name, for events and messages.</param>
     /// <param name="shape">Its shape, in its own frame.</param>
-    /// <param name="surface">What it is made of; default <see cref="Surface.Boot"/>.</param>
+    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.Boot"/>.</param>
     /// <param name="mass">Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</param>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
-    public Body Add(string name, IShape shape, Surface? surface = null, double mass = double.PositiveInfinity)
+    public Body Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity)
     {
         Check.Given(nameof(name), name);
         Check.Given(nameof(shape), shape);
@@ -55,7 +55,7 @@ public sealed class Bodies : IReadOnlyList<Body>
                 "A simulator uses these bodies already. Add all of them before it is built; withdraw those that come on later (Body.Withdraw), and MoveTo brings them on.");
         }
 
-        var body = new Body(this, _bodies.Count, name, shape, surface ?? Surface.Boot, mass);
+        var body = new Body(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass);
         _bodies.Add(body);
         Array.Resize(ref _kept, _bodies.Count);
         _movers.Add(body.BoundsAt(0), body.Velocity);

@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// it goes on so, rotates about its position, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
 /// </summary>
 /// <remarks>
-/// Made by <see cref="Bodies.Add(string, IShape, Surface?, double)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
+/// Made by <see cref="Bodies.Add(string, IShape, SurfaceMaterial?, double)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
 /// speed; what hits it then is the body's own velocity. To a look-ahead a body goes on for ever as it goes now.
 /// </remarks>
 public sealed class Body
@@ -15,7 +15,7 @@ public sealed class Body
 
     private readonly Bodies _all;
 
-    internal Body(Bodies all, int index, string name, IShape shape, Surface surface, double mass)
+    internal Body(Bodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass)
     {
         _all = all;
         Index = index;
@@ -33,7 +33,7 @@ public sealed class Body
     public IShape Shape { get; }
 
     /// <summary>The material of its surface.</summary>
-    public Surface Surface { get; }
+    public SurfaceMaterial Surface { get; }
 
     /// <summary>
     /// Mass behind its surface, kg: an impact of the ball changes its <see cref="Velocity"/> by the impulse, without turning it. Infinite where nothing moves it.

@@ -6,8 +6,8 @@ public sealed record BodyKind
     /// <summary>Its shape, in its own frame.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>Surface of the body.</summary>
-    public required Surface Surface { get; init; }
+    /// <summary>SurfaceMaterial of the body.</summary>
+    public required SurfaceMaterial Surface { get; init; }
 
     /// <summary>Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</summary>
     public double Mass { get; init; } = double.PositiveInfinity;
@@ -16,18 +16,18 @@ public sealed record BodyKind
     public static BodyKind Boot { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0, 0.09), new Vector3d(0, 0, -0.09), 0.05),
-        Surface = Surface.Boot,
+        Surface = SurfaceMaterial.Boot,
         Mass = 1.9,
     };
 
     /// <summary>A head that a neck holds, about its centre: radius 10 cm, 5 kg. Evidence: guess (a head weighs 4.5 … 5 kg).</summary>
-    public static BodyKind Head { get; } = new() { Shape = new SphereShape(Vector3d.Zero, 0.1), Surface = Surface.Head, Mass = 5 };
+    public static BodyKind Head { get; } = new() { Shape = new SphereShape(Vector3d.Zero, 0.1), Surface = SurfaceMaterial.Head, Mass = 5 };
 
     /// <summary>A player upright, about the point where he stands: 1.8 m tall, 75 kg. Evidence: guess.</summary>
     public static BodyKind Player { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
-        Surface = Surface.Boot,
+        Surface = SurfaceMaterial.Boot,
         Mass = 75,
     };
 
@@ -35,7 +35,7 @@ public sealed record BodyKind
     public static BodyKind Cone { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.08, 0), new Vector3d(0, 0.22, 0), 0.08),
-        Surface = Surface.Board,
+        Surface = SurfaceMaterial.Board,
         Mass = 0.3,
     };
 
@@ -43,7 +43,7 @@ public sealed record BodyKind
     public static BodyKind CornerFlag { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.015, 0), new Vector3d(0, 1.485, 0), 0.015),
-        Surface = Surface.Board,
+        Surface = SurfaceMaterial.Board,
         Mass = 0.8,
     };
 }

@@ -68,8 +68,8 @@ public sealed record DragCurve
     /// <summary>The least width that a crisis may have.</summary>
     internal const double LeastWidth = 10_000;
 
-    private const double MostWidth = 100_000;
-    private const double MostReynolds = 600_000;
+    internal const double MostWidth = 100_000;
+    internal const double MostReynolds = 600_000;
 
     /// <summary>The curve with its crisis elsewhere: its width, and where drag rises again, in proportion.</summary>
     internal DragCurve WithCrisisAt(double reynolds)
@@ -118,12 +118,8 @@ public sealed record DragCurve
 
     internal void Validate()
     {
-        Check.Within("ball.dragCurve.subcritical", Subcritical, 0.01, 2);
-        Check.Within("ball.dragCurve.criticalReynolds", CriticalReynolds, LeastCriticalReynolds, MostReynolds);
-        Check.Within("ball.dragCurve.width", Width, LeastWidth, MostWidth);
-        Check.Within("ball.dragCurve.supercritical", Supercritical, 0.01, 2);
+        SceneFields.Check(SceneFields.Drag, this, "ball.dragCurve.");
         Check.Within("ball.dragCurve.risen", Risen, Supercritical, 2 * Supercritical);
-        Check.Within("ball.dragCurve.riseFrom", RiseFrom, LeastCriticalReynolds, MostReynolds);
         Check.AtLeast("ball.dragCurve.riseTo", RiseTo, RiseFrom + Width);
     }
 

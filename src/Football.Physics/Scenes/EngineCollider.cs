@@ -19,10 +19,10 @@ public sealed class EngineCollider
     /// <summary>A collider of a known shape.</summary>
     /// <param name="name">Its name, for events.</param>
     /// <param name="shape">Its shape, in its own frame.</param>
-    /// <param name="surface">What it is made of; default <see cref="Surface.GoalFrame"/>.</param>
+    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
-    public EngineCollider(string name, IShape shape, Surface? surface = null)
+    public EngineCollider(string name, IShape shape, SurfaceMaterial? surface = null)
         : this(name, surface)
     {
         Check.Given(nameof(shape), shape);
@@ -33,15 +33,15 @@ public sealed class EngineCollider
 
     /// <summary>A collider of which is known where it was hit, and no more.</summary>
     /// <param name="name">Its name, for events.</param>
-    /// <param name="surface">What it is made of; default <see cref="Surface.GoalFrame"/>.</param>
+    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="name"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
-    public EngineCollider(string name, Surface? surface = null)
+    public EngineCollider(string name, SurfaceMaterial? surface = null)
     {
         Check.Given(nameof(name), name);
         Name = name;
         Number = NumberOf(name);
-        Surface = surface ?? Surface.GoalFrame;
+        Surface = surface ?? SurfaceMaterial.GoalFrame;
         Surface.Validate(nameof(surface));
         Shape = new TangentShape();
         Placement = new Placement(Shape.Bounds);
@@ -57,7 +57,7 @@ public sealed class EngineCollider
     internal int Number { get; }
 
     /// <summary>The material of its surface.</summary>
-    public Surface Surface { get; }
+    public SurfaceMaterial Surface { get; }
 
     /// <summary>
     /// Mass behind its surface, kg; above 0. Infinite, the default, where the ball does not move it. Else an impact changes its velocity by the impulse

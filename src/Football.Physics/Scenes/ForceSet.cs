@@ -57,8 +57,7 @@ public sealed record ForceSet
         Check.Defined("forces.magnus", Magnus, (int)Magnus, 3);
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
-        Check.Within("forces.dragCoefficient", DragCoefficient, 0, 10);
-        Check.Within("forces.magnusCoefficient", MagnusCoefficient, -10, 10);
+        SceneFields.Check(SceneFields.Forces, this, "forces.");
         Check.Given("forces.custom", Custom);
 
         // Else the first step would fail, far from whoever left it out.

@@ -28,8 +28,8 @@ public sealed record Goal
     /// <summary>True for a goal with nets. Default true.</summary>
     public bool HasNet { get; init; } = true;
 
-    /// <summary>The material of posts and bar. Default null: <see cref="Surface.GoalFrame"/> where the scene's laws are measured, else <see cref="Surface.PublishedGoalFrame"/>.</summary>
-    public Surface? Surface { get; init; }
+    /// <summary>The material of posts and bar. Default null: <see cref="SurfaceMaterial.GoalFrame"/> where the scene's laws are measured, else <see cref="SurfaceMaterial.PublishedGoalFrame"/>.</summary>
+    public SurfaceMaterial? Surface { get; init; }
 
     /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
     internal Vector3d Right => Vector3d.Cross(Out, Vector3d.Up);
@@ -41,7 +41,7 @@ public sealed record Goal
     /// <param name="laws">The forces of the scene, whose profile's frame it has where it has no surface of its own.</param>
     public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
-        Surface surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? Physics.Surface.GoalFrame : Physics.Surface.PublishedGoalFrame);
+        SurfaceMaterial surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
 
         // The opening is between the inner edges: the axes lie a radius outside and above.

@@ -5,7 +5,7 @@ namespace Football.Physics.Laws;
 public interface ISurfacePattern
 {
     /// <summary>The surfaces that there are besides the ground's own. Always the same.</summary>
-    IReadOnlyList<Surface> Surfaces { get; }
+    IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
     /// <summary>No part of the pattern is narrower, m; above 0. A ball that slides or rolls goes no further than half of it without looking.</summary>
     double LeastWidth { get; }

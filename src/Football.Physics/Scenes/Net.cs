@@ -54,9 +54,6 @@ public sealed record Net
 
         Check.Within(field + ".halfSize[0]", HalfLength, 0, Limits.Length, exclusiveLow: true);
         Check.Within(field + ".halfSize[1]", HalfWidth, 0, Limits.Length, exclusiveLow: true);
-        Check.Within(field + ".stiffness", Stiffness, 0, 1e5);
-        Check.Within(field + ".damping", Damping, 0, 100);
-        Check.Within(field + ".tangentialDamping", TangentialDamping, 0, 1e4);
-        Check.Within(field + ".spinDamping", SpinDamping, 0, 10);
+        SceneFields.Check(SceneFields.Net, this, field + ".");
     }
 }

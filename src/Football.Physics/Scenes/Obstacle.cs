@@ -9,8 +9,8 @@ public sealed record Obstacle
     /// <summary>Its shape, where it is at time 0.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>The material. Default <see cref="Surface.GoalFrame"/>.</summary>
-    public Surface Surface { get; init; } = Surface.GoalFrame with { };
+    /// <summary>The material. Default <see cref="SurfaceMaterial.GoalFrame"/>.</summary>
+    public SurfaceMaterial Surface { get; init; } = SurfaceMaterial.GoalFrame with { };
 
     /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>
     public Vector3d Velocity { get; init; }

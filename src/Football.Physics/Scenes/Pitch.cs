@@ -21,8 +21,8 @@ public sealed record Pitch
     /// <summary>Half their thickness, m; above 0. Default 0.05.</summary>
     public double BoardHalfThickness { get; init; } = 0.05;
 
-    /// <summary>The material of the boards. Default <see cref="Surface.Board"/>.</summary>
-    public Surface BoardSurface { get; init; } = Surface.Board with { };
+    /// <summary>The material of the boards. Default <see cref="SurfaceMaterial.Board"/>.</summary>
+    public SurfaceMaterial BoardSurface { get; init; } = SurfaceMaterial.Board with { };
 
     /// <summary>Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
     public static Pitch Standard { get; } = new();
@@ -39,7 +39,7 @@ public sealed record Pitch
     };
 
     /// <summary>A small-sided cage: 40 m × 20 m, goals of 3 m × 2 m, and a bowl of boards of 1.2 m on the lines.</summary>
-    public static Pitch Cage { get; } = Futsal with { BoardHeight = 1.2, BoardDistance = 0, BoardSurface = Surface.Wood };
+    public static Pitch Cage { get; } = Futsal with { BoardHeight = 1.2, BoardDistance = 0, BoardSurface = SurfaceMaterial.Wood };
 
     /// <summary>The two goals: at −z first.</summary>
     public IReadOnlyList<Goal> Goals =>

@@ -13,7 +13,7 @@ public sealed record Scene
 
     // New ones: a serializer may write into the values that a new scene has.
 
-    /// <summary>The ball. Default <see cref="BallProperties.Football"/>.</summary>
+    /// <summary>The ball. Default <see cref="BallProperties.Tunnel"/>.</summary>
     public BallProperties Ball { get; init; } = new();
 
     /// <summary>The air. Default still air at sea level.</summary>
@@ -25,7 +25,7 @@ public sealed record Scene
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
 
-    /// <summary>The ground. Default <see cref="Ground.DryTurf"/>.</summary>
+    /// <summary>The ground. Default <see cref="SurfaceMaterial.DryTurf"/>, level.</summary>
     public Ground Ground { get; init; } = new();
 
     /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
@@ -107,20 +107,14 @@ public sealed record Scene
 
     private void ValidateGround()
     {
-        Check.Within("ground.normalRestitution", Ground.NormalRestitution, 0, 1);
-        Check.Within("ground.tangentialRestitution[0]", Ground.TangentialRestitutionX, -1, 1);
-        Check.Within("ground.tangentialRestitution[1]", Ground.TangentialRestitutionZ, -1, 1);
-        Check.Within("ground.spinRestitution", Ground.SpinRestitution, 0, 1);
-        Check.Within("ground.slidingFriction", Ground.SlidingFriction, 0, 10);
-        Check.Within("ground.rollingFriction", Ground.RollingFriction, 0, 10);
-        Check.Within("ground.spinDamping", Ground.SpinDamping, 0, Ball.MostDamping);
-        Check.Within("ground.minimumBounceSpeed", Ground.MinimumBounceSpeed, 0.001, 10);
-        Check.Within("ground.restEnergy", Ground.RestEnergy, 1e-12, 100);
-        Check.Within("ground.restitutionSpeed", Ground.RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
-        Check.Within("ground.restitutionRise", Ground.RestitutionRise, 0, 1);
-        Check.Within("ground.impactFriction", Ground.ImpactFriction, 0, double.PositiveInfinity);
-        Check.Within("ground.rollingFrictionBySpeed", Ground.RollingFrictionBySpeed, 0, 1);
-        Check.Within("ground.drillingLength", Ground.DrillingLength, 0, 1);
+        Check.Given("ground.material", Ground.Material);
+        Check.Within("ground.tangentialRestitution[0]", Ground.Material.TangentialRestitution, -1, 1);
+        Ground.Material.Validate("ground", Ball.MostDamping);
+        SceneFields.Check(SceneFields.Ground, Ground, "ground.");
+        if (Ground.TangentialRestitutionZ is { } tangential)
+        {
+            Check.Within("ground.tangentialRestitution[1]", tangential, -1, 1);
+        }
 
         // The height of no ground is −∞.
         if (!Ground.IsNone)
@@ -142,11 +136,11 @@ public sealed record Scene
     private void ValidateShape(in Vector3d normal)
     {
         // Along x and z means nothing on a slope: one number for all directions.
-        if (!Ground.IsLevel && Ground.TangentialRestitutionX != Ground.TangentialRestitutionZ)
+        if (!Ground.IsLevel && Ground.TangentialRestitutionZ is { } z && z != Ground.Material.TangentialRestitution)
         {
             throw Check.Refusal(
                 "ground.tangentialRestitution",
-                FormattableString.Invariant($"[{Ground.TangentialRestitutionX}, {Ground.TangentialRestitutionZ}]"),
+                FormattableString.Invariant($"[{Ground.Material.TangentialRestitution}, {z}]"),
                 "two equal numbers on ground that is not level");
         }
 

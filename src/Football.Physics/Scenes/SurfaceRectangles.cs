@@ -9,16 +9,16 @@ public sealed class SurfaceRectangles : ISurfacePattern
     /// <param name="rectangles">Corners on the ground, m, components within ±1e6 and each of the second above that of the first (heights do not count), and what is between them. Of several at a place the last counts.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
-    public SurfaceRectangles(params (Vector3d Min, Vector3d Max, Surface Surface)[] rectangles)
+    public SurfaceRectangles(params (Vector3d Min, Vector3d Max, SurfaceMaterial Surface)[] rectangles)
     {
         Check.Given(nameof(rectangles), rectangles);
         _rectangles = new Rectangle[rectangles.Length];
-        var surfaces = new Surface[rectangles.Length];
+        var surfaces = new SurfaceMaterial[rectangles.Length];
         LeastWidth = Limits.Length;
         for (int i = 0; i < rectangles.Length; i++)
         {
             // Copied, corner by corner: who gave the array cannot change it afterwards.
-            (Vector3d min, Vector3d max, Surface surface) = rectangles[i];
+            (Vector3d min, Vector3d max, SurfaceMaterial surface) = rectangles[i];
             string field = Check.Item("rectangles", i);
             Check.Given(field + ".surface", surface);
             Check.Place(field + ".min", min);
@@ -36,7 +36,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
     }
 
     /// <inheritdoc/>
-    public IReadOnlyList<Surface> Surfaces { get; }
+    public IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
     /// <inheritdoc/>
     public double LeastWidth { get; }

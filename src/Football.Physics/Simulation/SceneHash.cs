@@ -43,7 +43,7 @@ internal static class SceneHash
     }
 
     /// <summary>A hash of what two things are to each other.</summary>
-    public static ulong Of(Surface surface)
+    public static ulong Of(SurfaceMaterial surface)
     {
         var key = new SceneKey();
         AddMaterial(ref key, new ContactMaterial(surface));

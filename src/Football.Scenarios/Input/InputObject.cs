@@ -132,6 +132,28 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return found >= 0 ? values[found] : Refuse(name, string.Join(" | ", values.Select(Words.Of)), fallback);
     }
 
+    /// <summary>One of several presets, by its name.</summary>
+    /// <param name="name">The member.</param>
+    /// <param name="presets">The presets.</param>
+    /// <param name="fallback">Name of the default.</param>
+    public string Preset<T>(string name, IReadOnlyDictionary<string, T> presets, string fallback) =>
+        Take(name) is not { } value ? fallback
+        : value.ValueKind == JsonValueKind.String && presets.ContainsKey(value.GetString()!) ? value.GetString()!
+        : Refuse(name, string.Join(" | ", presets.Keys), fallback);
+
+    /// <summary>A part of the scene with all its numbers; those that are missing are the default's.</summary>
+    internal T Numbers<T>(NumberField<T>[] numbers, T defaults)
+    {
+        foreach (NumberField<T> field in numbers)
+        {
+            double value = field.Get(defaults);
+            double given = double.IsPositiveInfinity(field.Most) ? Limit(field.Name, value) : Number(field.Name, value);
+            defaults = given.Equals(value) ? defaults : field.With(defaults, given);
+        }
+
+        return defaults;
+    }
+
     /// <summary>Three numbers.</summary>
     public Vector3d Vector(string name, Vector3d fallback)
     {

@@ -73,11 +73,11 @@ internal static class MatchWriter
         json.WriteNumber("crisis", fit.Scene.Ball.DragCurve.CriticalReynolds);
         json.WriteNumber("lift", Of(fit, "lift") ?? 1);
         json.WriteNumber("groundHeight", fit.Scene.Ground.Height);
-        json.WriteNumber("restitution", fit.Scene.Ground.NormalRestitution);
-        json.WriteNumber("restitutionRise", fit.Scene.Ground.RestitutionRise);
-        if (double.IsFinite(fit.Scene.Ground.ImpactFriction))
+        json.WriteNumber("restitution", fit.Scene.Ground.Material.NormalRestitution);
+        json.WriteNumber("restitutionRise", fit.Scene.Ground.Material.RestitutionRise);
+        if (double.IsFinite(fit.Scene.Ground.Material.ImpactFriction))
         {
-            json.WriteNumber("friction", fit.Scene.Ground.ImpactFriction);
+            json.WriteNumber("friction", fit.Scene.Ground.Material.ImpactFriction);
         }
         else
         {

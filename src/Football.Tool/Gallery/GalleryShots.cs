@@ -85,10 +85,10 @@ internal static class GalleryShots
         Id = "driven-pass",
         Name = "Driven pass",
         About = "Low and fast with backspin, which holds it up; it skips on wet turf.",
-        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.WetTurf } },
-        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.PublishedWetTurf } },
+        Scenario = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.WetTurf) } },
+        Comparison = Kick(26, left: 0, up: 8, top: -35, side: 0) with { Scene = Scene.Published with { Ground = Ground.Presets["publishedWetTurf"] } },
         ComparisonName = "by the published laws",
-        SceneCode = "Scene.Measured with { Ground = Ground.WetTurf }",
+        SceneCode = "Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.WetTurf) }",
         SceneFields = ["ground.surface=wetTurf"],
     };
 
@@ -136,13 +136,13 @@ internal static class GalleryShots
         return new GalleryShot
         {
             Id = "long-roll",
-            SceneCode = "new Scene { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
+            SceneCode = "new Scene { Ground = Ground.Of(SurfaceMaterial.Indoor), Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
             SceneFields = ["ground.surface=indoor", "air.wind=[-2,0,0]"],
             Name = "Long roll",
             About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickVectors.Spin(velocity, 11 / Radius, 0)) with
             {
-                Scene = Scene.Measured with { Ground = Ground.Indoor, Air = new Air { Wind = new Vector3d(-2, 0, 0) } },
+                Scene = Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.Indoor), Air = new Air { Wind = new Vector3d(-2, 0, 0) } },
             },
         };
     }
@@ -159,7 +159,7 @@ internal static class GalleryShots
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. On the ground the wind is off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = Ground.DryTurf with { Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",
@@ -169,13 +169,13 @@ internal static class GalleryShots
     private static GalleryShot Beach() => new()
     {
         Id = "beach-ball",
-        SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.PublishedSand }",
+        SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Presets[\"publishedSand\"] }",
         SceneFields = ["ball.type=beachBall", "ground.surface=publishedSand"],
         Name = "Beach ball",
         About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickVectors.Spin(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
-            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.PublishedSand },
+            Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Presets["publishedSand"] },
         },
     };
 

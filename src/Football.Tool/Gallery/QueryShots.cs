@@ -114,7 +114,7 @@ internal static class QueryShots
         {
             Name = "keeper",
             Shape = new CapsuleShape(new Vector3d(-(hands - 1.6), 0.45, -Post + 0.5), new Vector3d(-hands, 0.2, -Post + 0.5), around),
-            Surface = Surface.Boot,
+            Surface = SurfaceMaterial.Boot,
         };
     }
 

@@ -8,11 +8,6 @@ namespace Football.Tool.Gallery;
 /// <summary>A shot as a program and as a command, whole: with goal, wall and goalkeeper, to the last digit.</summary>
 internal static class ShotCode
 {
-    private static readonly (string Name, Surface Surface)[] s_surfaces =
-    [
-        (nameof(Surface.Boot), Surface.Boot), (nameof(Surface.Head), Surface.Head), (nameof(Surface.Wood), Surface.Wood), (nameof(Surface.Glove), Surface.Glove), (nameof(Surface.Board), Surface.Board),
-    ];
-
     /// <summary>A C# program that plays it and prints its events.</summary>
     /// <param name="scenario">The shot.</param>
     /// <param name="scene">Its scene in C#, without goals and obstacles.</param>
@@ -104,7 +99,7 @@ internal static class ShotCode
             SphereShape ball => $"new SphereShape({Of(ball.Center)}, {Of(ball.Radius)})",
             _ => throw new ArgumentException("No code for this shape.", nameof(obstacle)),
         };
-        string surface = s_surfaces.Where(known => known.Surface == obstacle.Surface).Select(known => $", Surface = Surface.{known.Name}").FirstOrDefault("");
+        string surface = Material(obstacle) is { } name ? $", Surface = SurfaceMaterial.Presets[\"{name}\"]" : "";
         string velocity = obstacle.Velocity == Vector3d.Zero ? "" : $", Velocity = {Of(obstacle.Velocity)}";
         return $"new Obstacle {{ Name = \"{obstacle.Name}\", Shape = {shape}{surface}{velocity} }}";
     }
@@ -142,20 +137,10 @@ internal static class ShotCode
                 throw new ArgumentException("No JSON for this shape.", nameof(obstacle));
         }
 
-        Surface surface = obstacle.Surface;
-        if (surface != Surface.GoalFrame)
+        if (Material(obstacle) is { } material)
         {
             json.WriteStartObject("surface");
-            json.WriteNumber("normalRestitution", surface.NormalRestitution);
-            Limit("restitutionSpeed", surface.RestitutionSpeed);
-            json.WriteNumber("tangentialRestitution", surface.TangentialRestitution);
-            json.WriteNumber("spinRestitution", surface.SpinRestitution);
-            Limit("impactFriction", surface.ImpactFriction);
-            json.WriteNumber("slidingFriction", surface.SlidingFriction);
-            json.WriteNumber("rollingFriction", surface.RollingFriction);
-            json.WriteNumber("rollingFrictionBySpeed", surface.RollingFrictionBySpeed);
-            json.WriteNumber("spinDamping", surface.SpinDamping);
-            json.WriteNumber("drillingLength", surface.DrillingLength);
+            json.WriteString("material", material);
             json.WriteEndObject();
         }
 
@@ -165,19 +150,11 @@ internal static class ShotCode
         }
 
         json.WriteEndObject();
-
-        void Limit(string name, double value)
-        {
-            if (double.IsPositiveInfinity(value))
-            {
-                json.WriteNull(name);
-            }
-            else
-            {
-                json.WriteNumber(name, value);
-            }
-        }
     }
+
+    /// <summary>The name of an obstacle's material; null for that of an obstacle without one.</summary>
+    private static string? Material(Obstacle obstacle) =>
+        obstacle.Surface == SurfaceMaterial.GoalFrame ? null : SurfaceMaterial.Presets.First(preset => preset.Value == obstacle.Surface).Key;
 
     private static void Write(Utf8JsonWriter json, string name, Vector3d v)
     {

@@ -30,7 +30,7 @@ internal static class ThingShots
     private static GalleryShot HeadedCorner()
     {
         // Looking along the goal line from the corner to the right of the goal; the pitch is on the left.
-        var head = new Obstacle { Name = "head", Shape = new SphereShape(new Vector3d(-11.89, 1.65, -29.23), 0.11), Surface = Surface.Head, Velocity = new Vector3d(4.7, 0.4, -1.4) };
+        var head = new Obstacle { Name = "head", Shape = new SphereShape(new Vector3d(-11.89, 1.65, -29.23), 0.11), Surface = SurfaceMaterial.Head, Velocity = new Vector3d(4.7, 0.4, -1.4) };
         return new GalleryShot
         {
             Id = "headed-corner",
@@ -81,7 +81,7 @@ internal static class ThingShots
         {
             Name = "keeper",
             Shape = new CapsuleShape(new Vector3d(0, 0.2, -13), new Vector3d(0, 1.7, -13), 0.2),
-            Surface = Surface.Boot,
+            Surface = SurfaceMaterial.Boot,
         };
         return new GalleryShot
         {
@@ -99,7 +99,7 @@ internal static class ThingShots
         {
             Name = "board",
             Shape = new BoxShape(new Vector3d(2, -1.2, -13), new Vector3d(4, 1, 0.2), Quaterniond.FromAxisAngle(Vector3d.Up, 0.35)),
-            Surface = Surface.Wood,
+            Surface = SurfaceMaterial.Wood,
         };
         return new GalleryShot
         {
@@ -107,10 +107,10 @@ internal static class ThingShots
             Name = "Down a slope into a board",
             About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a board that stands askew, and from there up and to the side until it rests.",
             SceneFields = ["ground.normal=[0,1,-0.1]"],
-            SceneCode = "Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) } }",
+            SceneCode = "Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, -0.1) } }",
             Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with
             {
-                Scene = Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0, 1, -0.1) }, Obstacles = [wall] },
+                Scene = Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, -0.1) }, Obstacles = [wall] },
             },
         };
     }

@@ -36,7 +36,7 @@ public sealed class ArrivalAimTests
     {
         Scene scene = Scene.Measured with
         {
-            Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-6, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.PublishedGoalFrame }],
+            Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-6, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.PublishedGoalFrame }],
         };
         var simulator = new Simulator(scene);
         Vector3d velocity = thing == "ground" ? new Vector3d(1, 4, -14) : new Vector3d(-12, 5, -10);

@@ -176,7 +176,7 @@ public sealed class KnownKickTests
                 SideSpin = -15.236235067824012,
                 MaximumElevationDegrees = 85,
             }),
-            (BallProperties.Football, new AimRequest
+            (BallProperties.Tunnel, new AimRequest
             {
                 From = new Vector3d(0, 1.244815239875957, 0),
                 Target = new Vector3d(-0.29855781053946595, 24.431971713560444, 1.4942964189357022),

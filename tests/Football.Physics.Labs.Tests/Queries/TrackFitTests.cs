@@ -94,7 +94,7 @@ public sealed class TrackFitTests
     [Fact]
     public void A_track_without_noise_gives_the_launch_and_the_scenes_own_numbers()
     {
-        Scene scene = Scene.Measured with { Ground = Scene.Measured.Ground with { NormalRestitution = 0.55 } };
+        Scene scene = Scene.Measured with { Ground = Scene.Measured.Ground with { Material = Scene.Measured.Ground.Material with { NormalRestitution = 0.55 } } };
         var simulator = new Simulator(scene);
         var velocity = new Vector3d(4, 6, -18);
         var spin = new Vector3d(10, 30, -5);
@@ -112,7 +112,7 @@ public sealed class TrackFitTests
         Assert.InRange(Vector3d.Distance(found.Velocity, velocity), 0, 1e-3);
         Assert.InRange(Vector3d.Distance(found.Spin, spin), 0, 0.05);
         Assert.Equal("restitution", found.Names[9]);
-        Assert.Equal(0.55 / Scene.Measured.Ground.NormalRestitution, found.Value(9), 1e-3);
+        Assert.Equal(0.55 / Scene.Measured.Ground.Material.NormalRestitution, found.Value(9), 1e-3);
     }
 
     [Fact]

@@ -100,7 +100,7 @@ public sealed class FoundByTheLabTests
             Air = new Air { Density = 100, KinematicViscosity = 0.1 },
             Gravity = 1e-6,
             Forces = ForceSet.Regularised with { Buoyancy = false },
-            Ground = Ground.PublishedTurf with { NormalRestitution = 0, RollingFriction = 0 },
+            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 0, RollingFriction = 0 } },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -143,7 +143,7 @@ public sealed class FoundByTheLabTests
             Ball = BallProperties.BeachBall,
             Gravity = 2.5,
             Forces = ForceSet.Published with { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None },
-            Ground = Ground.PublishedTurf with { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 },
+            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 0, SlidingFriction = friction, SpinDamping = 0 } },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -249,7 +249,11 @@ public sealed class FoundByTheLabTests
             Ball = new BallProperties { Mass = 0.1, Radius = 0.2 },
             Air = new Air { Wind = new Vector3d(0, 0.02, 0.05) },
             Gravity = 0,
-            Ground = profile.Ground() with { NormalRestitution = 0, SlidingFriction = 1, Aerodynamics = GroundAerodynamics.None },
+            Ground = profile.Ground() with { Material = profile.Ground().Material with
+                {
+                    NormalRestitution = 0,
+                    SlidingFriction = 1,
+                }, Aerodynamics = GroundAerodynamics.None },
         };
         foreach (Integrator integrator in Flight.Integrators)
         {

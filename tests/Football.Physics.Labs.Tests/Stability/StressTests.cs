@@ -42,7 +42,7 @@ public sealed class StressTests
     {
         Gen<Kick> kicks =
             from method in Gen.Elements(Enum.GetValues<Integrator>())
-            from ball in Gen.Elements(BallProperties.Football, BallProperties.BeachBall, BallProperties.MedicineBall)
+            from ball in Gen.Elements(BallProperties.Tunnel, BallProperties.BeachBall, BallProperties.MedicineBall)
             from step in Gen.Elements(1e-4, 1e-3, 0.01, 0.02, 0.04, 0.1, 0.3, 1)
             from height in Gen.Choose(-20, 300)
             from vx in Gen.Choose(-100, 100)
@@ -92,7 +92,12 @@ public sealed class StressTests
             Scene = profile.Scene() with
             {
                 Ball = Ball,
-                Ground = profile.Ground() with { NormalRestitution = 0.01 * Restitution, SlidingFriction = 0.1 * Friction, RollingFriction = 0.01 * Friction },
+                Ground = profile.Ground() with { Material = profile.Ground().Material with
+                    {
+                        NormalRestitution = 0.01 * Restitution,
+                        SlidingFriction = 0.1 * Friction,
+                        RollingFriction = 0.01 * Friction,
+                    } },
             },
             Settings = new SolverSettings { Integrator = Method },
             Position = new Vector3d(0, Ball.Radius + (0.01 * Height), 0),

@@ -111,12 +111,12 @@ public sealed class ScenesTests
         Assert.InRange(models[0].LeastLoad, 0.1, 1);
         if (spin == 0)
         {
-            var surface = new Surface { SlidingFriction = 0.5, RollingFriction = 0, NormalRestitution = 0.5 };
+            var surface = SurfaceMaterial.GoalFrame with { SlidingFriction = 0.5, RollingFriction = 0, NormalRestitution = 0.5 };
             var scene = new Scene
             {
-                Ball = BallProperties.Football,
+                Ball = BallProperties.Tunnel,
                 Air = new Air { Density = 0 },
-                Ground = Ground.DryTurf with { Height = -50 },
+                Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -50 },
                 Obstacles = [new Obstacle { Shape = new CapsuleShape(-10 * axis, 10 * axis, 2), Surface = surface }],
             };
             var simulator = new Simulator(scene);

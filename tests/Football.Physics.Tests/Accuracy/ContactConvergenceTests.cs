@@ -17,10 +17,10 @@ public sealed class ContactConvergenceTests
     private const double Duration = 0.4;
 
     /// <summary>Light, so that the air makes errors that can be measured in few steps.</summary>
-    private static readonly BallProperties s_ball = BallProperties.Football with { Mass = 0.2 };
+    private static readonly BallProperties s_ball = BallProperties.Tunnel with { Mass = 0.2 };
 
     /// <summary>Smooth, so that drilling friction on the ground keeps the ball from turning along the board.</summary>
-    private static readonly Surface s_board = Surface.Of(Ground.HardGround) with { SlidingFriction = 0.1 };
+    private static readonly SurfaceMaterial s_board = SurfaceMaterial.HardGround with { SlidingFriction = 0.1 };
 
     [Theory]
     [InlineData(Integrator.Rk2, 1.9, 2.2)]
@@ -42,7 +42,7 @@ public sealed class ContactConvergenceTests
             Scene scene = InWind(new Vector3d(random.Uniform(4, 7), 0, random.Uniform(-3, 3))) with
             {
                 Obstacles = [Board("board", new Vector3d(-1, 0, 0))],
-                Ground = Ground.DryTurf with { SlidingFriction = 0.15 },
+                Ground = Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 0.15 }),
             };
 
             // Topspin, and a sidespin that presses the ball against the board: no load ends, and that on the ground stays the greatest.
@@ -90,13 +90,13 @@ public sealed class ContactConvergenceTests
                 // They roll along the board side by side. Their sidespin, which nothing on the ground takes, keeps them slipping on each other: balls that stick to
                 // the ground and to each other cannot roll on as soon as one of them lags.
                 double tilt = random.Uniform(4, 9) * Math.PI / 180;
-                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.DryTurf with { DrillingLength = 0 }, random.Uniform(-3, 3));
+                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.Of(SurfaceMaterial.DryTurf with { DrillingLength = 0 }), random.Uniform(-3, 3));
                 var velocity = new Vector3d(random.Uniform(5, 9), 0, 0);
                 Vector3d rolling = Vector3d.Cross(normal, velocity) / Radius;
                 Vector3d lower = Radius * normal;
                 return (scene, [(lower, velocity, rolling + (30 * normal)), (lower - (2 * Radius * down), velocity, rolling + (40 * normal))]);
             },
-            Surface.Ball with { ImpactFriction = 0.05 });
+            SurfaceMaterial.Ball with { ImpactFriction = 0.05 });
 
     [Theory]
     [InlineData(Integrator.Rk2, 1.9, 2.2)]
@@ -106,7 +106,7 @@ public sealed class ContactConvergenceTests
         {
             // Slick turf: neither begins to roll. One turns against the other about the line of centres, on which they do not slip.
             double tilt = random.Uniform(10, 14) * Math.PI / 180;
-            (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.01, Ground.DryTurf with { SlidingFriction = 0.15 }, random.Uniform(-1, 1));
+            (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.01, Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 0.15 }), random.Uniform(-1, 1));
             var velocity = new Vector3d(random.Uniform(12, 14), 0, 0);
             Vector3d lower = Radius * normal;
             return (scene, [(lower, velocity, random.Uniform(5, 6) * down), (lower - (2 * Radius * down), velocity, random.Uniform(8, 9) * down)]);
@@ -126,7 +126,7 @@ public sealed class ContactConvergenceTests
 
     private static Obstacle Board(string name, in Vector3d normal) => new() { Name = name, Shape = new PlaneShape(-Radius * normal, normal), Surface = s_board };
 
-    private static Scene InWind(Vector3d wind) => new() { Ball = s_ball, Ground = Ground.DryTurf, Air = new Air { Wind = wind } };
+    private static Scene InWind(Vector3d wind) => new() { Ball = s_ball, Ground = Ground.Of(SurfaceMaterial.DryTurf), Air = new Air { Wind = wind } };
 
     private static (Vector3d Position, Vector3d Velocity, Vector3d Spin) Rolling(in Vector3d at, in Vector3d velocity, in Vector3d normal) =>
         (at + (Radius * normal), velocity, Vector3d.Cross(normal, velocity) / Radius);
@@ -142,10 +142,10 @@ public sealed class ContactConvergenceTests
         Vector3d left = (Math.Cos(side) * up) + (Math.Sin(side) * across);
         Vector3d right = (Math.Cos(side) * up) - (Math.Sin(side) * across);
         Vector3d position = Radius / Math.Cos(side) * up;
-        Surface turf = Surface.Of(Ground.DryTurf) with { SlidingFriction = 0.9 };
+        SurfaceMaterial turf = SurfaceMaterial.DryTurf with { SlidingFriction = 0.9 };
         Scene scene = InWind(wind) with
         {
-            Ground = Ground.DryTurf with { Height = -50 },
+            Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -50 },
             Obstacles =
             [
                 new Obstacle { Name = "left", Shape = new PlaneShape(Vector3d.Zero, left), Surface = turf },
@@ -164,7 +164,7 @@ public sealed class ContactConvergenceTests
         double low,
         double high,
         Func<Shots, (Scene Scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] Balls)> draw,
-        Surface? contact = null)
+        SurfaceMaterial? contact = null)
     {
         var random = new Shots(2606);
         var orders = new List<double>();
@@ -190,7 +190,7 @@ public sealed class ContactConvergenceTests
     }
 
     private static BallState[] End(
-        Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step, Surface? contact)
+        Scene scene, (Vector3d Position, Vector3d Velocity, Vector3d Spin)[] balls, Integrator integrator, double step, SurfaceMaterial? contact)
     {
         var group = new BallGroup(new Simulator(scene, Flight.With(integrator)), balls.Length, contact);
         BallState[] states = [.. balls.Select((ball, i) => group.SimulatorOf(i).Launch(ball.Position, ball.Velocity, ball.Spin))];

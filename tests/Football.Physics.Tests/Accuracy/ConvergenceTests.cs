@@ -142,7 +142,7 @@ public sealed class ConvergenceTests
     [InlineData(Integrator.Rk4, 0.1, 3.8, 4.5)]
     public void A_slide_converges_at_the_order_of_the_method(Integrator integrator, double coarsest, double low, double high)
     {
-        Scene scene = Ground(new Vector3d(2, 0, -1)) with { Ground = Football.Physics.Ground.PublishedTurf with { SlidingFriction = 0.15 } };
+        Scene scene = Ground(new Vector3d(2, 0, -1)) with { Ground = Football.Physics.Ground.PublishedTurf with { Material = Football.Physics.Ground.PublishedTurf.Material with { SlidingFriction = 0.15 } } };
         var random = new Shots(222);
         Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(_ =>
             OrderOnGround(scene, integrator, coarsest, 0.4, random.Velocity(18, 22, 0, 0), random.Uniform(5, 15) * random.Direction(), MotionState.Sliding))], low, high);

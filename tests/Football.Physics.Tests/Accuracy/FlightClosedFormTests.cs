@@ -6,7 +6,7 @@ namespace Football.Physics.Tests.Accuracy;
 public sealed class FlightClosedFormTests
 {
     private static readonly Vector3d s_high = new(0, 1000, 0);
-    private static readonly BallProperties s_ball = BallProperties.Football;
+    private static readonly BallProperties s_ball = BallProperties.Tunnel;
     private static readonly double s_area = Math.PI * s_ball.Radius * s_ball.Radius;
 
     [Fact]

@@ -111,7 +111,7 @@ public sealed class GameRefusalTests
     [Fact]
     public void A_log_that_is_never_cleared_stays_small_and_says_what_it_dropped()
     {
-        var simulator = new Simulator(Scene.Vacuum with { Ground = Ground.DryTurf with { NormalRestitution = 1, RestitutionSpeed = double.PositiveInfinity } });
+        var simulator = new Simulator(Scene.Vacuum with { Ground = Ground.Of(SurfaceMaterial.DryTurf with { NormalRestitution = 1, RestitutionSpeed = double.PositiveInfinity }) });
         BallState state = simulator.Launch(new Vector3d(0, 0.13, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         var every = new StepLog(mostEvents: 1 << 20);
@@ -182,7 +182,7 @@ public sealed class GameRefusalTests
     private static Ball AmongTwo(out Body keeper, out Body wall)
     {
         var bodies = new Bodies();
-        keeper = bodies.Add("keeper", new SphereShape(Vector3d.Zero, 0.5), Surface.Glove);
+        keeper = bodies.Add("keeper", new SphereShape(Vector3d.Zero, 0.5), SurfaceMaterial.Glove);
         wall = bodies.Add("wall", new SphereShape(Vector3d.Zero, 0.5));
         wall.MoveTo(new Vector3d(30, 1, 0), Vector3d.Zero, 0);
         keeper.MoveTo(new Vector3d(0, 1, -11), Vector3d.Zero, 0);
@@ -201,7 +201,7 @@ public sealed class GameRefusalTests
     {
         public double LeastWidth => 1;
 
-        public IReadOnlyList<Surface> Surfaces { get; } = [Surface.Wood, null!];
+        public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.Wood, null!];
 
         public int At(double x, double z) => -1;
     }

@@ -29,9 +29,9 @@ public sealed class SerializationTests
     public void Reading_a_scene_changes_no_preset()
     {
         string before = JsonConvert.SerializeObject(new Scene());
-        Both(new Scene { Ball = BallProperties.BeachBall, Forces = ForceSet.Constant, Ground = Ground.PublishedTurf with { SlidingFriction = 0.1 } });
+        Both(new Scene { Ball = BallProperties.BeachBall, Forces = ForceSet.Constant, Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { SlidingFriction = 0.1 } } });
         Assert.Equal(before, JsonConvert.SerializeObject(new Scene()));
-        Assert.Equal(0.11, BallProperties.Football.Radius);
+        Assert.Equal(0.11, BallProperties.Tunnel.Radius);
     }
 
     [Fact]

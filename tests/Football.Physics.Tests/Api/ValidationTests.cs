@@ -95,7 +95,7 @@ public sealed class ValidationTests
             s_scene with { Gravity = 3.71, Air = new Air { Density = 0.02, KinematicViscosity = 7e-4 } },
             s_scene with { Gravity = 24.8, Air = new Air { Density = 6, KinematicViscosity = 3e-6, Wind = new Vector3d(100, 0, 0) } },
         ];
-        foreach (Scene scene in scenes.Concat(scenes.Select(scene => scene with { Forces = ForceSet.Measured, Ground = Ground.DryTurf })))
+        foreach (Scene scene in scenes.Concat(scenes.Select(scene => scene with { Forces = ForceSet.Measured, Ground = Ground.Of(SurfaceMaterial.DryTurf) })))
         {
             foreach (Integrator integrator in Enum.GetValues<Integrator>())
             {
@@ -179,14 +179,14 @@ public sealed class ValidationTests
     {
         Assert.All([Scene.Published, Scene.Published, Scene.Measured, Scene.Vacuum, Scene.HighAltitude, Scene.Published with { Air = new Air { Wind = new Vector3d(1, 2, 3) } }], scene => scene.Validate());
         Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
-        Assert.All([Ground.PublishedTurf, Ground.PublishedWetTurf, Ground.PublishedCourt, Ground.PublishedSand], ground => (s_scene with { Ground = ground }).Validate());
+        Assert.All([Ground.PublishedTurf, Ground.Presets["publishedWetTurf"], Ground.Presets["publishedCourt"], Ground.Presets["publishedSand"]], ground => (s_scene with { Ground = ground }).Validate());
         Assert.All(
             [
-                BallProperties.Football, BallProperties.Tango12, BallProperties.Teamgeist, BallProperties.Jabulani, BallProperties.Brazuca,
+                BallProperties.Tunnel, BallProperties.Tango12, BallProperties.Teamgeist, BallProperties.Jabulani, BallProperties.Brazuca,
                 BallProperties.YouthFootball, BallProperties.Futsal, BallProperties.BeachBall, BallProperties.MedicineBall,
             ],
             ball => (s_scene with { Ball = ball }).Validate());
-        Assert.Equal(2.0 / 3 * 0.43 * 0.11 * 0.11, BallProperties.Football.MomentOfInertia, 1e-18);
+        Assert.Equal(2.0 / 3 * 0.43 * 0.11 * 0.11, BallProperties.Tunnel.MomentOfInertia, 1e-18);
     }
 
     private static void Refused(string field, double value) =>
@@ -221,13 +221,13 @@ public sealed class ValidationTests
             "forces.dragCoefficient" => new Simulator(s_scene with { Forces = forces with { DragCoefficient = value } }),
             "forces.magnusCoefficient" => new Simulator(s_scene with { Forces = forces with { MagnusCoefficient = value } }),
             "forces.spinDecayCoefficient" => new Simulator(s_scene with { Forces = forces with { SpinDecayCoefficient = value } }),
-            "ground.normalRestitution" => new Simulator(s_scene with { Ground = ground with { NormalRestitution = value } }),
-            "ground.tangentialRestitution[0]" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionX = value } }),
-            "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { TangentialRestitutionZ = value } }),
-            "ground.spinRestitution" => new Simulator(s_scene with { Ground = ground with { SpinRestitution = value } }),
-            "ground.slidingFriction" => new Simulator(s_scene with { Ground = ground with { SlidingFriction = value } }),
-            "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { RollingFriction = value } }),
-            "ground.spinDamping" => new Simulator(s_scene with { Ground = ground with { SpinDamping = value } }),
+            "ground.normalRestitution" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { NormalRestitution = value } } }),
+            "ground.tangentialRestitution[0]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { TangentialRestitution = value }, TangentialRestitutionZ = 0.2 } }),
+            "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with {  }, TangentialRestitutionZ = value } }),
+            "ground.spinRestitution" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SpinRestitution = value } } }),
+            "ground.slidingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SlidingFriction = value } } }),
+            "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { RollingFriction = value } } }),
+            "ground.spinDamping" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SpinDamping = value } } }),
             "ground.minimumBounceSpeed" => new Simulator(s_scene with { Ground = ground with { MinimumBounceSpeed = value } }),
             "ground.restEnergy" => new Simulator(s_scene with { Ground = ground with { RestEnergy = value } }),
             "ground.height" => new Simulator(s_scene with { Ground = ground with { Height = value } }),
@@ -238,7 +238,7 @@ public sealed class ValidationTests
 
     private sealed class NoSurfaces : ISurfacePattern
     {
-        public IReadOnlyList<Surface> Surfaces => null!;
+        public IReadOnlyList<SurfaceMaterial> Surfaces => null!;
 
         public double LeastWidth => 1;
 

@@ -19,13 +19,13 @@ internal static class BatchScenes
             Ball = BallProperties.Jabulani,
             Air = Weather.AtAltitude(2240).ToAir() with { Wind = new Vector3d(-3, 0.5, 5) },
             Forces = ForceSet.Measured with { SpinDecay = ForceLaw.None },
-            Ground = Ground.WetTurf with { Height = 1 },
+            Ground = new Ground { Material = SurfaceMaterial.WetTurf, Height = 1 },
         },
         ["no decay, small ball, raised ground"] = Scene.Published with
         {
             Ball = BallProperties.YouthFootball,
             Forces = ForceSet.Published with { SpinDecay = ForceLaw.None },
-            Ground = Ground.PublishedWetTurf with { Height = 3 },
+            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedWetTurf, Height = 3 },
         },
     };
 

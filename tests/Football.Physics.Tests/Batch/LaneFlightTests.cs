@@ -72,7 +72,7 @@ public sealed class LaneFlightTests
     public void Air_by_place_and_time_and_things_to_hit_are_left_to_the_single_ball()
     {
         Assert.True(LaneFlight.Covers(Scene.Measured));
-        Assert.False(LaneFlight.Covers(Scene.Measured with { Ground = Ground.DryTurf with { Normal = new Vector3d(0.1, 1, 0) } }));
+        Assert.False(LaneFlight.Covers(Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0.1, 1, 0) } }));
         Assert.False(LaneFlight.Covers(Scene.Measured with { Obstacles = [new Obstacle { Shape = new SphereShape(Vector3d.Zero, 0.5) }] }));
         Assert.False(LaneFlight.Covers(Scene.Published with { Air = new Air { WindField = new WindByHeight(5, 1, 0) } }));
         Assert.False(LaneFlight.Covers(Scene.Published with { Forces = ForceSet.Published with { KnuckleSeed = 1 } }));

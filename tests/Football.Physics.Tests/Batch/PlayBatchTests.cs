@@ -108,7 +108,7 @@ public sealed class PlayBatchTests
     [Fact]
     public void All_bounces_are_counted()
     {
-        Scene scene = Scene.Published with { Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }, Ground = Ground.PublishedTurf with { NormalRestitution = 1 } };
+        Scene scene = Scene.Published with { Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }, Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 1 } } };
         var launches = new BatchLaunches(1);
         launches.Set(0, new Vector3d(0, 0.2, 0), Vector3d.Zero, Vector3d.Zero);
         var plays = new BatchPlays(1);

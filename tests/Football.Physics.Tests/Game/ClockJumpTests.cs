@@ -77,7 +77,7 @@ public sealed class ClockJumpTests
     [Fact]
     public void A_ball_at_rest_on_a_moving_carrier_is_not_rounded()
     {
-        var belt = new Obstacle { Name = "belt", Shape = new BoxShape(new Vector3d(0, 0.4, 0), new Vector3d(50, 0.4, 5)), Surface = Surface.Wood, Velocity = new Vector3d(0.3, 0, 0) };
+        var belt = new Obstacle { Name = "belt", Shape = new BoxShape(new Vector3d(0, 0.4, 0), new Vector3d(50, 0.4, 5)), Surface = SurfaceMaterial.Wood, Velocity = new Vector3d(0.3, 0, 0) };
         var simulator = new Simulator(new Scene { Obstacles = [belt] });
         BallState ball = simulator.Launch(new Vector3d(0, 0.8 + simulator.Scene.Ball.Radius, 0), new Vector3d(0.3, 0, 0), Vector3d.Zero);
         var runner = new FixedStepRunner(simulator, Tick) { WireTicks = 4 };
@@ -181,7 +181,7 @@ public sealed class ClockJumpTests
         var velocities = new Vector3d[8];
         for (int i = 0; i < 8; i++)
         {
-            players[i] = bodies.Add("player " + i, BodyKind.Player.Shape, Surface.Boot);
+            players[i] = bodies.Add("player " + i, BodyKind.Player.Shape, SurfaceMaterial.Boot);
             positions[i] = U(0.6, 2.5) * Horizontal();
             velocities[i] = (U(0, 3) * Horizontal()) - (0.4 * positions[i]);
         }

@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Game;
 /// <summary>A strike of a foot, forward against values worked out with another calculator, and back.</summary>
 public sealed class FootTests
 {
-    private static readonly BallProperties s_ball = BallProperties.Football;
+    private static readonly BallProperties s_ball = BallProperties.Tunnel;
 
     [Theory]
     [InlineData(0, 32.618, 0, 0)]

@@ -12,7 +12,7 @@ internal static class Inputs
     [
         new(),
         new(Scene.Published with { Air = new Air { Wind = new Vector3d(4, 0, -7) } }),
-        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.PublishedWetTurf }),
+        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.Presets["publishedWetTurf"] }),
         new(Scene.Published with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
         new(Scene.Measured with

@@ -45,7 +45,7 @@ public sealed class SceneChangeTests
         var ball = new Ball(scene);
         ball.Kick(new Vector3d(0, 0, -speed), Vector3d.Zero);
         Assert.True(Hits(120), "The first ball knocks the cone away.");
-        ball.Simulator = new Simulator(scene with { Ground = Ground.WetTurf });
+        ball.Simulator = new Simulator(scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf) });
         Assert.False(Again(), "The cone is back at its start.");
         ball.Simulator.ResetObstacles();
         Assert.True(Again(), "The game has put it back.");

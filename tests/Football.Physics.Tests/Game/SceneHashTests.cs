@@ -5,7 +5,7 @@ namespace Football.Physics.Tests.Game;
 /// <summary>A hash of a scene: the same for the same scene, another one for every number of it that is another one.</summary>
 public sealed class SceneHashTests
 {
-    private static readonly Obstacle s_post = new() { Shape = new CapsuleShape(new Vector3d(-1, 0, -9), new Vector3d(-1, 2, -9), 0.06), Surface = new Surface() };
+    private static readonly Obstacle s_post = new() { Shape = new CapsuleShape(new Vector3d(-1, 0, -9), new Vector3d(-1, 2, -9), 0.06), Surface = SurfaceMaterial.GoalFrame };
 
     private static readonly Net s_net = new() { Center = new Vector3d(0, 1, -12), Normal = new Vector3d(0, 0.3, 1), Along = new Vector3d(1, 0, 0), HalfLength = 3.6, HalfWidth = 1.2 };
 
@@ -22,7 +22,7 @@ public sealed class SceneHashTests
     [Fact]
     public void The_same_numbers_are_the_same_hash()
     {
-        var again = new Scene { Obstacles = [s_post with { Surface = new Surface() }], Nets = [s_net with { Stiffness = 400 }] };
+        var again = new Scene { Obstacles = [s_post with { Surface = SurfaceMaterial.GoalFrame }], Nets = [s_net with { Stiffness = 400 }] };
         Assert.Equal(new Simulator(s_scene).SceneHash, new Simulator(again).SceneHash);
         Assert.InRange(Changed().Count(), 45, 200);
     }
@@ -32,6 +32,7 @@ public sealed class SceneHashTests
         .. Of(s_scene.Ball).Select(of => ("ball." + of.Name, s_scene with { Ball = of.With })),
         .. Of(s_scene.Air).Select(of => ("air." + of.Name, s_scene with { Air = of.With })),
         .. Of(s_scene.Ground).Select(of => ("ground." + of.Name, s_scene with { Ground = of.With })),
+        .. Of(s_scene.Ground.Material).Select(of => ("ground.material." + of.Name, s_scene with { Ground = s_scene.Ground with { Material = of.With } })),
         .. Of(s_post).Select(of => ("obstacle." + of.Name, s_scene with { Obstacles = [of.With] })),
         .. Of(s_post.Surface).Select(of => ("surface." + of.Name, s_scene with { Obstacles = [s_post with { Surface = of.With }] })),
         .. Of(s_net).Select(of => ("net." + of.Name, s_scene with { Nets = [of.With] })),

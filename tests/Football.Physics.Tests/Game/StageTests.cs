@@ -322,7 +322,7 @@ public sealed class StageTests
     [InlineData(-5)]
     public void A_keeper_saves_on_any_level_and_again_after_a_rollback(double level)
     {
-        var stage = new Stage(Scene.Default with { Ground = Ground.DryTurf with { Height = level } });
+        var stage = new Stage(Scene.Default with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = level } });
         stage.Add(Goal with { Center = new Vector3d(0, level, -11) });
         stage.AddKeeper(0, new Vector3d(0, level, -10.4));
         stage.Compile();

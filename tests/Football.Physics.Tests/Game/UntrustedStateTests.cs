@@ -11,7 +11,7 @@ public sealed class UntrustedStateTests
     private const long MostEvaluations = 32_768;
     private const long MostPieces = 8_192;
 
-    private static readonly Obstacle s_table = new() { Name = "table", Shape = new BoxShape(new Vector3d(20, 0.4, 0), new Vector3d(1, 0.4, 1)), Surface = Surface.Wood };
+    private static readonly Obstacle s_table = new() { Name = "table", Shape = new BoxShape(new Vector3d(20, 0.4, 0), new Vector3d(1, 0.4, 1)), Surface = SurfaceMaterial.Wood };
     private static readonly Obstacle s_wall = new() { Name = "wall", Shape = new BoxShape(new Vector3d(0, 1, -20), new Vector3d(3, 1, 0.1)) };
     private static readonly Scene s_scene = Pitch.Standard.On(new Scene { Obstacles = [s_table, s_wall] });
 

@@ -17,7 +17,7 @@ public sealed class KnuckleForceTests
     [InlineData(10, 0.621017, 0.518118)]
     public void It_is_a_function_of_seed_and_distance(double distance, double up, double side)
     {
-        Vector3d force = Force(BallProperties.Football, 1, new Vector3d(30, 0, 0), Vector3d.Zero, distance);
+        Vector3d force = Force(BallProperties.Tunnel, 1, new Vector3d(30, 0, 0), Vector3d.Zero, distance);
         Assert.Equal(0, force.X, 1e-15);
         Assert.Equal(up, force.Y, 6e-7);
         Assert.Equal(side, force.Z, 6e-7);
@@ -38,7 +38,7 @@ public sealed class KnuckleForceTests
     [Fact]
     public void It_grows_by_speed_and_fades_by_spin_across_the_motion()
     {
-        double At(double speed, double spin) => Force(BallProperties.Football, 1, new Vector3d(speed, 0, 0), new Vector3d(300, spin, 0), 2).Length;
+        double At(double speed, double spin) => Force(BallProperties.Tunnel, 1, new Vector3d(speed, 0, 0), new Vector3d(300, spin, 0), 2).Length;
         double full = At(30, 0);
         Assert.Equal(Math.Pow(2.0 / 3, 2.9), At(20, 0) / full, 1e-9);
         Assert.Equal(At(40, 0), At(60, 0), 1e-9);
@@ -51,7 +51,7 @@ public sealed class KnuckleForceTests
     [Fact]
     public void Straight_up_it_is_finite_and_across()
     {
-        Vector3d force = Force(BallProperties.Football, 3, new Vector3d(0, 25, 0), Vector3d.Zero, 4);
+        Vector3d force = Force(BallProperties.Tunnel, 3, new Vector3d(0, 25, 0), Vector3d.Zero, 4);
         Assert.True(force.Length > 0.01);
         Assert.Equal(0, force.Y, 1e-15);
     }

@@ -49,7 +49,7 @@ public sealed class MeasuredLawTests
     {
         (BallProperties Ball, DragCurve Curve, double Force)[] balls =
         [
-            (BallProperties.Football, DragCurve.Generic, 1.5), (BallProperties.Tango12, DragCurve.Tango12, 1.6), (BallProperties.Teamgeist, DragCurve.Teamgeist, 0.75),
+            (BallProperties.Tunnel, DragCurve.Generic, 1.5), (BallProperties.Tango12, DragCurve.Tango12, 1.6), (BallProperties.Teamgeist, DragCurve.Teamgeist, 0.75),
             (BallProperties.Jabulani, DragCurve.Jabulani, 2.1), (BallProperties.Brazuca, DragCurve.Brazuca, 1.5),
         ];
         Assert.All(balls, item => Assert.Equal((0.43, 0.11, item.Curve, item.Force), (item.Ball.Mass, item.Ball.Radius, item.Ball.DragCurve, item.Ball.KnuckleForce)));

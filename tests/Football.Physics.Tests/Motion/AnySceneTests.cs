@@ -136,14 +136,16 @@ public sealed class AnySceneTests
                 Forces = forces,
                 Ground = profile.Ground() with
                 {
+                    Material = profile.Ground().Material with
+                    {
+                        NormalRestitution = random.Uniform(0, 1),
+                        SpinRestitution = random.Uniform(0, 1),
+                        SlidingFriction = Perhaps(Log(0.01, 5)),
+                        RollingFriction = Perhaps(Log(0.001, 2)),
+                        SpinDamping = Perhaps(Log(1e-5, 0.1)),
+                        TangentialRestitution = random.Uniform(-1, 1),
+                    },
                     Height = random.Uniform(-10, 10),
-                    NormalRestitution = random.Uniform(0, 1),
-                    TangentialRestitutionX = random.Uniform(-1, 1),
-                    TangentialRestitutionZ = random.Uniform(-1, 1),
-                    SpinRestitution = random.Uniform(0, 1),
-                    SlidingFriction = Perhaps(Log(0.01, 5)),
-                    RollingFriction = Perhaps(Log(0.001, 2)),
-                    SpinDamping = Perhaps(Log(1e-5, 0.1)),
                     MinimumBounceSpeed = Log(0.001, 1),
                     RestEnergy = Log(1e-8, 0.1),
                     Aerodynamics = Any<GroundAerodynamics>(),

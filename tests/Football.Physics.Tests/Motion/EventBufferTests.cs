@@ -80,7 +80,7 @@ public sealed class EventBufferTests
     [Fact]
     public void A_run_with_more_events_than_there_is_room_for_keeps_count()
     {
-        Scene scene = Scene.Vacuum with { Ground = Ground.PublishedTurf with { NormalRestitution = 1, MinimumBounceSpeed = 0.001 } };
+        Scene scene = Scene.Vacuum with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 1 }, MinimumBounceSpeed = 0.001 } };
         var simulator = new Simulator(scene);
         BallState all = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 0.02, 0), Vector3d.Zero);
         BallState few = all;

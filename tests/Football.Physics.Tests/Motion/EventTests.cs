@@ -49,7 +49,7 @@ public sealed class EventTests
     public void Many_impacts_in_one_long_step_are_those_of_many_short_ones(Profile profile)
     {
         // 0.02 m of drop and e = 0.9: some thirty impacts in a second, which without air every step finds exactly.
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { NormalRestitution = 0.9, MinimumBounceSpeed = 0.02 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0.9 }, MinimumBounceSpeed = 0.02 } };
         foreach (Integrator integrator in new[] { Integrator.Rk2, Integrator.Rk4 })
         {
             StepLog Play(double step, out BallState state)
@@ -251,7 +251,7 @@ public sealed class EventTests
     [ProfileData]
     public void A_buffer_grows_and_drops_nothing(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { NormalRestitution = 0.95, MinimumBounceSpeed = 0.001 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0.95 }, MinimumBounceSpeed = 0.001 } };
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog(1);

@@ -14,8 +14,8 @@ public sealed class ImpactTests
             double r = scene.Ball.Radius;
             (double before, double after) x = (impact.VelocityBefore.X + (r * impact.SpinBefore.Z), impact.Velocity.X + (r * impact.Spin.Z));
             (double before, double after) z = (impact.VelocityBefore.Z - (r * impact.SpinBefore.X), impact.Velocity.Z - (r * impact.Spin.X));
-            Assert.Equal(-scene.Ground.TangentialRestitutionX * x.before, x.after, 1e-10);
-            Assert.Equal(-scene.Ground.TangentialRestitutionZ * z.before, z.after, 1e-10);
+            Assert.Equal(-scene.Ground.Material.TangentialRestitution * x.before, x.after, 1e-10);
+            Assert.Equal(-(scene.Ground.TangentialRestitutionZ ?? scene.Ground.Material.TangentialRestitution) * z.before, z.after, 1e-10);
         });
 
     [Theory]
@@ -39,7 +39,11 @@ public sealed class ImpactTests
             },
             scene => scene with
             {
-                Ground = scene.Ground with { NormalRestitution = 1, TangentialRestitutionX = 1, TangentialRestitutionZ = -1, SpinRestitution = 1 },
+                Ground = scene.Ground with
+                {
+                    Material = scene.Ground.Material with { NormalRestitution = 1, SpinRestitution = 1, TangentialRestitution = 1 },
+                    TangentialRestitutionZ = -1,
+                },
             });
 
     [Theory]
@@ -59,8 +63,8 @@ public sealed class ImpactTests
     public void The_vertical_parts_are_scaled_by_their_restitutions() =>
         ForEachImpact(Profile.Published, (scene, impact) =>
         {
-            Assert.Equal(-scene.Ground.NormalRestitution * impact.VelocityBefore.Y, impact.Velocity.Y, 1e-13);
-            Assert.Equal(scene.Ground.SpinRestitution * impact.SpinBefore.Y, impact.Spin.Y, 1e-12);
+            Assert.Equal(-scene.Ground.Material.NormalRestitution * impact.VelocityBefore.Y, impact.Velocity.Y, 1e-13);
+            Assert.Equal(scene.Ground.Material.SpinRestitution * impact.SpinBefore.Y, impact.Spin.Y, 1e-12);
         });
 
     [Fact]
@@ -84,7 +88,7 @@ public sealed class ImpactTests
     public void A_dropped_ball_rebounds_to_restitution_squared_of_its_height(double restitution)
     {
         const double Drop = 2;
-        Scene scene = Scene.Vacuum with { Ground = Ground.PublishedTurf with { NormalRestitution = restitution, MinimumBounceSpeed = 0.001 } };
+        Scene scene = Scene.Vacuum with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = restitution }, MinimumBounceSpeed = 0.001 } };
         foreach (double timeStep in new[] { 0.01, 0.04, 0.3 })
         {
             var simulator = new Simulator(scene);
@@ -114,7 +118,7 @@ public sealed class ImpactTests
     public void A_ball_that_stays_is_at_contact_to_the_last_bits(Profile profile, double alongX, double alongZ)
     {
         var normal = new Vector3d(alongX, 1, alongZ).Normalized();
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Normal = normal, NormalRestitution = 0 } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0 }, Normal = normal } });
         double radius = simulator.Scene.Ball.Radius;
         var log = new StepLog();
         BallState state = simulator.Launch((radius + 5e-11) * normal, new Vector3d(3, -1, 0), Vector3d.Zero);
@@ -141,11 +145,13 @@ public sealed class ImpactTests
                 Air = new Air { Density = random.Uniform(0, 1.3) },
                 Ground = profile.Ground() with
                 {
+                    Material = profile.Ground().Material with
+                    {
+                        NormalRestitution = random.Uniform(0, 1),
+                        SpinRestitution = random.Uniform(0, 1),
+                        TangentialRestitution = random.Uniform(-1, 1),
+                    },
                     Height = random.Uniform(-3, 3),
-                    NormalRestitution = random.Uniform(0, 1),
-                    TangentialRestitutionX = random.Uniform(-1, 1),
-                    TangentialRestitutionZ = random.Uniform(-1, 1),
-                    SpinRestitution = random.Uniform(0, 1),
                 },
             };
             scene = change?.Invoke(scene) ?? scene;

@@ -9,7 +9,16 @@ public sealed class LaunchTests
 
     private static readonly Dictionary<Profile, Simulator> s_simulators = Profiles.All.ToDictionary(profile => profile, profile => new Simulator(profile.Scene() with
     {
-        Ground = profile.Ground() with { Height = 1.5, NormalRestitution = 0.6, RestitutionSpeed = double.PositiveInfinity, MinimumBounceSpeed = Threshold },
+        Ground = profile.Ground() with
+        {
+            Material = profile.Ground().Material with
+            {
+                NormalRestitution = 0.6,
+                RestitutionSpeed = double.PositiveInfinity,
+            },
+            Height = 1.5,
+            MinimumBounceSpeed = Threshold,
+        },
     }));
 
     [Theory]
@@ -79,7 +88,15 @@ public sealed class LaunchTests
     [ProfileData(0.3999, MotionState.Sliding, "Impact Slide")]
     public void After_an_impact_a_ball_slower_than_the_minimum_bounce_speed_stays_down(Profile profile, double speed, MotionState motion, string events)
     {
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, MinimumBounceSpeed = 0.2 } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with
+        {
+            Material = profile.Ground().Material with
+            {
+                NormalRestitution = 0.5,
+                RestitutionSpeed = double.PositiveInfinity,
+            },
+            MinimumBounceSpeed = 0.2,
+        } });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, -speed, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.01, 1, StopAt.Impact, log);
@@ -100,7 +117,7 @@ public sealed class LaunchTests
     [ProfileData]
     public void A_ball_that_does_not_bounce_at_all_slides_or_rolls_at_once(Profile profile)
     {
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { NormalRestitution = 0 } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0 } } });
         BallState slides = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(4, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref slides, 0.01, 60, StopAt.Rest, log);

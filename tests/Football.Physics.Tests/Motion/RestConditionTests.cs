@@ -5,7 +5,7 @@ public sealed class RestConditionTests
 {
     private const double Frame = 1 / 60.0;
 
-    private static readonly Scene s_level = new() { Ball = BallProperties.Football, Ground = Ground.DryTurf };
+    private static readonly Scene s_level = new() { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) };
 
     public static TheoryData<string> Ways => ["new", "placed", "runner", "scene", "restored"];
 
@@ -57,9 +57,9 @@ public sealed class RestConditionTests
             ball.Step(Step);
         }
 
-        Ground turf = Ground.DryTurf;
-        double push = (Force / (scene.Ball.Mass * (1 + scene.Ball.InertiaFactor))) - (turf.RollingFriction * 9.81);
-        double rate = turf.RollingFrictionBySpeed * 9.81;
+        Ground turf = Ground.Of(SurfaceMaterial.DryTurf);
+        double push = (Force / (scene.Ball.Mass * (1 + scene.Ball.InertiaFactor))) - (turf.Material.RollingFriction * 9.81);
+        double rate = turf.Material.RollingFrictionBySpeed * 9.81;
         Assert.Equal((push / rate) - (push / (rate * rate) * (1 - Math.Exp(-rate))), ball.Position.X, 1e-6);
     }
 
@@ -70,7 +70,7 @@ public sealed class RestConditionTests
     public void Without_rolling_friction_it_rolls_down_a_slope_by_the_closed_form(double degrees)
     {
         Scene scene = On(Tilted(degrees)) with { Air = new Air { Density = 0 }, Forces = ForceSet.None };
-        scene = scene with { Ground = scene.Ground with { RollingFriction = 0, RollingFrictionBySpeed = 0, SlidingFriction = 2 } };
+        scene = scene with { Ground = scene.Ground with { Material = scene.Ground.Material with { RollingFriction = 0, RollingFrictionBySpeed = 0, SlidingFriction = 2 } } };
         double way = 0.5 * 9.81 * Math.Sin(degrees * Math.PI / 180) / (1 + scene.Ball.InertiaFactor) * 4;
         foreach (string put in Ways.Select(row => row.Data))
         {
@@ -158,7 +158,7 @@ public sealed class RestConditionTests
         return ball.Position;
     }
 
-    private static Scene On(in Vector3d normal) => s_level with { Ground = Ground.DryTurf with { Normal = normal } };
+    private static Scene On(in Vector3d normal) => s_level with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = normal } };
 
     private static Vector3d Tilted(double degrees) => new(Math.Sin(degrees * Math.PI / 180), Math.Cos(degrees * Math.PI / 180), 0);
 }

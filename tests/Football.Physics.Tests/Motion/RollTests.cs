@@ -6,7 +6,7 @@ namespace Football.Physics.Tests.Motion;
 public sealed class RollTests
 {
     private static readonly Vector3d s_start = new(0, Flight.Radius, 0);
-    private static readonly BallProperties s_ball = BallProperties.Football;
+    private static readonly BallProperties s_ball = BallProperties.Tunnel;
 
     [Theory]
     [MemberData(nameof(Integrators))]
@@ -40,7 +40,7 @@ public sealed class RollTests
     [ProfileData]
     public void A_rolling_ball_turns_once_in_its_circumference(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { RollingFriction = 0, RollingFrictionBySpeed = 0 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingFriction = 0, RollingFrictionBySpeed = 0 } } };
         double time = 10 * 2 * Math.PI * Flight.Radius / 2.5;
         BallState state = Flight.Play(
             scene, SolverSettings.Default, 0.01, time, StopAt.Time, s_start, new Vector3d(2.5, 0, 0), new Vector3d(0, 0, -2.5 / Flight.Radius), out _);
@@ -115,7 +115,7 @@ public sealed class RollTests
     [InlineData(CoefficientForm.Regularised)]
     public void A_law_that_is_left_out_does_not_act_on_the_ground(CoefficientForm form)
     {
-        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { RollingFriction = 0 } };
+        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { RollingFriction = 0 } } };
         var spin = new Vector3d(0, 50, -20 / Flight.Radius);
         BallState Roll(ForceSet forces) => Flight.Play(
             scene with { Forces = forces with { Coefficients = form } }, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(20, 0, 0), spin, out _);
@@ -131,7 +131,7 @@ public sealed class RollTests
     [ProfileData]
     public void Friction_never_turns_a_roll_back_whatever_the_step(Profile profile)
     {
-        var scene = profile.Scene() with { Ground = profile.Ground() with { RollingFriction = 3, SpinDamping = 1, RestEnergy = 1e-12 } };
+        var scene = profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingFriction = 3, SpinDamping = 1 }, RestEnergy = 1e-12 } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             foreach (double timeStep in new[] { 0.002, 0.05, 0.7, 5 })

@@ -13,7 +13,7 @@ public sealed class SlideTests
     [InlineData(1.0, 0.5)]
     public void A_slide_without_spin_ends_at_the_speed_that_inertia_alone_sets(double inertiaFactor, double share)
     {
-        Scene scene = Scene.Vacuum with { Ball = BallProperties.Football with { InertiaFactor = inertiaFactor } };
+        Scene scene = Scene.Vacuum with { Ball = BallProperties.Tunnel with { InertiaFactor = inertiaFactor } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             BallEvent roll = Slide(scene, integrator, 0.01, new Vector3d(8, 0, 0), Vector3d.Zero);
@@ -46,7 +46,7 @@ public sealed class SlideTests
     [Fact]
     public void The_spin_about_the_vertical_dies_exponentially_whatever_the_slide_does()
     {
-        double rate = 0.002 / BallProperties.Football.MomentOfInertia;
+        double rate = 0.002 / BallProperties.Tunnel.MomentOfInertia;
         BallEvent roll = Slide(Scene.Vacuum, Integrator.Rk4, 0.01, new Vector3d(8, 0, 0), new Vector3d(0, 40, 0));
         Assert.Equal(40 * Math.Exp(-rate * roll.Time), roll.Spin.Y, 1e-7);
         BallState later = Flight.Play(
@@ -76,7 +76,7 @@ public sealed class SlideTests
     [ProfileData]
     public void A_slide_without_friction_or_air_goes_on_for_ever(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { SlidingFriction = 0 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { SlidingFriction = 0 } } };
         BallState end = Flight.Play(scene, SolverSettings.Default, 0.1, 30, StopAt.Time, s_start, new Vector3d(5, 0, 1), Vector3d.Zero, out StepLog log);
         Assert.Equal(MotionState.Sliding, end.Motion);
         Assert.Equal(150, end.Position.X, 1e-9);

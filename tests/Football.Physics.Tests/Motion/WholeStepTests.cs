@@ -20,7 +20,7 @@ public sealed class WholeStepTests
         scene = scene with
         {
             Air = new Air { Wind = new Vector3d(7, -5, 3) },
-            Ground = scene.Ground with { Normal = normal, SpinDamping = 1e-4 },
+            Ground = scene.Ground with { Material = scene.Ground.Material with { SpinDamping = 1e-4 }, Normal = normal },
         };
         Scene nudged = scene with { Forces = scene.Forces with { Custom = [new Nothing()] } };
         Vector3d along = new Vector3d(normal.Y, -normal.X, 0);

@@ -89,7 +89,7 @@ public sealed class ArrivalTests
     [InlineData(-0.05)]
     public void A_hit_on_a_slope_passes_the_target_that_was_asked_for(double rise)
     {
-        var simulator = new Simulator(new Scene { Ground = Football.Physics.Ground.DryTurf with { Normal = new Vector3d(0, 1, rise).Normalized() } });
+        var simulator = new Simulator(new Scene { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, rise).Normalized() } });
         var aimer = new Aimer(simulator);
         int hits = 0;
         for (double away = 6; away < 25; away += 1.5)

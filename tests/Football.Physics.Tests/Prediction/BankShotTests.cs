@@ -11,8 +11,8 @@ public sealed class BankShotTests
 
     private static readonly Scene Scene = Scene.Measured with
     {
-        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = Surface.Board }],
-        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = Surface.GoalFrame, HasNet = false }],
+        Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board }],
+        Goals = [new Goal { Center = new Vector3d(0, 0, -14), Facing = new Vector3d(0, 0, 1), Surface = SurfaceMaterial.GoalFrame, HasNet = false }],
     };
 
     [Theory]
@@ -87,7 +87,7 @@ public sealed class BankShotTests
     {
         Scene scene = Scene.Measured with
         {
-            Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Velocity = new Vector3d(0.5, 0, 0), Surface = Surface.Board }],
+            Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(-9, 0, 0), new Vector3d(1, 0, 0)), Velocity = new Vector3d(0.5, 0, 0), Surface = SurfaceMaterial.Board }],
         };
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(-4, 0.6, -14), Speed = 22, Tolerance = Tolerance, KickTime = kickTime };
         AimResult found = new BankShotAimer(scene).Find(request, "wall");

@@ -132,7 +132,7 @@ public sealed class MatchFitTests
 
     private const double HeaderTime = 5.4;
 
-    private static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.MatchTurf };
+    private static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) };
 
     /// <summary>A kick, bounces, a header on the way, and more bounces, in wind.</summary>
     private static TrackPoint[] Track(double noise)

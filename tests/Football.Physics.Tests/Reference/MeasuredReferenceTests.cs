@@ -80,7 +80,7 @@ public sealed class MeasuredReferenceTests
             {
                 KnuckleSeed = scenario.TryGetProperty("forces", out JsonElement forces) ? forces.GetProperty("knuckleSeed").GetInt64() : null,
             },
-            Ball = ball == "Generic" ? BallProperties.Football : (BallProperties)typeof(BallProperties).GetProperty(ball)!.GetValue(null)!,
+            Ball = ball == "Generic" ? BallProperties.Tunnel : (BallProperties)typeof(BallProperties).GetProperty(ball)!.GetValue(null)!,
             Air = new Air
             {
                 Density = ReferenceCase.Number(air, "density"),

@@ -84,17 +84,20 @@ internal sealed class ReferenceCase
             },
             Ground = Ground.PublishedTurf with
             {
+                Material = SurfaceMaterial.PublishedTurf with
+            {
                 NormalRestitution = Number(ground, "normalRestitution"),
-                TangentialRestitutionX = ground.GetProperty("tangentialRestitution")[0].GetDouble(),
-                TangentialRestitutionZ = ground.GetProperty("tangentialRestitution")[1].GetDouble(),
                 SpinRestitution = Number(ground, "spinRestitution"),
                 SlidingFriction = Number(ground, "slidingFriction"),
                 RollingFriction = Number(ground, "rollingFriction"),
                 SpinDamping = Number(ground, "spinDamping"),
+                TangentialRestitution = ground.GetProperty("tangentialRestitution")[0].GetDouble(),
+            },
                 MinimumBounceSpeed = Number(ground, "minimumBounceSpeed"),
                 RestEnergy = Number(ground, "restEnergy"),
                 Height = Number(ground, "height"),
                 Aerodynamics = Choice<GroundAerodynamics>(ground, "aerodynamics"),
+                TangentialRestitutionZ = ground.GetProperty("tangentialRestitution")[1].GetDouble(),
             },
         };
     }

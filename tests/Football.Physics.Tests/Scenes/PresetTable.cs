@@ -26,7 +26,7 @@ internal static class PresetTable
 
     private static IEnumerable<(string, string, double, string, string)> Ball()
     {
-        BallProperties ball = BallProperties.Football;
+        BallProperties ball = BallProperties.Tunnel;
         yield return ("ball", "mass, kg", ball.Mass, "law", "IFAB, Law 2: 0.41 … 0.45");
         yield return ("ball", "radius, m", ball.Radius, "law", "IFAB, Law 2: 68 … 70 cm around");
         yield return ("ball", "α", ball.InertiaFactor, "derived", "a thin shell; layered balls ±0.03, guess");
@@ -85,37 +85,37 @@ internal static class PresetTable
 
     private static IEnumerable<(string, string, double, string, string)> Surfaces()
     {
-        (string Name, Ground Ground, Dictionary<string, (string Tag, string Source)> Known)[] grounds =
+        (string Name, SurfaceMaterial Material, Dictionary<string, (string Tag, string Source)> Known)[] materials =
         [
-            ("dry turf", Ground.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
-            ("artificial turf", Ground.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
-            ("watered turf", Ground.WetTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
-            ("match turf", Ground.MatchTurf, new()
+            ("dry turf", SurfaceMaterial.DryTurf, OfTurf("drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m")),
+            ("artificial turf", SurfaceMaterial.ArtificialTurf, OfTurf("FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m")),
+            ("watered turf", SurfaceMaterial.WetTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
+            ("match turf", SurfaceMaterial.MatchTurf, new()
             {
                 ["e₆"] = ("measured", "impacts of one minute of one match: 0.60 ± 0.05; FIFA's rigs: drop 0.60 … 1.00 m"),
                 ["η"] = ("measured", "the same impacts: 0.6 … 1"),
                 ["e_t"] = ("measured", "the same impacts, eight slow ones that grip: −0.2 … 0.05"),
                 ["μ_i"] = ("measured", "the same impacts: 0.34 ± 0.05, scatter 0.28 … 0.46; the angle of a wet pitch, 45 … 80 %, asks for 0.40"),
             }),
-            ("hard ground", Ground.HardGround, new()),
-            ("long grass", Ground.LongGrass, new()),
-            ("indoor", Ground.Indoor, new()),
-            ("concrete", Ground.Concrete, new() { ["e₆"] = ("measured", "a test ball bounces to 1.35 ± 0.03 m from 2 m") }),
-            ("snow", Ground.Snow, new()),
+            ("hard ground", SurfaceMaterial.HardGround, new()),
+            ("long grass", SurfaceMaterial.LongGrass, new()),
+            ("indoor", SurfaceMaterial.Indoor, new()),
+            ("concrete", SurfaceMaterial.Concrete, new() { ["e₆"] = ("measured", "a test ball bounces to 1.35 ± 0.03 m from 2 m") }),
+            ("snow", SurfaceMaterial.Snow, new()),
         ];
-        foreach ((string name, Ground ground, Dictionary<string, (string Tag, string Source)> known) in grounds)
+        foreach ((string name, SurfaceMaterial material, Dictionary<string, (string Tag, string Source)> known) in materials)
         {
-            foreach ((string number, double value) in NumbersOf(ground))
+            foreach ((string number, double value) in NumbersOf(material))
             {
                 (string tag, string source) = known.GetValueOrDefault(number, ("guess", ""));
                 yield return (name, number, value, tag, source);
             }
         }
 
-        yield return ("all surfaces", "V_e, m/s", Ground.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
-        yield return ("all surfaces", "least bounce, m/s", Ground.DryTurf.MinimumBounceSpeed, "guess", "a hop of 2 mm");
-        yield return ("all surfaces", "rest energy, J", Ground.DryTurf.RestEnergy, "guess", "");
-        Surface frame = Surface.GoalFrame;
+        yield return ("all surfaces", "V_e, m/s", SurfaceMaterial.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
+        yield return ("all surfaces", "least bounce, m/s", new Ground().MinimumBounceSpeed, "guess", "a hop of 2 mm");
+        yield return ("all surfaces", "rest energy, J", new Ground().RestEnergy, "guess", "");
+        SurfaceMaterial frame = SurfaceMaterial.GoalFrame;
         yield return ("goal frame", "e₆", frame.NormalRestitution, "guess", "others' priors 0.65 … 0.80");
         yield return ("goal frame", "V_e, m/s", frame.RestitutionSpeed, "guess", "");
         yield return ("goal frame", "e_t", frame.TangentialRestitution, "guess", "");
@@ -144,10 +144,10 @@ internal static class PresetTable
         ["c₀"] = ("measured", "the same windows, given c₁"),
     };
 
-    private static IEnumerable<(string Number, double Value)> NumbersOf(Ground ground) =>
+    private static IEnumerable<(string Number, double Value)> NumbersOf(SurfaceMaterial material) =>
     [
-        ("e₆", ground.NormalRestitution), ("η", ground.RestitutionRise), ("e_t", ground.TangentialRestitutionX), ("μ_i", ground.ImpactFriction), ("μ_s", ground.SlidingFriction),
-        ("c₀", ground.RollingFriction), ("c₁, s/m", ground.RollingFrictionBySpeed), ("b, m", ground.DrillingLength),
+        ("e₆", material.NormalRestitution), ("η", material.RestitutionRise), ("e_t", material.TangentialRestitution), ("μ_i", material.ImpactFriction), ("μ_s", material.SlidingFriction),
+        ("c₀", material.RollingFriction), ("c₁, s/m", material.RollingFrictionBySpeed), ("b, m", material.DrillingLength),
     ];
 
     private static string Text(double value) =>

@@ -13,7 +13,7 @@ public sealed class ProfileTests
         Assert.Same(Scene.Measured, Scene.Default);
         Assert.Equal(Scene.Measured, new Scene());
         Assert.Equal(ForceSet.Measured, new ForceSet());
-        Assert.Equal(Ground.DryTurf, new Ground());
+        Assert.Equal(Ground.Of(SurfaceMaterial.DryTurf), new Ground());
         foreach (Scene scene in (Scene[])[new Ball().Simulator.Scene, new Simulator().Scene, new FixedStepRunner().Simulator.Scene, new BallBatch().Scene])
         {
             Assert.Same(Scene.Measured, scene);
@@ -29,9 +29,9 @@ public sealed class ProfileTests
     {
         Scene scene = Scene.Published;
         Assert.Equal((CoefficientForm.Published, GroundAerodynamics.Horizontal), (scene.Forces.Coefficients, scene.Ground.Aerodynamics));
-        Assert.Equal((0.6, 0.5, 0.5, 0.8), (scene.Ground.NormalRestitution, scene.Ground.TangentialRestitutionX, scene.Ground.TangentialRestitutionZ, scene.Ground.SpinRestitution));
-        Assert.Equal((0.5, 0.05, 0.002), (scene.Ground.SlidingFriction, scene.Ground.RollingFriction, scene.Ground.SpinDamping));
-        Assert.Equal((double.PositiveInfinity, double.PositiveInfinity), (scene.Ground.ImpactFriction, scene.Ground.RestitutionSpeed));
+        Assert.Equal((0.6, 0.5, 0.8), (scene.Ground.Material.NormalRestitution, scene.Ground.Material.TangentialRestitution, scene.Ground.Material.SpinRestitution));
+        Assert.Equal((0.5, 0.05, 0.002), (scene.Ground.Material.SlidingFriction, scene.Ground.Material.RollingFriction, scene.Ground.Material.SpinDamping));
+        Assert.Equal((double.PositiveInfinity, double.PositiveInfinity), (scene.Ground.Material.ImpactFriction, scene.Ground.Material.RestitutionSpeed));
     }
 
     [Fact]
@@ -43,19 +43,19 @@ public sealed class ProfileTests
 
     /// <summary>Table 2 of the measured numbers.</summary>
     [Theory]
-    [InlineData(nameof(Ground.DryTurf), .622, .20, 1.20, .50, .070, .006, .020)]
-    [InlineData(nameof(Ground.ArtificialTurf), .622, .20, 1.20, .55, .069, .008, .020)]
-    [InlineData(nameof(Ground.WetTurf), .570, .20, .50, .25, .064, .006, .015)]
-    [InlineData(nameof(Ground.HardGround), .740, .20, .90, .50, .040, .002, .012)]
-    [InlineData(nameof(Ground.LongGrass), .500, .10, 1.30, .60, .130, .015, .030)]
-    [InlineData(nameof(Ground.Indoor), .770, .20, .80, .55, .015, .001, .006)]
-    [InlineData(nameof(Ground.Concrete), .861, .20, .80, .60, .013, .001, .005)]
-    [InlineData(nameof(Ground.Snow), .250, .00, .40, .20, .200, .010, .030)]
+    [InlineData("dryTurf", .622, .20, 1.20, .50, .070, .006, .020)]
+    [InlineData("artificialTurf", .622, .20, 1.20, .55, .069, .008, .020)]
+    [InlineData("wetTurf", .570, .20, .50, .25, .064, .006, .015)]
+    [InlineData("hardGround", .740, .20, .90, .50, .040, .002, .012)]
+    [InlineData("longGrass", .500, .10, 1.30, .60, .130, .015, .030)]
+    [InlineData("indoor", .770, .20, .80, .55, .015, .001, .006)]
+    [InlineData("concrete", .861, .20, .80, .60, .013, .001, .005)]
+    [InlineData("snow", .250, .00, .40, .20, .200, .010, .030)]
     public void Every_surface_has_its_numbers(string name, double e, double et, double impact, double sliding, double rolling, double bySpeed, double drilling)
     {
-        var ground = (Ground)typeof(Ground).GetProperty(name)!.GetValue(null)!;
-        Assert.Equal((e, et, et, impact), (ground.NormalRestitution, ground.TangentialRestitutionX, ground.TangentialRestitutionZ, ground.ImpactFriction));
-        Assert.Equal((sliding, rolling, bySpeed, drilling), (ground.SlidingFriction, ground.RollingFriction, ground.RollingFrictionBySpeed, ground.DrillingLength));
-        Assert.Equal((30, 1, 0, GroundAerodynamics.Full), (ground.RestitutionSpeed, ground.SpinRestitution, ground.SpinDamping, ground.Aerodynamics));
+        SurfaceMaterial material = SurfaceMaterial.Presets[name];
+        Assert.Equal((e, et, impact), (material.NormalRestitution, material.TangentialRestitution, material.ImpactFriction));
+        Assert.Equal((sliding, rolling, bySpeed, drilling), (material.SlidingFriction, material.RollingFriction, material.RollingFrictionBySpeed, material.DrillingLength));
+        Assert.Equal((30, 1, 0, GroundAerodynamics.Full), (material.RestitutionSpeed, material.SpinRestitution, material.SpinDamping, Ground.Presets[name].Aerodynamics));
     }
 }

@@ -33,7 +33,7 @@ public sealed class BallClusterTests
     [InlineData(0.0101, false)]
     public void Slow_balls_press_each_other(double speed, bool presses)
     {
-        var contact = new Surface { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0.4, TangentialRestitution = 0 };
+        var contact = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0.4, TangentialRestitution = 0 };
         var group = new BallGroup(Empty, [Heavy, Light], contact: contact);
         BallState[] balls = Launched(group, (new Vector3d(0, 5, 0), default), (new Vector3d(0.25 + (2e-4 * speed), 5, 0), new Vector3d(-speed, 0.1, 0)));
         var log = new StepLog();
@@ -101,7 +101,7 @@ public sealed class BallClusterTests
         foreach ((double over, bool may) in new[] { (-1e-3, true), (5e-11, true), (2e-10, false), (1e-3, false) })
         {
             BallState[] before = [simulators[0].Launch(new Vector3d(1, 2, 3), default, default), simulators[1].Launch(new Vector3d(1, 2, 3 + 0.25 + 0.5 + over), default, default)];
-            var cluster = new BallCluster(simulators, new ContactMaterial(Surface.Ball), 0.3, before, [0, 0], [new StepLog(), new StepLog()]);
+            var cluster = new BallCluster(simulators, new ContactMaterial(SurfaceMaterial.Ball), 0.3, before, [0, 0], [new StepLog(), new StepLog()]);
             Assert.Equal(may, cluster.MayMeet(0, 0.3, 1, 0.2));
             Assert.Equal(may, cluster.MayMeet(1, 0.2, 0, 0.3));
             cluster.Join(1);

@@ -32,16 +32,16 @@ public sealed class BallContactTests
     public void Impulse_and_turning_balance_and_the_surfaces_come_apart_as_their_material_says(int seed)
     {
         var random = new Random(seed);
-        Surface surface = new()
-        {
-            NormalRestitution = 0.6,
-            RestitutionRise = seed % 2 == 0 ? 0 : 0.5,
-            TangentialRestitution = 0.2,
-            SpinRestitution = seed % 3 == 0 ? 0.7 : -0.7,
-            ImpactFriction = seed < 6 ? 0.15 : 5,
-            SlidingFriction = 0.3,
-            DrillingLength = seed % 4 < 2 ? 0 : 0.002,
-        };
+        SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
+    {
+        NormalRestitution = 0.6,
+        RestitutionRise = seed % 2 == 0 ? 0 : 0.5,
+        TangentialRestitution = 0.2,
+        SpinRestitution = seed % 3 == 0 ? 0.7 : -0.7,
+        ImpactFriction = seed < 6 ? 0.15 : 5,
+        SlidingFriction = 0.3,
+        DrillingLength = seed % 4 < 2 ? 0 : 0.002,
+    };
         var material = new ContactMaterial(surface);
         Vector3d n = Draw(random).Normalized();
         BallState a = State((Small.Radius * n) + new Vector3d(1, 1, 1), (-4.0 * n) + (seed % 5 * Draw(random)), 30 * Draw(random));
@@ -95,7 +95,7 @@ public sealed class BallContactTests
     [InlineData(-1)]
     public void Drilling_friction_ends_a_slow_turn_about_the_normal(double sign)
     {
-        var material = new ContactMaterial(new Surface { DrillingLength = 0.5, SlidingFriction = 1 });
+        var material = new ContactMaterial(SurfaceMaterial.GoalFrame with { DrillingLength = 0.5, SlidingFriction = 1 });
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(-3, 0, 0), new Vector3d(sign * 8, 0, 0));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(sign * -2, 0, 0));
         BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out Physics.Motion first, out Physics.Motion second);
@@ -108,7 +108,7 @@ public sealed class BallContactTests
     [InlineData(2)]
     public void Balls_that_do_not_come_closer_get_nothing(double speed)
     {
-        var material = new ContactMaterial(Surface.Ball);
+        var material = new ContactMaterial(SurfaceMaterial.Ball);
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(speed, 3, 0), new Vector3d(1, 2, 3));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(5, 5, 5));
         BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out Physics.Motion first, out Physics.Motion second);
@@ -119,7 +119,7 @@ public sealed class BallContactTests
     [Fact]
     public void Whichever_is_called_the_first_the_bits_are_the_same()
     {
-        var material = new ContactMaterial(Surface.Ball);
+        var material = new ContactMaterial(SurfaceMaterial.Ball);
         for (int seed = 0; seed < 20; seed++)
         {
             var random = new Random(seed);

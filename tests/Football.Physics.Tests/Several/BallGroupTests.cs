@@ -190,7 +190,7 @@ public sealed class BallGroupTests
     {
         var random = new Random(seed);
         Scene scene = Scene.Default;
-        BallProperties[] kinds = [BallProperties.Football];
+        BallProperties[] kinds = [BallProperties.Tunnel];
         List<(Vector3d Place, Vector3d Velocity, Vector3d Spin)> launches = [];
         void Add(double x, double y, double z, double vx, double vy, double vz, double spin = 0) =>
             launches.Add((new Vector3d(x, y, z), new Vector3d(vx, vy, vz), spin * new Vector3d(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5)));
@@ -246,7 +246,7 @@ public sealed class BallGroupTests
 
         if (crowd == "two sizes")
         {
-            kinds = [BallProperties.Football, BallProperties.Football with { Mass = 0.3, Radius = 0.09 }];
+            kinds = [BallProperties.Tunnel, BallProperties.Tunnel with { Mass = 0.3, Radius = 0.09 }];
         }
 
         int[] at = order ?? [.. Enumerable.Range(0, launches.Count)];
@@ -334,12 +334,12 @@ public sealed class BallGroupTests
         Assert.Throws<ArgumentException>(() => group.Step([first, default], 0.01, new StepLog()));
         Assert.Throws<ArgumentOutOfRangeException>(() => group.Step([first, first], double.NaN, new StepLog()));
         Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 0));
-        Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 2, Surface.Ball with { NormalRestitution = 2 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BallGroup(simulator, 2, SurfaceMaterial.Ball with { NormalRestitution = 2 }));
     }
 
     private static BallState Shot(Simulator simulator, int i) => simulator.Launch(
         new Vector3d(12.0 * i - 30, 0.11, 5), new Vector3d(0.4 * i, 3 + i, -14 - i), new Vector3d(10 * i, 20 - (8 * i), 5));
 
     private static double Energy(BallState[] balls) => balls.Sum(ball =>
-        (0.5 * 0.43 * ball.Velocity.LengthSquared) + (0.5 * BallProperties.Football.MomentOfInertia * ball.Spin.LengthSquared) + (0.43 * 9.81 * ball.Position.Y));
+        (0.5 * 0.43 * ball.Velocity.LengthSquared) + (0.5 * BallProperties.Tunnel.MomentOfInertia * ball.Spin.LengthSquared) + (0.43 * 9.81 * ball.Position.Y));
 }

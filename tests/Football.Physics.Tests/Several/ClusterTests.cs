@@ -17,16 +17,16 @@ public sealed class ClusterTests
     [InlineData(0.03, 1 / 60.0)]
     public void A_ball_pushes_another_down_a_slope(double resistance, double step)
     {
-        BallProperties hollow = BallProperties.Football with { InertiaFactor = 2 / 3.0 };
-        BallProperties solid = BallProperties.Football with { InertiaFactor = 0.4, Mass = 0.6 };
+        BallProperties hollow = BallProperties.Tunnel with { InertiaFactor = 2 / 3.0 };
+        BallProperties solid = BallProperties.Tunnel with { InertiaFactor = 0.4, Mass = 0.6 };
         double r = hollow.Radius;
         var scene = new Scene
         {
             Air = s_vacuum,
             Gravity = Gravity,
-            Ground = Ground.DryTurf with { Normal = s_normal, RollingFriction = resistance, RollingFrictionBySpeed = 0 },
+            Ground = new Ground { Material = SurfaceMaterial.DryTurf with { RollingFriction = resistance, RollingFrictionBySpeed = 0 }, Normal = s_normal },
         };
-        var group = new BallGroup(scene, [hollow, solid], null, Surface.Ball with { ImpactFriction = 0 });
+        var group = new BallGroup(scene, [hollow, solid], null, SurfaceMaterial.Ball with { ImpactFriction = 0 });
         Vector3d velocity = 1.0 * s_down;
         Vector3d spin = Vector3d.Cross(s_normal, velocity) / r;
         BallState[] states =
@@ -75,11 +75,11 @@ public sealed class ClusterTests
 
     private static (BallState[] States, StepLog Log) Turned(double rate, double step)
     {
-        BallProperties hollow = BallProperties.Football with { InertiaFactor = 2 / 3.0 };
-        BallProperties solid = BallProperties.Football with { InertiaFactor = 0.4, Mass = 0.6 };
+        BallProperties hollow = BallProperties.Tunnel with { InertiaFactor = 2 / 3.0 };
+        BallProperties solid = BallProperties.Tunnel with { InertiaFactor = 0.4, Mass = 0.6 };
         double r = hollow.Radius;
         Vector3d turning = rate * s_normal;
-        Surface felt = Surface.Of(Ground.DryTurf) with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
+        SurfaceMaterial felt = SurfaceMaterial.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
         var scene = new Scene
         {
             Air = s_vacuum,
@@ -87,7 +87,7 @@ public sealed class ClusterTests
             Ground = Ground.None,
             Obstacles = [new Obstacle { Name = "table", Shape = new PlaneShape(Vector3d.Zero, s_normal), Surface = felt, Spin = turning }],
         };
-        var group = new BallGroup(scene, [hollow, solid], null, Surface.Ball with { ImpactFriction = 0 });
+        var group = new BallGroup(scene, [hollow, solid], null, SurfaceMaterial.Ball with { ImpactFriction = 0 });
         Vector3d velocity = 1.0 * s_down;
         BallState[] states = [.. Enumerable.Range(0, 2).Select(i =>
         {
@@ -108,15 +108,26 @@ public sealed class ClusterTests
     [Fact]
     public void What_balls_do_to_each_other_is_balanced()
     {
-        Surface smooth = Surface.Of(Ground.HardGround) with { SlidingFriction = 0, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 };
-        BallProperties light = BallProperties.Football with { Mass = 0.2 };
-        BallProperties heavy = BallProperties.Football with { Mass = 0.5 };
+        SurfaceMaterial smooth = SurfaceMaterial.HardGround with { SlidingFriction = 0, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 };
+        BallProperties light = BallProperties.Tunnel with { Mass = 0.2 };
+        BallProperties heavy = BallProperties.Tunnel with { Mass = 0.5 };
         double r = light.Radius;
         var scene = new Scene
         {
             Air = s_vacuum,
             Gravity = Gravity,
-            Ground = Ground.DryTurf with { Normal = s_normal, SlidingFriction = 0, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 },
+            Ground = new Ground
+            {
+                Material = SurfaceMaterial.DryTurf with
+            {
+                SlidingFriction = 0,
+                RollingFriction = 0,
+                RollingFrictionBySpeed = 0,
+                SpinDamping = 0,
+                DrillingLength = 0,
+            },
+                Normal = s_normal,
+            },
             Obstacles = [new Obstacle { Name = "board", Shape = new PlaneShape(r * s_down, -s_down), Surface = smooth }],
         };
         var group = new BallGroup(scene, [light, heavy]);
@@ -173,15 +184,15 @@ public sealed class ClusterTests
         for (int i = 0; i < count; i++)
         {
             Assert.True(Snapshot.Same(in states[i], in turned[i]), $"ball {i}: {Snapshot.Difference(in states[i], in turned[i])}");
-            double gap = i == 0 ? 0 : Vector3d.Distance(states[i].Position, states[i - 1].Position) - (2 * BallProperties.Football.Radius);
+            double gap = i == 0 ? 0 : Vector3d.Distance(states[i].Position, states[i - 1].Position) - (2 * BallProperties.Tunnel.Radius);
             Assert.InRange(gap, -1e-7, whole ? 1e-12 : 1e-3);
         }
 
         (BallState[] States, StepLog Log) Row(int[] places)
         {
-            BallProperties[] kinds = [.. places.Select(i => BallProperties.Football with { Mass = 0.2 + (0.1 * i) })];
+            BallProperties[] kinds = [.. places.Select(i => BallProperties.Tunnel with { Mass = 0.2 + (0.1 * i) })];
             double r = kinds[0].Radius;
-            var group = new BallGroup(new Scene { Air = new Air { Wind = new Vector3d(0.5, 0, 2) }, Ground = Ground.DryTurf with { Normal = s_normal } }, kinds);
+            var group = new BallGroup(new Scene { Air = new Air { Wind = new Vector3d(0.5, 0, 2) }, Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = s_normal } }, kinds);
             Vector3d velocity = 4 * s_down;
             BallState[] balls = [.. places.Select((place, i) =>
                 group.SimulatorOf(i).Launch((r * s_normal) - (2 * place * r * s_down), velocity, Vector3d.Cross(s_normal, velocity) / r))];

@@ -4,37 +4,25 @@ namespace Football.Physics.Tests.Several;
 internal sealed class Heap
 {
     /// <summary>Dry turf, and boards that are less lively.</summary>
-    public static readonly Ground Turf = new()
-    {
-        NormalRestitution = 0.622,
-        RestitutionSpeed = 30,
-        TangentialRestitutionX = 0.2,
-        TangentialRestitutionZ = 0.2,
-        SpinRestitution = 1,
-        ImpactFriction = 1.2,
-        SlidingFriction = 0.5,
-        RollingFriction = 0.07,
-        RollingFrictionBySpeed = 0.006,
-        DrillingLength = 0.02,
-    };
+    public static readonly Ground Turf = Ground.Of(SurfaceMaterial.DryTurf);
 
-    public static readonly Surface Board = new()
-    {
-        NormalRestitution = 0.5,
-        RestitutionSpeed = 1e9,
-        TangentialRestitution = 0.3,
-        SpinRestitution = 0.8,
-        ImpactFriction = 0.35,
-        SlidingFriction = 0.35,
-        RollingFriction = 0.03,
-        SpinDamping = 0.002,
-    };
+    public static readonly SurfaceMaterial Board = SurfaceMaterial.GoalFrame with
+{
+    NormalRestitution = 0.5,
+    RestitutionSpeed = 1e9,
+    TangentialRestitution = 0.3,
+    SpinRestitution = 0.8,
+    ImpactFriction = 0.35,
+    SlidingFriction = 0.35,
+    RollingFriction = 0.03,
+    SpinDamping = 0.002,
+};
 
     private readonly Scene _scene;
     private readonly BallProperties[] _kinds;
     private double _energy;
 
-    public Heap(Scene scene, BallProperties[] kinds, Vector3d[] places, Surface? contact = null)
+    public Heap(Scene scene, BallProperties[] kinds, Vector3d[] places, SurfaceMaterial? contact = null)
     {
         _scene = scene;
         _kinds = kinds;
@@ -79,7 +67,7 @@ internal sealed class Heap
     public static Heap Dropped(Scene scene, int count, double aside, double first, double apart, int seed, BallProperties[]? kinds = null)
     {
         var random = new Random(seed);
-        BallProperties[] all = [.. Enumerable.Range(0, count).Select(i => kinds is null ? BallProperties.Football : kinds[i % kinds.Length])];
+        BallProperties[] all = [.. Enumerable.Range(0, count).Select(i => kinds is null ? BallProperties.Tunnel : kinds[i % kinds.Length])];
         return new Heap(scene, all, [.. Enumerable.Range(0, count).Select(i =>
             new Vector3d(((2 * random.NextDouble()) - 1) * aside, first + (apart * i), ((2 * random.NextDouble()) - 1) * aside))]);
     }

@@ -41,7 +41,7 @@ public sealed class MassTests
         // Off it by the restitution of the two together: e times what came.
         double before = Vector3d.Dot(hit.VelocityBefore - new Vector3d(0, 0, 1), hit.Normal);
         double after = Vector3d.Dot(hit.Velocity - head.Velocity, hit.Normal);
-        Assert.Equal(-Surface.Head.NormalRestitution * before, after, 1e-9);
+        Assert.Equal(-SurfaceMaterial.Head.NormalRestitution * before, after, 1e-9);
     }
 
     [Fact]
@@ -105,7 +105,7 @@ public sealed class MassTests
 
     private sealed class OneSphere(double mass) : IEngineColliders
     {
-        private readonly EngineCollider _sphere = new("bin", new SphereShape(Vector3d.Zero, 0.3), Surface.GoalFrame) { Mass = mass };
+        private readonly EngineCollider _sphere = new("bin", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.GoalFrame) { Mass = mass };
 
         public double Time => 0;
 

@@ -7,7 +7,7 @@ public sealed class NumberingTests
     private const double Soon = 1e-6;
 
     private static readonly BallProperties[] s_sizes =
-        [BallProperties.Football, new() { Mass = 0.2, Radius = 0.09 }, new() { Mass = 0.6, Radius = 0.12, InertiaFactor = 0.4 }];
+        [BallProperties.Tunnel, new() { Mass = 0.2, Radius = 0.09 }, new() { Mass = 0.6, Radius = 0.12, InertiaFactor = 0.4 }];
 
     /// <summary>Heaps of several sizes in a box, in a corner, among leaning walls and on open ground, into which now and then one of their balls is thrown again.</summary>
     [Theory]

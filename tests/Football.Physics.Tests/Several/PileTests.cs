@@ -6,7 +6,7 @@ public sealed class PileTests
     private const double Step = 1 / 60.0;
 
     private static readonly BallProperties[] s_sizes =
-        [BallProperties.Football, new() { Mass = 0.2, Radius = 0.09 }, new() { Mass = 0.6, Radius = 0.12, InertiaFactor = 0.4 }];
+        [BallProperties.Tunnel, new() { Mass = 0.2, Radius = 0.09 }, new() { Mass = 0.6, Radius = 0.12, InertiaFactor = 0.4 }];
 
     public static TheoryData<string, double> Cases
     {
@@ -108,13 +108,13 @@ public sealed class PileTests
     {
         const double R = 0.11;
         double far = 2 * R / Math.Sqrt(3);
-        Scene scene = Scene.Default with { Ground = Heap.Turf with { RollingFriction = 0, RollingFrictionBySpeed = 0 } };
+        Scene scene = Scene.Default with { Ground = Heap.Turf with { Material = Heap.Turf.Material with { RollingFriction = 0, RollingFrictionBySpeed = 0 } } };
         Vector3d[] places =
         [
             .. Enumerable.Range(0, 3).Select(i => new Vector3d(far * Math.Cos(2 * Math.PI * i / 3), R, far * Math.Sin(2 * Math.PI * i / 3))),
             new Vector3d(0, R + (2 * R * Math.Sqrt(2.0 / 3)), 0),
         ];
-        var heap = new Heap(scene, [.. Enumerable.Repeat(BallProperties.Football, 4)], places, Surface.Ball with { ImpactFriction = friction });
+        var heap = new Heap(scene, [.. Enumerable.Repeat(BallProperties.Tunnel, 4)], places, SurfaceMaterial.Ball with { ImpactFriction = friction });
         heap.Run(Step, 1.5);
         Assert.Equal(stays, heap.Balls[3].Position.Y > 0.2);
         Assert.InRange(heap.Depth, 0, 1e-9);
@@ -149,7 +149,7 @@ public sealed class PileTests
         }
 
         // Nor does it in another group, which knows the states alone.
-        var other = new BallGroup(Heap.Box(0.3), [.. Enumerable.Repeat(BallProperties.Football, 10)]);
+        var other = new BallGroup(Heap.Box(0.3), [.. Enumerable.Repeat(BallProperties.Tunnel, 10)]);
         other.Step(rested, Step, heap.Log);
         Assert.Equal((0L, 0L, 0), (heap.Log.Evaluations, heap.Log.Steps, heap.Log.Events.Count));
     }
@@ -231,10 +231,10 @@ public sealed class PileTests
     {
         Scene scene = Scene.Default with { Ground = Heap.Turf };
         Vector3d[] Places(double x) => [.. Enumerable.Range(0, 4).Select(i => new Vector3d(x + (0.03 * (i % 2)), 0.11 + (0.23 * i), 0.02 * (i % 3)))];
-        BallProperties[] four = [.. Enumerable.Repeat(BallProperties.Football, 4)];
+        BallProperties[] four = [.. Enumerable.Repeat(BallProperties.Tunnel, 4)];
         var near = new Heap(scene, four, Places(0));
         var far = new Heap(scene, four, Places(20.5));
-        var both = new Heap(scene, [.. four, .. four, BallProperties.Football], [.. Places(20.5), .. Places(0), new Vector3d(-30, 3, 0)]);
+        var both = new Heap(scene, [.. four, .. four, BallProperties.Tunnel], [.. Places(20.5), .. Places(0), new Vector3d(-30, 3, 0)]);
         BallState alone = both.Balls[8];
         for (int k = 0; k < 200; k++)
         {
@@ -316,7 +316,7 @@ public sealed class PileTests
     {
         var bodies = new Bodies();
         Body pusher = bodies.Add("pusher", new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(0.1, 0.5, 1)));
-        var heap = new Heap(Heap.Corner() with { Bodies = bodies }, [.. Enumerable.Repeat(BallProperties.Football, 5)], [.. Enumerable.Range(0, 5).Select(i =>
+        var heap = new Heap(Heap.Corner() with { Bodies = bodies }, [.. Enumerable.Repeat(BallProperties.Tunnel, 5)], [.. Enumerable.Range(0, 5).Select(i =>
             new Vector3d(-0.1 + (0.23 * (i % 2)), 0.11 + (0.1 * (i / 4)), -0.19 + (0.221 * (i / 2))))]);
         for (int k = 0; k < 120; k++)
         {

@@ -20,7 +20,7 @@ public sealed class PressedBallsTests
         {
             var random = new Random(seed);
             double Between(double low, double high) => low + ((high - low) * random.NextDouble());
-            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board };
+            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
             var bodies = new Bodies();
             Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25));
             var simulator = new Simulator(new Scene { Bodies = bodies, Obstacles = [board] });

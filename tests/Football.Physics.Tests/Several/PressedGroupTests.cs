@@ -168,9 +168,9 @@ public sealed class PressedGroupTests
         double speed = 1.5 + (spread * random.Uniform(-0.5, 1.5));
         double radius = 0.25 + (spread * random.Uniform(-0.08, 0.08));
         var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.55, 0), radius), Surface.Boot, mass);
+        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.55, 0), radius), SurfaceMaterial.Boot, mass);
         var box = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(50, 0.5, 0.05));
-        var board = new Obstacle { Name = "board", Shape = box, Surface = Surface.Board };
+        var board = new Obstacle { Name = "board", Shape = box, Surface = SurfaceMaterial.Board };
         var simulator = new Simulator(Scene.Default with { Bodies = bodies, Obstacles = [board] });
         return new Walk(simulator, player, new Vector3d(0, 0.11, -4.7), new Vector3d(aside, 0, -3.5), speed, -4.9);
     }
@@ -186,7 +186,7 @@ public sealed class PressedGroupTests
         double line = -19.9646 + random.Uniform(-Spread, Spread);
         double gap = 0.195 + random.Uniform(-Spread, Spread);
         var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), Surface.Boot, 75);
+        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
         var simulator = new Simulator(Pitch.Futsal.On(Scene.Default with { Bodies = bodies }));
         return new Walk(simulator, player, new Vector3d(0.25, 0.11, line), new Vector3d(0.25 + aside, 0, line + radius + 0.11 + gap), speed, -20.1);
     }

@@ -11,8 +11,8 @@ public sealed class ThrownBackTests
     [Fact]
     public void The_cases_that_were_found()
     {
-        Surface body = Surface.GoalFrame with { NormalRestitution = 0.6011724861167108, RestitutionSpeed = 18.39461396645164, TangentialRestitution = -0.18793663842793779, ImpactFriction = 0.5979869738108475 };
-        Surface balls = Surface.Ball with { NormalRestitution = 0.5201837834245777, RestitutionSpeed = 30, TangentialRestitution = 0.22431925574960954, ImpactFriction = 0.24773386703277578 };
+        SurfaceMaterial body = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.6011724861167108, RestitutionSpeed = 18.39461396645164, TangentialRestitution = -0.18793663842793779, ImpactFriction = 0.5979869738108475 };
+        SurfaceMaterial balls = SurfaceMaterial.Ball with { NormalRestitution = 0.5201837834245777, RestitutionSpeed = 30, TangentialRestitution = 0.22431925574960954, ImpactFriction = 0.24773386703277578 };
         int hits = Check(
             new SphereShape(new Vector3d(-0.679964644403389, 2.2491085927090726, -1.9595654647670944), 0.12630934989983506), new Vector3d(2.0483327749075535, 1.8450911568822174, 6.171345052453838), body, balls,
             (new Vector3d(-0.3780186089494716, 2.9147219220490452, 5.89609085226801), new Vector3d(1.2228813532303726, 1.2677234527575696, -19.07371592162673), new Vector3d(-8.062683650086043, -11.137846402878743, 18.99720108082558)),
@@ -36,14 +36,14 @@ public sealed class ThrownBackTests
         int again = 0;
         for (int i = 0; i < 1500; i++)
         {
-            Surface body = Surface.GoalFrame with
-            {
-                NormalRestitution = random.Uniform(0.3, 0.95),
-                RestitutionSpeed = random.Uniform(15, 60),
-                TangentialRestitution = random.Uniform(-0.5, 0.5),
-                ImpactFriction = random.Uniform(0.1, 1),
-            };
-            Surface balls = Surface.Ball with { NormalRestitution = random.Uniform(0.5, 0.95), TangentialRestitution = random.Uniform(-0.5, 0.5), ImpactFriction = random.Uniform(0.1, 0.8) };
+            SurfaceMaterial body = SurfaceMaterial.GoalFrame with
+        {
+            NormalRestitution = random.Uniform(0.3, 0.95),
+            RestitutionSpeed = random.Uniform(15, 60),
+            TangentialRestitution = random.Uniform(-0.5, 0.5),
+            ImpactFriction = random.Uniform(0.1, 1),
+        };
+            SurfaceMaterial balls = SurfaceMaterial.Ball with { NormalRestitution = random.Uniform(0.5, 0.95), TangentialRestitution = random.Uniform(-0.5, 0.5), ImpactFriction = random.Uniform(0.1, 0.8) };
             var at = new Vector3d(0, 6, 0);
             Vector3d speed = random.Uniform(2, 9) * new Vector3d(random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1), 1);
             Vector3d Close() => new(random.Uniform(-0.05, 0.05), random.Uniform(-0.05, 0.05), 0);
@@ -67,7 +67,7 @@ public sealed class ThrownBackTests
         for (int i = 0; i < 300; i++)
         {
             double fast = random.Uniform(1, 8);
-            Surface surface = Surface.Boot with { NormalRestitution = random.Uniform(0.5, 0.95), ImpactFriction = random.Uniform(0.1, 1), TangentialRestitution = random.Uniform(-0.4, 0.4) };
+            SurfaceMaterial surface = SurfaceMaterial.Boot with { NormalRestitution = random.Uniform(0.5, 0.95), ImpactFriction = random.Uniform(0.1, 1), TangentialRestitution = random.Uniform(-0.4, 0.4) };
             Obstacle Bat(double x, double v) => new() { Shape = new BoxShape(new Vector3d(x, 5, 0), new Vector3d(0.1, 1, 1)), Velocity = new Vector3d(v, 0, 0), Surface = surface };
             var simulator = new Simulator(new Scene { Obstacles = [Bat(-0.8, fast), Bat(0.8, -random.Uniform(0, fast))] });
             BallState ball = simulator.Launch(new Vector3d(random.Uniform(-0.4, 0.4), 5, 0), random.Uniform(0, 5) * random.Direction(), random.Uniform(0, 50) * random.Direction());
@@ -95,9 +95,9 @@ public sealed class ThrownBackTests
     }
 
     private static int Check(
-        SphereShape shape, Vector3d speed, Surface body, Surface balls, (Vector3d Position, Vector3d Velocity, Vector3d Spin) first, (Vector3d Position, Vector3d Velocity, Vector3d Spin) second, double time)
+        SphereShape shape, Vector3d speed, SurfaceMaterial body, SurfaceMaterial balls, (Vector3d Position, Vector3d Velocity, Vector3d Spin) first, (Vector3d Position, Vector3d Velocity, Vector3d Spin) second, double time)
     {
-        BallProperties[] kinds = [BallProperties.Football, BallProperties.Jabulani];
+        BallProperties[] kinds = [BallProperties.Tunnel, BallProperties.Jabulani];
         var scene = new Scene
         {
             Air = new Air { Density = 1.2, KinematicViscosity = 1.5e-5 },

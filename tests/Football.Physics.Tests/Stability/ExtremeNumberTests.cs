@@ -62,11 +62,14 @@ public sealed class ExtremeNumberTests
                 },
                 Ground = profile.Ground() with
                 {
-                    NormalRestitution = Any(0, 0.6, 1),
-                    SpinRestitution = Any(0, 0.8, 1),
-                    SlidingFriction = Any(0, 0.5, 10),
-                    RollingFriction = Any(0, 0.05, 10),
-                    SpinDamping = Any(0, 0.0001, 1),
+                    Material = profile.Ground().Material with
+                    {
+                        NormalRestitution = Any(0, 0.6, 1),
+                        SpinRestitution = Any(0, 0.8, 1),
+                        SlidingFriction = Any(0, 0.5, 10),
+                        RollingFriction = Any(0, 0.05, 10),
+                        SpinDamping = Any(0, 0.0001, 1),
+                    },
                     MinimumBounceSpeed = Any(0.001, 0.2, 10),
                     RestEnergy = Any(1e-12, 1e-4, 100),
                     Height = Any(-9e5, 0, 9e5),
@@ -98,7 +101,7 @@ public sealed class ExtremeNumberTests
     [ProfileData]
     public void A_slide_without_friction_and_with_hardly_a_spin_stays_finite(Profile profile)
     {
-        Scene scene = profile.Scene() with { Ground = profile.Ground() with { SlidingFriction = 0 } };
+        Scene scene = profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { SlidingFriction = 0 } } };
         foreach (double spin in (double[])[1e-200, -1e-200])
         {
             var simulator = new Simulator(scene);
@@ -139,6 +142,6 @@ public sealed class ExtremeNumberTests
     private static IEnumerable<Scene> Scenes() =>
         (from friction in (double[])[0, 0.5]
          from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
-         select Scene.Published with { Forces = forces, Ground = Ground.PublishedTurf with { SlidingFriction = friction } })
+         select Scene.Published with { Forces = forces, Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { SlidingFriction = friction } } })
         .Append(new Scene());
 }

@@ -12,7 +12,7 @@ public sealed class MeasuredStabilityTests
     public void In_still_air_no_step_gains_energy(double timeStep)
     {
         var random = new Shots(41);
-        Ground[] grounds = [Ground.DryTurf, Ground.WetTurf, Ground.Concrete, Ground.Snow, Ground.LongGrass];
+        Ground[] grounds = [Ground.Of(SurfaceMaterial.DryTurf), Ground.Of(SurfaceMaterial.WetTurf), Ground.Of(SurfaceMaterial.Concrete), Ground.Of(SurfaceMaterial.Snow), Ground.Of(SurfaceMaterial.LongGrass)];
         for (int i = 0; i < 100; i++)
         {
             var simulator = new Simulator(Scene.Measured with { Ground = grounds[i % grounds.Length] });
@@ -44,7 +44,16 @@ public sealed class MeasuredStabilityTests
             Air = new Air { Density = 0.72, KinematicViscosity = 1.5e-5 },
             Gravity = 300,
             Forces = scene.Forces with { Buoyancy = false },
-            Ground = scene.Ground with { SlidingFriction = 10, SpinDamping = 0.0035641015257594864, RollingFriction = 0.05, Aerodynamics = GroundAerodynamics.Horizontal },
+            Ground = scene.Ground with
+            {
+                Material = scene.Ground.Material with
+                {
+                    SlidingFriction = 10,
+                    SpinDamping = 0.0035641015257594864,
+                    RollingFriction = 0.05,
+                },
+                Aerodynamics = GroundAerodynamics.Horizontal,
+            },
         };
         var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
         BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(-4e-4, 0, 1e-4), new Vector3d(-1547.1233669910719, 9765.41487657772, -1497.6920830480215));

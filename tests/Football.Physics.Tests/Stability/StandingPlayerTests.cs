@@ -25,9 +25,9 @@ public sealed class StandingPlayerTests
         double spread = seed > 0 ? 1 : 0;
         double radius = rolls ? 0.2 : 0.2558;
         double gap = (rolls ? 0.1885 : 0.1443) + (spread * random.Uniform(-0.005, 0.005));
-        var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board };
+        var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
         var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), Surface.Boot);
+        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot);
         var simulator = new Simulator(Scene.Default with { Bodies = bodies, Obstacles = [board] });
         double speed = 4.18 + (spread * random.Uniform(-0.5, 0.5));
         BallState ball = rolls

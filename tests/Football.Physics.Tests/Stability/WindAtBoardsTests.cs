@@ -23,7 +23,7 @@ public sealed class WindAtBoardsTests
         double angle = degrees * Math.PI / 180;
         var wind = new Vector3d(speed * Math.Sin(angle), 0, -speed * Math.Cos(angle));
         var box = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(500, 0.5, 0.05));
-        var board = new Obstacle { Name = "board", Shape = box, Surface = Surface.Board };
+        var board = new Obstacle { Name = "board", Shape = box, Surface = SurfaceMaterial.Board };
         var simulator = new Simulator(Scene.Default with { Air = new Air { Wind = wind }, Obstacles = [board] });
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, -3.8), new Vector3d(0.4, 0, -2.2), Vector3d.Zero);
         Cost cost = Play(simulator, ref ball);

@@ -78,12 +78,20 @@ public sealed class MirrorTests
         yield return Scene.Published with
         {
             Air = new Air { Wind = new Vector3d(5, 0.5, -7) },
-            Ground = Ground.PublishedTurf with { TangentialRestitutionX = 0.7, TangentialRestitutionZ = -0.2, RollingFriction = 0.1 },
+            Ground = Ground.PublishedTurf with
+            {
+                Material = SurfaceMaterial.PublishedTurf with
+            {
+                RollingFriction = 0.1,
+                TangentialRestitution = 0.7,
+            },
+                TangentialRestitutionZ = -0.2,
+            },
         };
         yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
         yield return new Scene();
-        yield return new Scene { Air = new Air { Wind = new Vector3d(2, 0, -4) }, Ground = Ground.PublishedWetTurf };
-        yield return Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.PublishedCourt };
+        yield return new Scene { Air = new Air { Wind = new Vector3d(2, 0, -4) }, Ground = Ground.Presets["publishedWetTurf"] };
+        yield return Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Presets["publishedCourt"] };
     }
 
     private static void Compare(

@@ -16,11 +16,11 @@ public sealed class BodyTests
         var velocity = new Vector3d(0.1, -0.3, 8);
         var spin = new Vector3d(3, -2, 1);
         var from = new Vector3d(-0.05, 0.3, -3);
-        var obstacle = new Obstacle { Name = "foot", Shape = new SphereShape(from, 0.15), Surface = Surface.Boot, Velocity = velocity, Spin = spin, Pivot = from };
+        var obstacle = new Obstacle { Name = "foot", Shape = new SphereShape(from, 0.15), Surface = SurfaceMaterial.Boot, Velocity = velocity, Spin = spin, Pivot = from };
         BallState expected = Played(profile.Scene() with { Obstacles = [obstacle] }, _ => { }, out string[] events);
 
         var bodies = new Bodies();
-        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), Surface.Boot);
+        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
         void Move(double time) => foot.MoveTo(from + (time * velocity), Quaterniond.Identity, velocity, spin, time);
         BallState actual = Played(profile.Scene() with { Bodies = bodies }, Move, out string[] again);
         Assert.Contains("Impact foot", events);
@@ -38,9 +38,9 @@ public sealed class BodyTests
         Quaterniond turn = Quaterniond.FromAxisAngle(new Vector3d(0.6, 0, 0.8), 0.7);
         var at = new Vector3d(0.2, 1, -4);
         var half = new Vector3d(0.5, 0.3, 0.2);
-        Scene fixedScene = profile.Scene() with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = Surface.Board }] };
+        Scene fixedScene = profile.Scene() with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = SurfaceMaterial.Board }] };
         var bodies = new Bodies();
-        Body board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), Surface.Board);
+        Body board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), SurfaceMaterial.Board);
         board.MoveTo(at, turn, Vector3d.Zero, Vector3d.Zero, 0);
         BallState expected = Played(fixedScene, _ => { }, out string[] events, new Vector3d(1, 4, -18));
         BallState actual = Played(profile.Scene() with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
@@ -76,7 +76,7 @@ public sealed class BodyTests
     public void A_body_that_comes_up_under_a_ball_hits_it()
     {
         var bodies = new Bodies();
-        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), Surface.Wood);
+        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(new Scene { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.1 + Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
@@ -97,7 +97,7 @@ public sealed class BodyTests
     public void A_ball_lies_on_a_body_until_that_is_taken_away(Profile profile)
     {
         var bodies = new Bodies();
-        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), Surface.Wood);
+        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.5, 0), Vector3d.Zero, Vector3d.Zero);

@@ -7,16 +7,16 @@ public sealed class CarrierTests
     private const double Frame = 1 / 60.0;
 
     /// <summary>Grips whatever the ball does, and brakes no roll.</summary>
-    private static readonly Surface s_rough = new()
-    {
-        NormalRestitution = 0.5,
-        ImpactFriction = 5,
-        SlidingFriction = 5,
-        RollingFriction = 0,
-        RollingFrictionBySpeed = 0,
-        DrillingLength = 0,
-        SpinDamping = 0,
-    };
+    private static readonly SurfaceMaterial s_rough = SurfaceMaterial.GoalFrame with
+{
+    NormalRestitution = 0.5,
+    ImpactFriction = 5,
+    SlidingFriction = 5,
+    RollingFriction = 0,
+    RollingFrictionBySpeed = 0,
+    DrillingLength = 0,
+    SpinDamping = 0,
+};
 
     private static readonly IShape s_slab = new BoxShape(new Vector3d(0, -0.5, 0), new Vector3d(60, 0.5, 60));
 
@@ -101,7 +101,7 @@ public sealed class CarrierTests
     [Fact]
     public void On_a_belt_of_constant_speed_it_comes_to_rest_in_the_frame_of_the_belt()
     {
-        Surface turf = Surface.Of(Ground.DryTurf);
+        SurfaceMaterial turf = SurfaceMaterial.DryTurf;
         var simulator = new Simulator(Still(2.0 / 3) with { Obstacles = [new Obstacle { Shape = s_slab, Surface = turf, Velocity = new Vector3d(2, 0, 0) }] });
         BallState state = simulator.Launch(new Vector3d(0, Radius, 0), default, default);
         Play(simulator, ref state, 8, null);
@@ -159,9 +159,9 @@ public sealed class CarrierTests
 
     private static Scene Still(double inertia) => new()
     {
-        Ball = BallProperties.Football with { InertiaFactor = inertia },
+        Ball = BallProperties.Tunnel with { InertiaFactor = inertia },
         Air = new Air { Density = 0 },
-        Ground = Ground.DryTurf with { Height = -10 },
+        Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -10 },
     };
 
     private static Vector3d OnTurntable()

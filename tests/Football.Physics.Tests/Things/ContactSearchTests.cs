@@ -123,7 +123,7 @@ public sealed class ContactSearchTests
 
     private static World WorldOf(string kind, Random random, Func<double, Vector3d> any)
     {
-        Ground ground = Ground.DryTurf;
+        Ground ground = Ground.Of(SurfaceMaterial.DryTurf);
         if (kind == "hills")
         {
             double[,] heights = new double[12, 12];

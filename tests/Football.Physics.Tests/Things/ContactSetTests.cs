@@ -32,7 +32,7 @@ public sealed class ContactSetTests
     [InlineData(60, 3)]
     public void It_runs_down_a_gutter_as_its_turning_about_both_sides_says(double beta, double theta)
     {
-        Scene scene = Vacuum() with { Ground = Ground.None, Obstacles = Gutter(beta, theta, new Surface { SlidingFriction = 5, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0, NormalRestitution = 0 }) };
+        Scene scene = Vacuum() with { Ground = Ground.None, Obstacles = Gutter(beta, theta, SurfaceMaterial.GoalFrame with { SlidingFriction = 5, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0, NormalRestitution = 0 }) };
         double b = beta * Math.PI / 180;
         double t = theta * Math.PI / 180;
         var simulator = new Simulator(scene, Flight.With(Integrator.Rk4));
@@ -59,8 +59,18 @@ public sealed class ContactSetTests
         const double WallFriction = 0.2;
         Scene scene = Vacuum() with
         {
-            Ground = Vacuum().Ground with { SlidingFriction = GroundFriction, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 },
-            Obstacles = [Board("wall", new Vector3d(0, 5, -0.5 - Radius), new Vector3d(200, 5, 0.5)) with { Surface = new Surface { SlidingFriction = WallFriction, RollingFriction = 0 } }],
+            Ground = Vacuum().Ground with
+            {
+                Material = Vacuum().Ground.Material with
+                {
+                    SlidingFriction = GroundFriction,
+                    RollingFriction = 0,
+                    RollingFrictionBySpeed = 0,
+                    SpinDamping = 0,
+                    DrillingLength = 0,
+                },
+            },
+            Obstacles = [Board("wall", new Vector3d(0, 5, -0.5 - Radius), new Vector3d(200, 5, 0.5)) with { Surface = SurfaceMaterial.GoalFrame with { SlidingFriction = WallFriction, RollingFriction = 0 } }],
             Forces = Vacuum().Forces with { Custom = [IForce.From(ball => new Vector3d(0, 0, -Pressing * Vacuum().Ball.Mass))] },
         };
         double alpha = scene.Ball.InertiaFactor;
@@ -147,9 +157,9 @@ public sealed class ContactSetTests
         Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
     };
 
-    private static Obstacle Board(string name, Vector3d center, Vector3d half) => new() { Name = name, Shape = new BoxShape(center, half), Surface = Surface.Board };
+    private static Obstacle Board(string name, Vector3d center, Vector3d half) => new() { Name = name, Shape = new BoxShape(center, half), Surface = SurfaceMaterial.Board };
 
-    private static Obstacle[] Gutter(double beta, double theta, Surface surface)
+    private static Obstacle[] Gutter(double beta, double theta, SurfaceMaterial surface)
     {
         double b = beta * Math.PI / 180;
         double t = theta * Math.PI / 180;

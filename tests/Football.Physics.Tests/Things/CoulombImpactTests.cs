@@ -3,7 +3,7 @@ namespace Football.Physics.Tests.Things;
 /// <summary>Impacts in the frame of the contact.</summary>
 public sealed class CoulombImpactTests
 {
-    private static readonly BallProperties s_ball = BallProperties.Football;
+    private static readonly BallProperties s_ball = BallProperties.Tunnel;
 
     [Fact]
     public void Without_a_limit_on_level_ground_it_is_the_thesis_impact()
@@ -11,7 +11,14 @@ public sealed class CoulombImpactTests
         var random = new Random(1);
         for (int i = 0; i < 1000; i++)
         {
-            Ground ground = Ground.PublishedTurf with { TangentialRestitutionX = random.NextDouble(), TangentialRestitutionZ = -random.NextDouble() };
+            Ground ground = Ground.PublishedTurf with
+            {
+                Material = SurfaceMaterial.PublishedTurf with
+            {
+                TangentialRestitution = random.NextDouble(),
+            },
+                TangentialRestitutionZ = -random.NextDouble(),
+            };
             (Vector3d v, Vector3d w) = Draw(random);
             v = new Vector3d(v.X, -Math.Abs(v.Y), v.Z);
             (Vector3d velocity, Vector3d spin) = ThesisImpact(ground, in v, in w);
@@ -25,15 +32,15 @@ public sealed class CoulombImpactTests
     {
         double a = s_ball.InertiaFactor;
         double r = s_ball.Radius;
-        double ex = ground.TangentialRestitutionX;
-        double ez = ground.TangentialRestitutionZ;
+        double ex = ground.Material.TangentialRestitution;
+        double ez = ground.TangentialRestitutionZ ?? ex;
         var velocity = new Vector3d(
             (((1 - (a * ex)) * v.X) - (a * (1 + ex) * r * w.Z)) / (1 + a),
-            -ground.NormalRestitution * v.Y,
+            -ground.Material.NormalRestitution * v.Y,
             (((1 - (a * ez)) * v.Z) + (a * (1 + ez) * r * w.X)) / (1 + a));
         var spin = new Vector3d(
             (((a - ez) * w.X) + ((1 + ez) * v.Z / r)) / (1 + a),
-            ground.SpinRestitution * w.Y,
+            ground.Material.SpinRestitution * w.Y,
             (((a - ex) * w.Z) - ((1 + ex) * v.X / r)) / (1 + a));
         return (velocity, spin);
     }
@@ -44,14 +51,14 @@ public sealed class CoulombImpactTests
         var random = new Random(2);
         for (int i = 0; i < 20_000; i++)
         {
-            Surface surface = new()
-            {
-                NormalRestitution = random.NextDouble(),
-                TangentialRestitution = (2 * random.NextDouble()) - 1,
-                SpinRestitution = 1,
-                ImpactFriction = i % 3 == 0 ? double.PositiveInfinity : 1.5 * random.NextDouble(),
-                DrillingLength = i % 2 == 0 ? 0.02 : 0,
-            };
+            SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
+        {
+            NormalRestitution = random.NextDouble(),
+            TangentialRestitution = (2 * random.NextDouble()) - 1,
+            SpinRestitution = 1,
+            ImpactFriction = i % 3 == 0 ? double.PositiveInfinity : 1.5 * random.NextDouble(),
+            DrillingLength = i % 2 == 0 ? 0.02 : 0,
+        };
             Vector3d n = Direction(random);
             (Vector3d v, Vector3d w) = Draw(random);
             v -= (Vector3d.Dot(v, n) + (20 * random.NextDouble())) * n;
@@ -77,7 +84,7 @@ public sealed class CoulombImpactTests
     [Fact]
     public void A_moving_wall_gives_what_a_resting_one_gives_in_its_own_frame()
     {
-        var material = new ContactMaterial(Surface.PublishedGoalFrame);
+        var material = new ContactMaterial(SurfaceMaterial.PublishedGoalFrame);
         var wall = new Vector3d(0, 0, 7);
         var v = new Vector3d(3, 1, -12);
         var w = new Vector3d(10, 20, 30);

@@ -177,13 +177,13 @@ public sealed class CrowdTests
             IEnumerable<int> all = Enumerable.Range(0, count);
             if (kind == "engine")
             {
-                _colliders = [.. all.Select(i => new EngineCollider($"sphere {i}", new SphereShape(Vector3d.Zero, 0.05), Surface.Boot))];
+                _colliders = [.. all.Select(i => new EngineCollider($"sphere {i}", new SphereShape(Vector3d.Zero, 0.05), SurfaceMaterial.Boot))];
                 scene = scene with { EngineColliders = this };
             }
             else
             {
                 var bodies = new Bodies();
-                _bodies = [.. all.Select(i => bodies.Add($"sphere {i}", new SphereShape(Vector3d.Zero, 0.05), Surface.Boot))];
+                _bodies = [.. all.Select(i => bodies.Add($"sphere {i}", new SphereShape(Vector3d.Zero, 0.05), SurfaceMaterial.Boot))];
                 scene = scene with { Bodies = bodies };
             }
 
@@ -260,8 +260,8 @@ public sealed class CrowdTests
 
         private Obstacle[] StillOf(string kind)
         {
-            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board };
-            var side = new Obstacle { Name = "side", Shape = new BoxShape(new Vector3d(-0.05, 0.5, 0), new Vector3d(0.05, 0.5, 50)), Surface = Surface.Board };
+            var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
+            var side = new Obstacle { Name = "side", Shape = new BoxShape(new Vector3d(-0.05, 0.5, 0), new Vector3d(0.05, 0.5, 50)), Surface = SurfaceMaterial.Board };
             return kind switch
             {
                 "corner" => [board, side],

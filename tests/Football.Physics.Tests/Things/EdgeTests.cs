@@ -11,7 +11,7 @@ public sealed class EdgeTests
     [ProfileData(Integrator.Rk4, 0.2)]
     public void A_ball_that_goes_over_the_edge_of_a_table_leaves_it_there_in_a_few_pieces(Profile profile, Integrator integrator, double step)
     {
-        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = Surface.Wood };
+        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = SurfaceMaterial.Wood };
         foreach (double speed in new[] { 2.5, 6, 25 })
         {
             var simulator = new Simulator(profile.Scene() with { Obstacles = [table] }, Flight.With(integrator));
@@ -38,7 +38,7 @@ public sealed class EdgeTests
     [ProfileData(Integrator.Rk4, 0.2)]
     public void A_slow_ball_rolls_round_the_edge_and_leaves_it_further_down(Profile profile, Integrator integrator, double step)
     {
-        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = Surface.Wood };
+        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 1, 0), new Vector3d(1, 0.5, 1)), Surface = SurfaceMaterial.Wood };
         var simulator = new Simulator(profile.Scene() with { Obstacles = [table] }, Flight.With(integrator));
         BallState state = simulator.Launch(new Vector3d(0.5, 1.5 + Flight.Radius, 0), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1 / Flight.Radius));
         var log = new StepLog();

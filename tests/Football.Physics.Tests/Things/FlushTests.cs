@@ -38,12 +38,12 @@ public sealed class FlushTests
         var belt = new Obstacle
         {
             Shape = new BoxShape(new Vector3d(6, -0.25, 0), new Vector3d(5, 0.25, 50)),
-            Surface = Surface.Of(Ground.DryTurf),
+            Surface = SurfaceMaterial.DryTurf,
             Velocity = new Vector3d(0, 0, speed),
             Spin = new Vector3d(0, spin, 0),
             Pivot = new Vector3d(6, 0, 0),
         };
-        var simulator = new Simulator(new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf, Forces = ForceSet.None, Obstacles = [belt] });
+        var simulator = new Simulator(new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf), Forces = ForceSet.None, Obstacles = [belt] });
         BallState s = simulator.Launch(new Vector3d(0.985, 0.11, 0), new Vector3d(2, 0, 0), new Vector3d(0, 0, -2 / 0.11));
         var log = new StepLog();
         simulator.Step(ref s, Step, log);
@@ -60,15 +60,15 @@ public sealed class FlushTests
     private static BallState Rolled(double? beyond, bool engine, out int told)
     {
         const double Radius = 0.11;
-        Ground turf = Ground.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
-        Scene scene = new() { Ball = BallProperties.Football, Ground = turf, Forces = ForceSet.None };
+        Ground turf = Ground.Of(SurfaceMaterial.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 });
+        Scene scene = new() { Ball = BallProperties.Tunnel, Ground = turf, Forces = ForceSet.None };
         const double Speed = 2;
         double edge = (Speed * Step) - (beyond ?? 0);
         var along = new Vector3d(0, 0, 1.5);
         var box = new BoxShape(new Vector3d(edge + 5, 1e-10 - 0.25, 0), new Vector3d(5, 0.25, 50));
         var bodies = new Bodies();
-        Body? body = beyond is null || engine ? null : bodies.Add("tile", box, Surface.Of(turf));
-        var crate = beyond is null || !engine ? null : new Tile(new EngineCollider("tile", box, Surface.Of(turf)));
+        Body? body = beyond is null || engine ? null : bodies.Add("tile", box, turf.Material);
+        var crate = beyond is null || !engine ? null : new Tile(new EngineCollider("tile", box, turf.Material));
         var simulator = new Simulator(scene with { Bodies = body is null ? null : bodies, EngineColliders = crate });
         BallState s = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(Speed, 0, 0), new Vector3d(0, 0, -Speed / Radius));
         var log = new StepLog();

@@ -19,7 +19,7 @@ internal sealed record Hinged
     public required double Rate { get; init; }
 
     /// <summary>Rubber without friction.</summary>
-    public static Surface Rubber { get; } =
+    public static SurfaceMaterial Rubber { get; } =
         new() { NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0 };
 
     public Vector3d PivotAt(double time) => Pivot + (time * Velocity);
@@ -95,7 +95,7 @@ internal sealed class HingedScene
     private readonly Body? _body;
     private readonly HingedEngine? _engine;
 
-    public HingedScene(Hinged thing, Mover mover, Scene scene, Surface? surface = null, double mass = double.PositiveInfinity)
+    public HingedScene(Hinged thing, Mover mover, Scene scene, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity)
     {
         _thing = thing;
         if (mover == Mover.Body)
@@ -116,7 +116,7 @@ internal sealed class HingedScene
     public Body Body => _body!;
 
     /// <summary>Nothing but the ball: no gravity, no ground, no air.</summary>
-    public static Scene Void { get; } = new() { Ball = BallProperties.Football, Forces = ForceSet.None, Gravity = 0, Ground = Ground.None };
+    public static Scene Void { get; } = new() { Ball = BallProperties.Tunnel, Forces = ForceSet.None, Gravity = 0, Ground = Ground.None };
 
     public void Move(double time)
     {
@@ -144,7 +144,7 @@ internal sealed class HingedScene
         return log;
     }
 
-    private sealed class HingedEngine(Hinged thing, Surface surface, double mass, bool isExact) : IEngineColliders
+    private sealed class HingedEngine(Hinged thing, SurfaceMaterial surface, double mass, bool isExact) : IEngineColliders
     {
         private readonly EngineCollider _collider = new("thing", thing.Shape, surface) { Mass = mass };
 

@@ -34,7 +34,7 @@ public sealed class NearContactTests
     public void Of_flat_things_side_by_side_one_stands_for_all()
     {
         static Obstacle Board(string name, double x, double back) =>
-            new() { Name = name, Shape = new BoxShape(new Vector3d(x, 0.5, -0.05 - Radius - back), new Vector3d(0.5, 0.5, 0.05)), Surface = Surface.Board };
+            new() { Name = name, Shape = new BoxShape(new Vector3d(x, 0.5, -0.05 - Radius - back), new Vector3d(0.5, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
 
         // Three in a row, of which one stands back a little; and one behind the ball.
         Scene scene = new()

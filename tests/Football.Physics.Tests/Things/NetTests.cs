@@ -123,7 +123,7 @@ public sealed class NetTests
     public void A_ball_comes_to_rest_on_the_roof_of_a_goal()
     {
         var bodies = new Bodies();
-        Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.1), Surface.Boot);
+        Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.1), SurfaceMaterial.Boot);
         boot.MoveTo(new Vector3d(0, 50, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(0.5, 2.9, -20.4), new Vector3d(0.3, 0, 0), Vector3d.Zero);

@@ -92,8 +92,8 @@ public sealed class OrderOfAddingTests
         var centre = new Vector3d(0, place == "air" ? 1 : Radius, 0);
         Obstacle[] obstacles = place switch
         {
-            "board" => [new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05 - Radius), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board }],
-            "post" => [new Obstacle { Name = "post", Shape = new CapsuleShape(new Vector3d(0, 0, -0.17), new Vector3d(0, 2, -0.17), 0.06), Surface = Surface.GoalFrame }],
+            "board" => [new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05 - Radius), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board }],
+            "post" => [new Obstacle { Name = "post", Shape = new CapsuleShape(new Vector3d(0, 0, -0.17), new Vector3d(0, 2, -0.17), 0.06), Surface = SurfaceMaterial.GoalFrame }],
             _ => [],
         };
         var shape = new SphereShape(Vector3d.Zero, 0.12);
@@ -103,11 +103,11 @@ public sealed class OrderOfAddingTests
         {
             if (kind == "engine")
             {
-                engine.Add(new EngineCollider(name, shape, Surface.Boot) { Mass = mass }, centre + position, velocity);
+                engine.Add(new EngineCollider(name, shape, SurfaceMaterial.Boot) { Mass = mass }, centre + position, velocity);
             }
             else
             {
-                bodies.Add(name, shape, Surface.Boot, mass);
+                bodies.Add(name, shape, SurfaceMaterial.Boot, mass);
             }
         }
 

@@ -89,7 +89,7 @@ public sealed class PassageTests
     public void Another_scene_leaves_the_ball_in_the_net(bool isRunner)
     {
         Goal other = s_goal with { Center = new Vector3d(0, 0, -Mouth), Facing = new Vector3d(0, 0, -1) };
-        Scene[] scenes = [s_scene with { Ground = Ground.WetTurf }, s_scene with { Goals = [other, s_goal] }, s_scene with { Nets = [new Net { Center = new Vector3d(9, 1, 9), Normal = new Vector3d(1, 0, 0), Along = new Vector3d(0, 0, 1), HalfLength = 1, HalfWidth = 1 }] }];
+        Scene[] scenes = [s_scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf) }, s_scene with { Goals = [other, s_goal] }, s_scene with { Nets = [new Net { Center = new Vector3d(9, 1, 9), Normal = new Vector3d(1, 0, 0), Along = new Vector3d(0, 0, 1), HalfLength = 1, HalfWidth = 1 }] }];
         foreach (Scene next in scenes)
         {
             var simulator = new Simulator(s_scene);
@@ -123,7 +123,7 @@ public sealed class PassageTests
             if (i == 30)
             {
                 Assert.Equal(1, goals);
-                ball.Simulator = new Simulator(s_scene with { Ground = Ground.WetTurf });
+                ball.Simulator = new Simulator(s_scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf) });
 
                 // Out of the mouth and in again, without a kick.
                 BallState state = ball.State;
@@ -145,7 +145,7 @@ public sealed class PassageTests
         BallState state = simulator.Launch(new Vector3d(0.5, 2.9, -20.4), new Vector3d(0.3, 0, 0), Vector3d.Zero);
         Assert.True(simulator.Run(ref state, Tick, 60, StopAt.Rest, new StepLog()));
         var ball = new Ball(simulator) { State = state };
-        ball.Simulator = new Simulator(s_scene with { Ground = Ground.WetTurf, Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(9, 1, 0), 0.1) }] });
+        ball.Simulator = new Simulator(s_scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf), Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(9, 1, 0), 0.1) }] });
         Assert.Equal(MotionState.Stopped, ball.Motion);
         Assert.Equal("roof net", ball.Simulator.NameOf((int)ball.State.Carrier));
         ball.Step(1);
@@ -186,7 +186,7 @@ public sealed class PassageTests
     public void A_ball_that_a_body_pushes_over_the_line_is_a_goal(double from, int expected)
     {
         var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), Surface.Boot);
+        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, from), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
@@ -204,7 +204,7 @@ public sealed class PassageTests
     public void A_ball_that_a_body_pushes_into_a_net_is_in_it()
     {
         var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), Surface.Boot);
+        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(3.5, 0.11, -20.6), Vector3d.Zero, Vector3d.Zero);
         Assert.Equal(0UL, state.Nets);
@@ -223,7 +223,7 @@ public sealed class PassageTests
     public void A_push_through_a_mouth_does_not_go_through_a_board()
     {
         var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), Surface.Boot);
+        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 0.5, -20.1), new Vector3d(1, 0.5, 0.005)) };
         var simulator = new Simulator(s_scene with { Bodies = bodies, Obstacles = [board] });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, -19.95), Vector3d.Zero, Vector3d.Zero);
@@ -247,7 +247,7 @@ public sealed class PassageTests
             double radius = random.Uniform(0.29, 0.296);
             double speed = random.Uniform(3.1, 3.4);
             var bodies = new Bodies();
-            Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), Surface.Boot, 75);
+            Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
             var simulator = new Simulator(Pitch.Futsal.On(new Scene { Bodies = bodies }));
             double line = random.Uniform(-19.97, -19.95);
             BallState[] states = [simulator.Launch(new Vector3d(0.25, 0.11, line), Vector3d.Zero, Vector3d.Zero)];

@@ -7,7 +7,7 @@ internal sealed class PosedCollider : IEngineColliders
     private readonly EngineCollider? _collider;
     private readonly double _reach;
 
-    private PosedCollider(IShape shape, Surface surface, bool isEngine)
+    private PosedCollider(IShape shape, SurfaceMaterial surface, bool isEngine)
     {
         Bounds3d box = shape.Bounds;
         _reach = Math.Max(box.Min.Length, box.Max.Length);
@@ -29,7 +29,7 @@ internal sealed class PosedCollider : IEngineColliders
     private Bodies? Bodies { get; }
 
     /// <summary>Makes the object and a scene that has it.</summary>
-    public static PosedCollider In(ref Scene scene, IShape shape, Surface surface, bool isEngine)
+    public static PosedCollider In(ref Scene scene, IShape shape, SurfaceMaterial surface, bool isEngine)
     {
         var posed = new PosedCollider(shape, surface, isEngine);
         scene = isEngine ? scene with { EngineColliders = posed } : scene with { Bodies = posed.Bodies };

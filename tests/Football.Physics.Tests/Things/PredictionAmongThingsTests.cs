@@ -29,7 +29,7 @@ public sealed class PredictionAmongThingsTests
     public void A_look_ahead_meets_a_body_on_the_path_that_the_game_gives_and_leaves_it_where_it_is(Profile profile)
     {
         var bodies = new Bodies();
-        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), Surface.Boot);
+        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
 
         // It swings on a circle, which is not how it goes at any one moment.

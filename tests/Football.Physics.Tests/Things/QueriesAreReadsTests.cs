@@ -128,11 +128,11 @@ public sealed class QueriesAreReadsTests
     private static ulong Play(string crate, string look, bool queries)
     {
         var bodies = new Bodies();
-        bodies.Add("far player", BodyKind.Player.Shape, Surface.Boot, 75).MoveTo(new Vector3d(60, 0, 0), Vector3d.Zero, 0);
+        bodies.Add("far player", BodyKind.Player.Shape, SurfaceMaterial.Boot, 75).MoveTo(new Vector3d(60, 0, 0), Vector3d.Zero, 0);
         var box = new BoxShape(Vector3d.Zero, new Vector3d(0.35, 0.35, 0.35));
         if (crate == "body")
         {
-            bodies.Add("crate", box, Surface.Wood, 4).MoveTo(new Vector3d(0, 0.35, -7), Vector3d.Zero, 0);
+            bodies.Add("crate", box, SurfaceMaterial.Wood, 4).MoveTo(new Vector3d(0, 0.35, -7), Vector3d.Zero, 0);
         }
 
         var engine = new Crate(-7);
@@ -140,7 +140,7 @@ public sealed class QueriesAreReadsTests
         {
             Bodies = bodies,
             EngineColliders = crate == "engine" ? engine : null,
-            Obstacles = crate == "obstacle" ? [new Obstacle { Name = "crate", Shape = new BoxShape(new Vector3d(0, 0.35, -7), new Vector3d(0.35, 0.35, 0.35)), Surface = Surface.Wood, Mass = 4 }] : [],
+            Obstacles = crate == "obstacle" ? [new Obstacle { Name = "crate", Shape = new BoxShape(new Vector3d(0, 0.35, -7), new Vector3d(0.35, 0.35, 0.35)), Surface = SurfaceMaterial.Wood, Mass = 4 }] : [],
         };
         var simulator = new Simulator(scene);
         var other = look == "other simulator" ? new Simulator(scene, s_rk4) : simulator;
@@ -212,7 +212,7 @@ public sealed class QueriesAreReadsTests
     /// <summary>An engine with one crate of 4 kg.</summary>
     private sealed class Crate(double z) : IEngineColliders
     {
-        private readonly EngineCollider _crate = new("crate", new BoxShape(Vector3d.Zero, new Vector3d(0.35, 0.35, 0.35)), Surface.Wood) { Mass = 4 };
+        private readonly EngineCollider _crate = new("crate", new BoxShape(Vector3d.Zero, new Vector3d(0.35, 0.35, 0.35)), SurfaceMaterial.Wood) { Mass = 4 };
 
         public double Time { get; set; }
 

@@ -73,7 +73,7 @@ public sealed class RaisedTests
     public void On_a_tilted_plane_it_is_raised_by_r_over_the_cosine(double nx, double ny, double nz)
     {
         Vector3d normal = new Vector3d(nx, ny, nz).Normalized();
-        var simulator = new Simulator(new Scene { Ground = Ground.DryTurf with { Normal = normal, Height = 0.7 } });
+        var simulator = new Simulator(new Scene { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = normal, Height = 0.7 } });
         foreach ((double x, double z) in ((double, double)[])[(0, 0), (4, -7), (-30, 11)])
         {
             double y = 0.7 - (((normal.X * x) + (normal.Z * z)) / normal.Y) + (0.11 / normal.Y);
@@ -149,7 +149,7 @@ public sealed class RaisedTests
         Assert.InRange(ball.Position.Y, -1.9, -1.5);
 
         // Several, each on the ground below it.
-        var runner = new FixedStepRunner(new BallGroup(new Simulator(new Scene { Ground = Ground.DryTurf with { Normal = new Vector3d(0.2, 1, 0).Normalized() } }), 3));
+        var runner = new FixedStepRunner(new BallGroup(new Simulator(new Scene { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0.2, 1, 0).Normalized() } }), 3));
         Assert.All(Enumerable.Range(0, 3), i => Assert.NotEqual(MotionState.Airborne, runner.StateOf(i).Motion));
     }
 }

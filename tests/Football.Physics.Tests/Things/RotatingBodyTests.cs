@@ -48,7 +48,7 @@ public sealed class RotatingBodyTests
     [MemberData(nameof(MoversAndRates))]
     public void A_leg_about_its_hip_kicks_a_ball_on_the_ground(Mover mover, double hz)
     {
-        var scene = new HingedScene(Leg(10), mover, new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf });
+        var scene = new HingedScene(Leg(10), mover, new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) });
         foreach (int start in new[] { 0, 1, 2 })
         {
             var ball = new Ball(scene.Scene);
@@ -308,7 +308,7 @@ public sealed class RotatingBodyTests
     {
         var counted = new CountedShape(new CapsuleShape(new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), 0.3));
         var drum = new Hinged { Shape = counted, Axis = Vector3d.Up, Rate = 20, Pivot = new Vector3d(0.3 + Flight.Radius, 0, 0) };
-        var scene = new HingedScene(drum, Mover.Body, new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf });
+        var scene = new HingedScene(drum, Mover.Body, new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) });
         var ball = new Ball(scene.Scene);
         scene.Move(0);
         Assert.True(scene.Body.Motion.Rotates);

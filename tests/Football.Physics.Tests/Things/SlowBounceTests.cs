@@ -6,9 +6,9 @@ public sealed class SlowBounceTests
     private const double Radius = 0.11;
     private const double Gravity = 9.81;
 
-    private static readonly Surface s_elastic = new() { NormalRestitution = 1, RestitutionSpeed = double.PositiveInfinity, TangentialRestitution = 0, ImpactFriction = 0, SlidingFriction = 0, RollingFriction = 0 };
+    private static readonly SurfaceMaterial s_elastic = SurfaceMaterial.GoalFrame with { NormalRestitution = 1, RestitutionSpeed = double.PositiveInfinity, TangentialRestitution = 0, ImpactFriction = 0, SlidingFriction = 0, RollingFriction = 0 };
 
-    private static readonly Scene s_space = new() { Ball = BallProperties.Football, Gravity = 0, Air = new Air { Density = 0 }, Ground = Ground.DryTurf with { Height = -1000 } };
+    private static readonly Scene s_space = new() { Ball = BallProperties.Tunnel, Gravity = 0, Air = new Air { Density = 0 }, Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = -1000 } };
 
     [Theory]
     [InlineData(false, 0.001)]
@@ -44,7 +44,7 @@ public sealed class SlowBounceTests
     public void Momentum_is_counted_once_where_an_object_gives_way(double restitution, double ball, double body)
     {
         var bodies = new Bodies();
-        Body other = bodies.Add("other", new SphereShape(default, 0.14), s_elastic with { NormalRestitution = restitution }, mass: BallProperties.Football.Mass);
+        Body other = bodies.Add("other", new SphereShape(default, 0.14), s_elastic with { NormalRestitution = restitution }, mass: BallProperties.Tunnel.Mass);
         other.MoveTo(new Vector3d(0.25 + 0.02, 0, 0), default, 0);
         var simulator = new Simulator(s_space with { Bodies = bodies });
         BallState state = simulator.Launch(default, new Vector3d(0.15, 0, 0), default);
@@ -86,7 +86,18 @@ public sealed class SlowBounceTests
     [InlineData(true)]
     public void On_ice_it_comes_back_off_a_board(bool isEngine)
     {
-        Scene scene = s_space with { Gravity = Gravity, Ground = new Ground { ImpactFriction = 0, SlidingFriction = 0, RollingFriction = 0, RollingFrictionBySpeed = 0, DrillingLength = 0, RestEnergy = 1e-9 } };
+        Scene scene = s_space with { Gravity = Gravity, Ground = new Ground
+        {
+            Material = SurfaceMaterial.DryTurf with
+        {
+            ImpactFriction = 0,
+            SlidingFriction = 0,
+            RollingFriction = 0,
+            RollingFrictionBySpeed = 0,
+            DrillingLength = 0,
+        },
+            RestEnergy = 1e-9,
+        } };
         var board = PosedCollider.In(ref scene, new BoxShape(new Vector3d(1.05, 0.5, 0), new Vector3d(0.05, 0.5, 3)), s_elastic with { NormalRestitution = 0.8 }, isEngine);
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(0.5, Radius, 0), new Vector3d(0.15, 0, 0), default);
@@ -121,7 +132,7 @@ public sealed class SlowBounceTests
     [Fact]
     public void A_ball_dropped_on_turf_comes_to_rest_within_8_s_and_25_impacts()
     {
-        var ball = new Ball(new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf });
+        var ball = new Ball(new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) });
         ball.Place(new Vector3d(0, 2, 0));
         int impacts = 0;
         while (ball.Motion != MotionState.Stopped && ball.Time < 20)
@@ -139,9 +150,20 @@ public sealed class SlowBounceTests
         Scene scene = s_space with
         {
             Gravity = Gravity,
-            Ground = Ground.DryTurf with { ImpactFriction = 10, SlidingFriction = 10, RollingFriction = 0, RollingFrictionBySpeed = 0, DrillingLength = 0, RestEnergy = 1e-9 },
+            Ground = new Ground
+            {
+                Material = SurfaceMaterial.DryTurf with
+            {
+                ImpactFriction = 10,
+                SlidingFriction = 10,
+                RollingFriction = 0,
+                RollingFrictionBySpeed = 0,
+                DrillingLength = 0,
+            },
+                RestEnergy = 1e-9,
+            },
         };
-        var rough = new Surface { NormalRestitution = 0, RestitutionSpeed = double.PositiveInfinity, TangentialRestitution = 0, ImpactFriction = 100, SlidingFriction = 10, RollingFriction = 0 };
+        var rough = SurfaceMaterial.GoalFrame with { NormalRestitution = 0, RestitutionSpeed = double.PositiveInfinity, TangentialRestitution = 0, ImpactFriction = 100, SlidingFriction = 10, RollingFriction = 0 };
         var kerb = PosedCollider.In(ref scene, new BoxShape(new Vector3d(5, height - 0.5, 0), new Vector3d(4, 0.5, 4)), rough, isEngine);
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(0.7, Radius, 0), new Vector3d(speed, 0, 0), new Vector3d(0, 0, -speed / Radius));

@@ -21,8 +21,8 @@ public sealed class SqueezeTests
         var random = new Shots(51);
         Obstacle[] boards =
         [
-            new() { Name = "end", Shape = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(50, 0.5, 0.05)), Surface = Surface.Board },
-            new() { Name = "side", Shape = new BoxShape(new Vector3d(-5.05, 0.5, 0), new Vector3d(0.05, 0.5, 50)), Surface = Surface.Board },
+            new() { Name = "end", Shape = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board },
+            new() { Name = "side", Shape = new BoxShape(new Vector3d(-5.05, 0.5, 0), new Vector3d(0.05, 0.5, 50)), Surface = SurfaceMaterial.Board },
         ];
         int squeezed = 0;
         for (int i = 0; i < 30; i++)
@@ -70,7 +70,7 @@ public sealed class SqueezeTests
             var towards = new Vector3d(random.Uniform(0.4, 1.5), 0, random.Uniform(-0.15, 0.15));
 
             // e at 6 m/s is 0.5; at these speeds it may be a little more. What it falls is its own.
-            double e = Surface.Boot.NormalRestitution * 1.2;
+            double e = SurfaceMaterial.Boot.NormalRestitution * 1.2;
             double most = Math.Sqrt(Math.Pow((1 + e) * Math.Max(first, second), 2) + (2 * 9.81 * 1.2)) + 0.1;
             bool isIn = false;
             for (int frame = 0; frame < 150; frame++)

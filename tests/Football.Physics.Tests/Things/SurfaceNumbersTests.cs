@@ -13,27 +13,27 @@ public sealed class SurfaceNumbersTests
     [InlineData(6, 0.80000)]
     [InlineData(20, 0.67882)]
     public void The_measured_frame_gives_back_less_of_a_faster_ball(double speed, double restitution) =>
-        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(Surface.GoalFrame)] }, speed), 1e-5);
+        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(SurfaceMaterial.GoalFrame)] }, speed), 1e-5);
 
     [Theory]
-    [InlineData(nameof(Surface.PublishedGoalFrame), 0.70)]
-    [InlineData(nameof(Surface.Wood), 0.65)]
-    [InlineData(nameof(Surface.Board), 0.50)]
-    [InlineData(nameof(Surface.Concrete), 0.82)]
-    [InlineData(nameof(Surface.Boot), 0.50)]
-    [InlineData(nameof(Surface.Head), 0.45)]
-    [InlineData(nameof(Surface.Glove), 0.25)]
+    [InlineData(nameof(SurfaceMaterial.PublishedGoalFrame), 0.70)]
+    [InlineData(nameof(SurfaceMaterial.Wood), 0.65)]
+    [InlineData(nameof(SurfaceMaterial.Board), 0.50)]
+    [InlineData(nameof(SurfaceMaterial.Concrete), 0.861)]
+    [InlineData(nameof(SurfaceMaterial.Boot), 0.50)]
+    [InlineData(nameof(SurfaceMaterial.Head), 0.45)]
+    [InlineData(nameof(SurfaceMaterial.Glove), 0.25)]
     public void Presets_give_back_what_their_comments_say(string name, double restitution)
     {
-        var surface = (Surface)typeof(Surface).GetProperty(name)!.GetValue(null)!;
-        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(surface)] }, 10), 1e-12);
+        var surface = (SurfaceMaterial)typeof(SurfaceMaterial).GetProperty(name)!.GetValue(null)!;
+        Assert.Equal(restitution, Restitution(new Scene { Obstacles = [Wall(surface)] }, 6), 1e-12);
     }
 
     [Fact]
     public void A_body_is_a_boot_unless_it_is_told_otherwise()
     {
         var bodies = new Bodies();
-        bodies.Add("leg", Wall(Surface.Wood).Shape);
+        bodies.Add("leg", Wall(SurfaceMaterial.Wood).Shape);
         Assert.Equal(0.5, Restitution(new Scene { Bodies = bodies }, 10), 1e-12);
     }
 
@@ -45,7 +45,7 @@ public sealed class SurfaceNumbersTests
         Assert.Equal(0.80, Restitution(new Scene { Goals = [goal] }, 6), 1e-12);
         Assert.Equal(0.67882, Restitution(Pitch.Standard.On() with { Goals = [goal] }, 20), 1e-5);
         Assert.Equal(0.7, Restitution(Scene.Published with { Goals = [goal] }, 20), 1e-12);
-        Assert.Equal(0.65, Restitution(new Scene { Goals = [goal with { Surface = Surface.Wood }] }, 20), 1e-12);
+        Assert.Equal(0.65, Restitution(new Scene { Goals = [goal with { Surface = SurfaceMaterial.Wood }] }, 20), 1e-12);
         Assert.Equal(0.80, Restitution(new Scene { Goals = [Pitch.Standard.Goal with { Center = goal.Center, HasNet = false }] }, 6), 1e-12);
     }
 
@@ -53,12 +53,9 @@ public sealed class SurfaceNumbersTests
     [Fact]
     public void A_ball_rolls_as_far_on_a_pattern_and_on_a_table_as_on_the_ground_of_the_same()
     {
-        Ground turf = Ground.DryTurf;
-        Ground patterned = Ground.Concrete with
-        {
-            Pattern = new SurfaceRectangles((new Vector3d(-100, 0, -100), new Vector3d(100, 0, 100), Surface.Of(turf))),
-        };
-        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(50, 0.5, 50)), Surface = Surface.Of(turf) };
+        Ground turf = Ground.Of(SurfaceMaterial.DryTurf);
+        Ground patterned = new Ground { Material = SurfaceMaterial.Concrete, Pattern = new SurfaceRectangles((new Vector3d(-100, 0, -100), new Vector3d(100, 0, 100), turf.Material)) };
+        var table = new Obstacle { Name = "table", Shape = new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(50, 0.5, 50)), Surface = turf.Material };
         Vector3d ground = Roll(new Scene { Ground = turf }, 0);
         Assert.Equal(0, Vector3d.Distance(ground, Roll(new Scene { Ground = patterned }, 0)), 1e-6);
         Assert.Equal(0, Vector3d.Distance(ground, Roll(new Scene { Obstacles = [table] }, 1)), 1e-6);
@@ -80,7 +77,7 @@ public sealed class SurfaceNumbersTests
         Assert.Equal(from - Flight.Radius, Vector3d.Dot(log.Events[0].Position, in towards), 1e-9);
     }
 
-    private static Obstacle Wall(Surface surface) =>
+    private static Obstacle Wall(SurfaceMaterial surface) =>
         new() { Name = "wall", Shape = new BoxShape(new Vector3d(0, 1, -1), new Vector3d(5, 1, 1)), Surface = surface };
 
     /// <summary>Against what stands at z = 0, straight on.</summary>

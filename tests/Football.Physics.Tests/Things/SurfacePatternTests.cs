@@ -5,7 +5,12 @@ namespace Football.Physics.Tests.Things;
 /// <summary>Pitches that are not the same everywhere.</summary>
 public sealed class SurfacePatternTests
 {
-    private static readonly Surface s_ice = Surface.Of(Ground.PublishedTurf with { SlidingFriction = 0.05, RollingFriction = 0.002, NormalRestitution = 0.3 });
+    private static readonly SurfaceMaterial s_ice = SurfaceMaterial.PublishedTurf with
+    {
+        SlidingFriction = 0.05,
+        RollingFriction = 0.002,
+        NormalRestitution = 0.3,
+    };
 
     private static readonly ISurfacePattern s_half = new SurfaceRectangles((new Vector3d(-50, 0, -50), new Vector3d(50, 0, -5), s_ice));
 
@@ -17,7 +22,7 @@ public sealed class SurfacePatternTests
     {
         Ground ground = kind switch
         {
-            "measured" => Ground.DryTurf,
+            "measured" => Ground.Of(SurfaceMaterial.DryTurf),
             "tilted" => profile.Ground() with { Normal = new Vector3d(0.02, 1, 0.01) },
             _ => profile.Ground(),
         };
@@ -87,7 +92,7 @@ public sealed class SurfacePatternTests
     [ProfileData]
     public void A_wrong_pattern_is_refused_by_name(Profile profile)
     {
-        Surface bad = new() { SlidingFriction = -1 };
+        SurfaceMaterial bad = SurfaceMaterial.GoalFrame with { SlidingFriction = -1 };
         Scene scene = profile.Scene() with { Ground = profile.Ground() with { Pattern = new SurfaceRectangles((Vector3d.Zero, new Vector3d(1, 0, 1), bad)) } };
         Assert.Contains("ground.pattern.surfaces[0].slidingFriction is -1", Assert.Throws<ArgumentOutOfRangeException>(scene.Validate).Message, StringComparison.Ordinal);
         Assert.Contains(
@@ -111,22 +116,24 @@ public sealed class SurfacePatternTests
 
     private static Ground OfSurface(Ground ground) => ground with
     {
-        NormalRestitution = s_ice.NormalRestitution,
-        RestitutionSpeed = s_ice.RestitutionSpeed,
-        TangentialRestitutionX = s_ice.TangentialRestitution,
-        TangentialRestitutionZ = s_ice.TangentialRestitution,
-        SpinRestitution = s_ice.SpinRestitution,
-        ImpactFriction = s_ice.ImpactFriction,
-        SlidingFriction = s_ice.SlidingFriction,
-        RollingFriction = s_ice.RollingFriction,
-        RollingFrictionBySpeed = s_ice.RollingFrictionBySpeed,
-        SpinDamping = s_ice.SpinDamping,
-        DrillingLength = s_ice.DrillingLength,
+        Material = ground.Material with
+        {
+            NormalRestitution = s_ice.NormalRestitution,
+            RestitutionSpeed = s_ice.RestitutionSpeed,
+            SpinRestitution = s_ice.SpinRestitution,
+            ImpactFriction = s_ice.ImpactFriction,
+            SlidingFriction = s_ice.SlidingFriction,
+            RollingFriction = s_ice.RollingFriction,
+            RollingFrictionBySpeed = s_ice.RollingFrictionBySpeed,
+            SpinDamping = s_ice.SpinDamping,
+            DrillingLength = s_ice.DrillingLength,
+            TangentialRestitution = s_ice.TangentialRestitution,
+        },
     };
 
     private sealed class Stripes : ISurfacePattern
     {
-        public IReadOnlyList<Surface> Surfaces { get; } = [Surface.Of(Ground.PublishedTurf with { RollingFriction = 0.3, SlidingFriction = 0.9 })];
+        public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.PublishedTurf with { RollingFriction = 0.3, SlidingFriction = 0.9 }];
 
         public double LeastWidth => 0.1;
 

@@ -43,5 +43,5 @@ public sealed class SymmetricSetTests
         Assert.InRange(most, 0, 400);
     }
 
-    private static Obstacle Side(in Vector3d normal) => new() { Name = "side", Shape = new PlaneShape(Vector3d.Zero, normal), Surface = Surface.Board };
+    private static Obstacle Side(in Vector3d normal) => new() { Name = "side", Shape = new PlaneShape(Vector3d.Zero, normal), Surface = SurfaceMaterial.Board };
 }

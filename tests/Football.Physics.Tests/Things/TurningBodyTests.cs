@@ -7,15 +7,15 @@ public sealed class TurningBodyTests
     private const double Share = 0.03;
 
     /// <summary>Rubber without friction.</summary>
-    private static readonly Surface s_rubber = new()
-    {
-        NormalRestitution = 0.5,
-        RestitutionSpeed = double.PositiveInfinity,
-        ImpactFriction = 0,
-        SlidingFriction = 0,
-    };
+    private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
+{
+    NormalRestitution = 0.5,
+    RestitutionSpeed = double.PositiveInfinity,
+    ImpactFriction = 0,
+    SlidingFriction = 0,
+};
 
-    private static readonly Scene s_void = new() { Ball = BallProperties.Football, Gravity = 0, Ground = Ground.None, Forces = ForceSet.None };
+    private static readonly Scene s_void = new() { Ball = BallProperties.Tunnel, Gravity = 0, Ground = Ground.None, Forces = ForceSet.None };
 
     private static readonly IShape s_leg = new CapsuleShape(new Vector3d(0, -0.85, 0), new Vector3d(0, -0.4, 0), 0.06);
 
@@ -82,7 +82,7 @@ public sealed class TurningBodyTests
     {
         var bodies = new Bodies();
         Body leg = bodies.Add("leg", s_leg, s_rubber);
-        var subject = new Ball(new Scene { Ball = BallProperties.Football, Ground = Ground.DryTurf, Bodies = bodies });
+        var subject = new Ball(new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf), Bodies = bodies });
         if (ball != "new")
         {
             subject.Kick(ball == "rolls away" ? new Vector3d(0, 0, -0.5) : default, ball == "rolls away" ? new Vector3d(-0.5 / 0.11, 0, 0) : default);

@@ -7,12 +7,22 @@ public sealed class WorldContactTests
     private const double Mass = 0.43;
     private const double Slowest = 0.2;
 
-    private static readonly Surface Smooth = new() { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0, SlidingFriction = 0.5 };
+    private static readonly SurfaceMaterial Smooth = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0, SlidingFriction = 0.5 };
 
     private static readonly Scene Still = Scene.Default with
     {
         Gravity = 9.81,
-        Ground = new Ground { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0, DrillingLength = 0, MinimumBounceSpeed = Slowest },
+        Ground = new Ground
+        {
+            Material = SurfaceMaterial.DryTurf with
+        {
+            NormalRestitution = 0.5,
+            RestitutionSpeed = 1e9,
+            ImpactFriction = 0,
+            DrillingLength = 0,
+        },
+            MinimumBounceSpeed = Slowest,
+        },
         Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
     };
 

@@ -49,7 +49,7 @@ internal sealed class WorldDraw
 
     private Ground DrawGround()
     {
-        Ground flat = _ground with { ImpactFriction = _random.Next(2) == 0 ? double.PositiveInfinity : Range(0.1, 1.2) };
+        Ground flat = _ground with { Material = _ground.Material with { ImpactFriction = _random.Next(2) == 0 ? double.PositiveInfinity : Range(0.1, 1.2) } };
         switch (_random.Next(3))
         {
             case 0:
@@ -87,7 +87,7 @@ internal sealed class WorldDraw
         {
             Shape = shape,
             Velocity = moves ? new Vector3d(Range(-8, 8), 0, Range(-8, 8)) : default,
-            Surface = new Surface { NormalRestitution = Range(0, 0.95), TangentialRestitution = Range(-0.5, 0.9), ImpactFriction = Range(0, 1.2) },
+            Surface = SurfaceMaterial.GoalFrame with { NormalRestitution = Range(0, 0.95), TangentialRestitution = Range(-0.5, 0.9), ImpactFriction = Range(0, 1.2) },
         };
     }
 

@@ -142,9 +142,9 @@ public sealed class FootballColliders : IEngineColliders
         double mass = _pushes && met is RigidBody3D { Freeze: false } free ? free.Mass : double.PositiveInfinity;
         if (!_known.TryGetValue((body, owner), out EngineCollider? known) || known.Mass != mass)
         {
-            Surface surface = GodotObject.InstanceFromId(body) is Node node && node.HasMeta("football_surface")
+            SurfaceMaterial surface = GodotObject.InstanceFromId(body) is Node node && node.HasMeta("football_surface")
                 ? SurfaceOf(node.GetMeta("football_surface").AsString())
-                : Surface.GoalFrame;
+                : SurfaceMaterial.GoalFrame;
             known = shape is not null && Shape(shape) is { } own ? new EngineCollider(name, own, surface) { Mass = mass } : new EngineCollider(name, surface) { Mass = mass };
             _known[(body, owner)] = known;
             if (met is not null)
@@ -156,18 +156,8 @@ public sealed class FootballColliders : IEngineColliders
         return known;
     }
 
-    /// <summary>What the metadata football_surface of a body names; anything else is as a goal's frame.</summary>
-    private static Surface SurfaceOf(string name) => name switch
-    {
-        "wood" => Surface.Wood,
-        "board" => Surface.Board,
-        "concrete" => Surface.Concrete,
-        "boot" => Surface.Boot,
-        "head" => Surface.Head,
-        "glove" => Surface.Glove,
-        "turf" => Surface.Of(Ground.DryTurf),
-        _ => Surface.GoalFrame,
-    };
+    /// <summary>The material that the metadata football_surface of a body names: a preset, or turf. Any other name is the frame of a goal.</summary>
+    private static SurfaceMaterial SurfaceOf(string name) => name == "turf" ? SurfaceMaterial.DryTurf : SurfaceMaterial.Presets.GetValueOrDefault(name, SurfaceMaterial.GoalFrame);
 
     private static IShape? Shape(Shape3D shape)
     {

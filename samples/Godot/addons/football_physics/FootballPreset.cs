@@ -19,7 +19,7 @@ public partial class FootballPreset : Resource
     /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
     public enum BallChoice
     {
-        Football,
+        Generic,
         Tango12,
         Teamgeist,
         Jabulani,
@@ -75,7 +75,7 @@ public partial class FootballPreset : Resource
 
     /// <summary>The ball. Default a match football.</summary>
     [Export]
-    public BallChoice Ball { get; set; } = BallChoice.Football;
+    public BallChoice Ball { get; set; } = BallChoice.Generic;
 
     /// <summary>Mass of a custom ball, kg.</summary>
     [Export(PropertyHint.Range, "0.01,20,0.001,suffix:kg")]
@@ -161,9 +161,12 @@ public partial class FootballPreset : Resource
         };
         Ground ground = Surface != GroundChoice.Custom ? GroundOf(Surface, own.Ground) : own.Ground with
         {
-            NormalRestitution = Typed(CustomRestitution),
-            SlidingFriction = Typed(CustomSlidingFriction),
-            RollingFriction = Typed(CustomRollingFriction),
+            Material = own.Ground.Material with
+            {
+                NormalRestitution = Typed(CustomRestitution),
+                SlidingFriction = Typed(CustomSlidingFriction),
+                RollingFriction = Typed(CustomRollingFriction),
+            },
         };
         Scene scene = own with
         {
@@ -184,48 +187,16 @@ public partial class FootballPreset : Resource
     /// <summary>A ground that is chosen by name.</summary>
     /// <param name="choice">Its name; that of the profile, and a custom one, are the given one.</param>
     /// <param name="own">The ground of the profile.</param>
-    internal static Ground GroundOf(GroundChoice choice, Ground own) => choice switch
-    {
-        GroundChoice.OfProfile => own,
-        GroundChoice.DryTurf => Ground.DryTurf,
-        GroundChoice.ArtificialTurf => Ground.ArtificialTurf,
-        GroundChoice.WetTurf => Ground.WetTurf,
-        GroundChoice.MatchTurf => Ground.MatchTurf,
-        GroundChoice.HardGround => Ground.HardGround,
-        GroundChoice.LongGrass => Ground.LongGrass,
-        GroundChoice.Indoor => Ground.Indoor,
-        GroundChoice.Concrete => Ground.Concrete,
-        GroundChoice.Snow => Ground.Snow,
-        GroundChoice.PublishedTurf => Ground.PublishedTurf,
-        GroundChoice.PublishedWetTurf => Ground.PublishedWetTurf,
-        GroundChoice.PublishedCourt => Ground.PublishedCourt,
-        GroundChoice.PublishedSand => Ground.PublishedSand,
-        GroundChoice.None => Ground.None,
-        GroundChoice.Custom => own,
-        _ => throw new InvalidOperationException($"There is no ground {choice}."),
-    };
+    internal static Ground GroundOf(GroundChoice choice, Ground own) =>
+        choice is GroundChoice.OfProfile or GroundChoice.Custom ? own : Ground.Presets[NameOf(choice.ToString())];
 
     /// <summary>The ball that is chosen.</summary>
-    internal BallProperties BallOf() => Ball switch
-    {
-        BallChoice.Football => BallProperties.Football,
-        BallChoice.Tango12 => BallProperties.Tango12,
-        BallChoice.Teamgeist => BallProperties.Teamgeist,
-        BallChoice.Jabulani => BallProperties.Jabulani,
-        BallChoice.Brazuca => BallProperties.Brazuca,
-        BallChoice.Modern => BallProperties.Modern,
-        BallChoice.Telstar18 => BallProperties.Telstar18,
-        BallChoice.Flight2020 => BallProperties.Flight2020,
-        BallChoice.AlRihla => BallProperties.AlRihla,
-        BallChoice.Fussballliebe => BallProperties.Fussballliebe,
-        BallChoice.Trionda => BallProperties.Trionda,
-        BallChoice.YouthFootball => BallProperties.YouthFootball,
-        BallChoice.Futsal => BallProperties.Futsal,
-        BallChoice.BeachBall => BallProperties.BeachBall,
-        BallChoice.MedicineBall => BallProperties.MedicineBall,
-        BallChoice.Custom => BallProperties.Football with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) },
-        _ => throw new InvalidOperationException($"There is no ball {Ball}."),
-    };
+    internal BallProperties BallOf() => Ball == BallChoice.Custom
+        ? BallProperties.Tunnel with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) }
+        : BallProperties.Presets[NameOf(Ball.ToString())];
+
+    /// <summary>The name of a preset as the library has it: with a small first letter.</summary>
+    private static string NameOf(string choice) => char.ToLowerInvariant(choice[0]) + choice.Substring(1);
 
     private ForceSet ForcesOf(ForceSet own) => Laws switch
     {

@@ -19,7 +19,7 @@ namespace Football.Physics.Unity
         /// <param name="mass">The mass by which it gives way, kg; infinite where it does not.</param>
         public static EngineCollider Make(Collider collider, double mass)
         {
-            Surface surface = collider.TryGetComponent(out FootballSurface given) ? given.Surface : Surface.GoalFrame;
+            SurfaceMaterial surface = collider.TryGetComponent(out FootballSurface given) ? given.Surface : SurfaceMaterial.GoalFrame;
             IShape shape = Shape(collider);
             return shape == null
                 ? new EngineCollider(collider.gameObject.name, surface) { Mass = mass }

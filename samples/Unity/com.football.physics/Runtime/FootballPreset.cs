@@ -17,7 +17,7 @@ namespace Football.Physics.Unity
 
         /// <summary>The ball. Default a match football.</summary>
         [Header("Ball")]
-        public BallChoice ball = BallChoice.Football;
+        public BallChoice ball = BallChoice.Generic;
 
         /// <summary>Mass of a ball of your own, kg.</summary>
         [Range(0.01f, 20f), Tooltip("Mass of a custom ball, kg.")]
@@ -93,7 +93,7 @@ namespace Football.Physics.Unity
         /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
         public enum BallChoice
         {
-            Football,
+            Generic,
             Tango12,
             Teamgeist,
             Jabulani,
@@ -213,26 +213,13 @@ namespace Football.Physics.Unity
         /// <param name="own">The ground of the profile.</param>
         internal static Ground GroundOf(GroundChoice choice, Ground own)
         {
-            return choice switch
-            {
-                GroundChoice.OfProfile => own,
-                GroundChoice.DryTurf => Physics.Ground.DryTurf,
-                GroundChoice.ArtificialTurf => Physics.Ground.ArtificialTurf,
-                GroundChoice.WetTurf => Physics.Ground.WetTurf,
-                GroundChoice.MatchTurf => Physics.Ground.MatchTurf,
-                GroundChoice.HardGround => Physics.Ground.HardGround,
-                GroundChoice.LongGrass => Physics.Ground.LongGrass,
-                GroundChoice.Indoor => Physics.Ground.Indoor,
-                GroundChoice.Concrete => Physics.Ground.Concrete,
-                GroundChoice.Snow => Physics.Ground.Snow,
-                GroundChoice.PublishedTurf => Physics.Ground.PublishedTurf,
-                GroundChoice.PublishedWetTurf => Physics.Ground.PublishedWetTurf,
-                GroundChoice.PublishedCourt => Physics.Ground.PublishedCourt,
-                GroundChoice.PublishedSand => Physics.Ground.PublishedSand,
-                GroundChoice.None => Physics.Ground.None,
-                GroundChoice.Custom => own,
-                _ => throw new InvalidOperationException("There is no ground " + choice + "."),
-            };
+            return choice == GroundChoice.OfProfile || choice == GroundChoice.Custom ? own : Physics.Ground.Presets[NameOf(choice.ToString())];
+        }
+
+        /// <summary>The name of a preset as the library has it: with a small first letter.</summary>
+        internal static string NameOf(string choice)
+        {
+            return char.ToLowerInvariant(choice[0]) + choice.Substring(1);
         }
 
         /// <summary>The number in the inspector, not the single next to it: 1.2f is not 1.2.</summary>
@@ -261,26 +248,9 @@ namespace Football.Physics.Unity
         /// <summary>The ball that is chosen.</summary>
         internal BallProperties BallOf()
         {
-            return ball switch
-            {
-                BallChoice.Football => BallProperties.Football,
-                BallChoice.Tango12 => BallProperties.Tango12,
-                BallChoice.Teamgeist => BallProperties.Teamgeist,
-                BallChoice.Jabulani => BallProperties.Jabulani,
-                BallChoice.Brazuca => BallProperties.Brazuca,
-                BallChoice.Modern => BallProperties.Modern,
-                BallChoice.Telstar18 => BallProperties.Telstar18,
-                BallChoice.Flight2020 => BallProperties.Flight2020,
-                BallChoice.AlRihla => BallProperties.AlRihla,
-                BallChoice.Fussballliebe => BallProperties.Fussballliebe,
-                BallChoice.Trionda => BallProperties.Trionda,
-                BallChoice.YouthFootball => BallProperties.YouthFootball,
-                BallChoice.Futsal => BallProperties.Futsal,
-                BallChoice.BeachBall => BallProperties.BeachBall,
-                BallChoice.MedicineBall => BallProperties.MedicineBall,
-                BallChoice.Custom => BallProperties.Football with { Mass = Typed(customMass), Radius = Typed(customRadius) },
-                _ => throw new InvalidOperationException("There is no ball " + ball + "."),
-            };
+            return ball == BallChoice.Custom
+                ? BallProperties.Tunnel with { Mass = Typed(customMass), Radius = Typed(customRadius) }
+                : BallProperties.Presets[NameOf(ball.ToString())];
         }
 
         private Vector3d WindAsTyped()
@@ -293,9 +263,12 @@ namespace Football.Physics.Unity
             Ground chosen = GroundOf(ground, own);
             return ground != GroundChoice.Custom ? chosen : chosen with
             {
-                NormalRestitution = Typed(customRestitution),
-                SlidingFriction = Typed(customSlidingFriction),
-                RollingFriction = Typed(customRollingFriction),
+                Material = chosen.Material with
+                {
+                    NormalRestitution = Typed(customRestitution),
+                    SlidingFriction = Typed(customSlidingFriction),
+                    RollingFriction = Typed(customRollingFriction),
+                },
             };
         }
 

@@ -24,22 +24,11 @@ namespace Football.Physics.Unity
         }
 
         /// <summary>The numbers of the material.</summary>
-        public Surface Surface
+        public SurfaceMaterial Surface
         {
             get
             {
-                return material switch
-                {
-                    Material.GoalFrame => Physics.Surface.GoalFrame,
-                    Material.Wood => Physics.Surface.Wood,
-                    Material.Board => Physics.Surface.Board,
-                    Material.Concrete => Physics.Surface.Concrete,
-                    Material.Boot => Physics.Surface.Boot,
-                    Material.Head => Physics.Surface.Head,
-                    Material.Glove => Physics.Surface.Glove,
-                    Material.Turf => Physics.Surface.Of(Ground.DryTurf),
-                    _ => throw new ArgumentOutOfRangeException(nameof(material)),
-                };
+                return material == Material.Turf ? SurfaceMaterial.DryTurf : SurfaceMaterial.Presets[FootballPreset.NameOf(material.ToString())];
             }
         }
     }

@@ -201,7 +201,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         if (_rolls)
         {
             // A ball that rolls slows down by friction, and by what its slide costs it first.
-            double slowing = _context.Scene.Ground.RollingFriction * _context.Scene.Gravity;
+            double slowing = _context.Scene.Ground.Material.RollingFriction * _context.Scene.Gravity;
             double length = Math.Max(toTarget.Horizontal.Length, 1e-3);
             double rolled = Math.Min(time, slowing > 0 ? Math.Sqrt(2.0 * length / slowing) : time);
             double speed = 1.2 * ((length / rolled) + (0.5 * slowing * rolled));

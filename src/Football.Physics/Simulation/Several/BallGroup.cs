@@ -31,10 +31,10 @@ public sealed partial class BallGroup
     /// <summary>A group of equal balls in one scene.</summary>
     /// <param name="simulator">The compiled scene.</param>
     /// <param name="count">How many balls; 1 … 10 000.</param>
-    /// <param name="contact">What two balls are to each other; default <see cref="Surface.Ball"/>.</param>
+    /// <param name="contact">What two balls are to each other; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public BallGroup(Simulator simulator, int count, Surface? contact = null)
+    public BallGroup(Simulator simulator, int count, SurfaceMaterial? contact = null)
         : this(Repeat(simulator, count), contact)
     {
     }
@@ -43,17 +43,17 @@ public sealed partial class BallGroup
     /// <param name="scene">The scene of all of them; its own ball is none of them.</param>
     /// <param name="balls">The balls; 1 … 10 000.</param>
     /// <param name="settings">How to integrate; default <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="contact">What two balls are to each other; default <see cref="Surface.Ball"/>.</param>
+    /// <param name="contact">What two balls are to each other; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException">The scene, the balls or one of them is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public BallGroup(Scene scene, IReadOnlyList<BallProperties> balls, SolverSettings? settings = null, Surface? contact = null)
+    public BallGroup(Scene scene, IReadOnlyList<BallProperties> balls, SolverSettings? settings = null, SurfaceMaterial? contact = null)
         : this(Compile(scene, balls, settings), contact)
     {
     }
 
-    private BallGroup(Simulator[] simulators, Surface? contact)
+    private BallGroup(Simulator[] simulators, SurfaceMaterial? contact)
     {
-        Contact = contact ?? Surface.Ball;
+        Contact = contact ?? SurfaceMaterial.Ball;
         Contact.Validate("ballContact");
         int count = simulators.Length;
         _simulators = simulators;
@@ -81,8 +81,8 @@ public sealed partial class BallGroup
     /// <summary>How many balls there are.</summary>
     public int Count => _simulators.Length;
 
-    /// <summary>Surface of an impact between two balls.</summary>
-    public Surface Contact { get; }
+    /// <summary>SurfaceMaterial of an impact between two balls.</summary>
+    public SurfaceMaterial Contact { get; }
 
     /// <summary>Advances all balls.</summary>
     /// <param name="states">The balls, as many as the group has, all of one time; unchanged where an exception is thrown.</param>

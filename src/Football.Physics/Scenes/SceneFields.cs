@@ -1,0 +1,88 @@
+using Football.Physics.Laws;
+
+namespace Football.Physics;
+
+/// <summary>The numbers of a scene, each with its name, unit, range and access. Validation, JSON in both directions, the scene hash and the tables of the docs use these lists.</summary>
+internal static class SceneFields
+{
+    /// <summary>The numbers of a surface material.</summary>
+    public static NumberField<SurfaceMaterial>[] Material { get; } =
+    [
+        new("normalRestitution", "", 0, 1, m => m.NormalRestitution, (m, v) => m with { NormalRestitution = v }),
+        new("restitutionSpeed", "m/s", 0, double.PositiveInfinity, m => m.RestitutionSpeed, (m, v) => m with { RestitutionSpeed = v }, isAboveLeast: true),
+        new("restitutionRise", "", 0, 1, m => m.RestitutionRise, (m, v) => m with { RestitutionRise = v }),
+        new("tangentialRestitution", "", -1, 1, m => m.TangentialRestitution, (m, v) => m with { TangentialRestitution = v }),
+        new("spinRestitution", "", 0, 1, m => m.SpinRestitution, (m, v) => m with { SpinRestitution = v }),
+        new("impactFriction", "", 0, double.PositiveInfinity, m => m.ImpactFriction, (m, v) => m with { ImpactFriction = v }),
+        new("slidingFriction", "", 0, 10, m => m.SlidingFriction, (m, v) => m with { SlidingFriction = v }),
+        new("rollingFriction", "", 0, 10, m => m.RollingFriction, (m, v) => m with { RollingFriction = v }),
+        new("rollingFrictionBySpeed", "s/m", 0, 1, m => m.RollingFrictionBySpeed, (m, v) => m with { RollingFrictionBySpeed = v }),
+        new("spinDamping", "N m s", 0, 1, m => m.SpinDamping, (m, v) => m with { SpinDamping = v }),
+        new("drillingLength", "m", 0, 1, m => m.DrillingLength, (m, v) => m with { DrillingLength = v }),
+    ];
+
+    /// <summary>The numbers of the ground besides its material; its height and shape are not in the list.</summary>
+    public static NumberField<Ground>[] Ground { get; } =
+    [
+        new("minimumBounceSpeed", "m/s", 0.001, 10, g => g.MinimumBounceSpeed, (g, v) => g with { MinimumBounceSpeed = v }),
+        new("restEnergy", "J", 1e-12, 100, g => g.RestEnergy, (g, v) => g with { RestEnergy = v }),
+    ];
+
+    /// <summary>The numbers of a ball.</summary>
+    public static NumberField<BallProperties>[] Ball { get; } =
+    [
+        new("mass", "kg", 0.001, 100, b => b.Mass, (b, v) => b with { Mass = v }),
+        new("radius", "m", 0.02, 5, b => b.Radius, (b, v) => b with { Radius = v }),
+        new("inertiaFactor", "", 0.1, 1, b => b.InertiaFactor, (b, v) => b with { InertiaFactor = v }),
+        new("knuckleForce", "N", 0, 100, b => b.KnuckleForce, (b, v) => b with { KnuckleForce = v }),
+    ];
+
+    /// <summary>The numbers of a drag curve; two of its ranges depend on other numbers, see <see cref="DragCurve"/>.</summary>
+    public static NumberField<DragCurve>[] Drag { get; } =
+    [
+        new("subcritical", "", 0.01, 2, c => c.Subcritical, (c, v) => c with { Subcritical = v }),
+        new("criticalReynolds", "", DragCurve.LeastCriticalReynolds, DragCurve.MostReynolds, c => c.CriticalReynolds, (c, v) => c with { CriticalReynolds = v }),
+        new("width", "", DragCurve.LeastWidth, DragCurve.MostWidth, c => c.Width, (c, v) => c with { Width = v }),
+        new("supercritical", "", 0.01, 2, c => c.Supercritical, (c, v) => c with { Supercritical = v }),
+        new("risen", "", 0.01, 4, c => c.Risen, (c, v) => c with { Risen = v }),
+        new("riseFrom", "", DragCurve.LeastCriticalReynolds, DragCurve.MostReynolds, c => c.RiseFrom, (c, v) => c with { RiseFrom = v }),
+        new("riseTo", "", 0, double.MaxValue, c => c.RiseTo, (c, v) => c with { RiseTo = v }),
+    ];
+
+    /// <summary>The numbers of the air.</summary>
+    public static NumberField<Air>[] Air { get; } =
+    [
+        new("density", "kg/m³", 0, 100, a => a.Density, (a, v) => a with { Density = v }),
+        new("kinematicViscosity", "m²/s", 1e-7, 0.1, a => a.KinematicViscosity, (a, v) => a with { KinematicViscosity = v }),
+    ];
+
+    /// <summary>The coefficients of the constant laws.</summary>
+    public static NumberField<ForceSet>[] Forces { get; } =
+    [
+        new("dragCoefficient", "", 0, 10, f => f.DragCoefficient, (f, v) => f with { DragCoefficient = v }),
+        new("magnusCoefficient", "", -10, 10, f => f.MagnusCoefficient, (f, v) => f with { MagnusCoefficient = v }),
+        new("spinDecayCoefficient", "N m s", 0, 1, f => f.SpinDecayCoefficient, (f, v) => f with { SpinDecayCoefficient = v }),
+    ];
+
+    /// <summary>The forces of a net.</summary>
+    public static NumberField<Net>[] Net { get; } =
+    [
+        new("stiffness", "N/m", 0, 1e5, n => n.Stiffness, (n, v) => n with { Stiffness = v }),
+        new("damping", "s/m", 0, 100, n => n.Damping, (n, v) => n with { Damping = v }),
+        new("tangentialDamping", "N s/m²", 0, 1e4, n => n.TangentialDamping, (n, v) => n with { TangentialDamping = v }),
+        new("spinDamping", "N s", 0, 10, n => n.SpinDamping, (n, v) => n with { SpinDamping = v }),
+    ];
+
+    /// <summary>Refuses the first number that is out of its range.</summary>
+    /// <param name="fields">The numbers.</param>
+    /// <param name="part">The part that has them.</param>
+    /// <param name="prefix">What stands before their names in the message.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
+    public static void Check<T>(NumberField<T>[] fields, T part, string prefix)
+    {
+        foreach (NumberField<T> field in fields)
+        {
+            Physics.Check.Within(prefix + field.Name, field.Get(part), field.Least, field.Most, field.IsAboveLeast);
+        }
+    }
+}

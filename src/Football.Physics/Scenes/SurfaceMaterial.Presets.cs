@@ -1,0 +1,195 @@
+namespace Football.Physics;
+
+public sealed partial record SurfaceMaterial
+{
+    /// <summary>
+    /// Dry, mown turf. Restitution 0.622, e_t 0.20 and c₀ 0.070 measured: they meet the windows of FIFA's rigs (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
+    /// Impact friction 1.2: at least 0.91 derived; the rest guess.
+    /// </summary>
+    public static SurfaceMaterial DryTurf { get; } = new();
+
+    /// <summary>
+    /// The turf of a match, mown and watered, by the bounces of one minute of one match. Restitution 0.61, η 0.85, impact friction 0.41 (0.28 … 0.46) and e_t −0.10 (−0.2 … 0.05) measured.
+    /// Meets the windows of the rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m); the rest guess.
+    /// </summary>
+    public static SurfaceMaterial MatchTurf { get; } = DryTurf with
+    {
+        NormalRestitution = 0.61,
+        RestitutionRise = 0.85,
+        TangentialRestitution = -0.1,
+        ImpactFriction = 0.41,
+        SlidingFriction = 0.35,
+    };
+
+    /// <summary>
+    /// Artificial turf. Restitution 0.622, e_t 0.20 and c₀ 0.069 measured (windows of FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m);
+    /// impact friction 1.2: at least 0.91 derived; the rest guess.
+    /// </summary>
+    public static SurfaceMaterial ArtificialTurf { get; } = DryTurf with { SlidingFriction = 0.55, RollingFriction = 0.069, RollingFrictionBySpeed = 0.008 };
+
+    /// <summary>Watered turf, on which a ball skids. Restitution 0.570 measured (window: drop 0.60 … 1.00 m); the rest guess (impact friction 0.50 gives an angle of 67 %).</summary>
+    public static SurfaceMaterial WetTurf { get; } = DryTurf with
+    {
+        NormalRestitution = 0.57,
+        ImpactFriction = 0.5,
+        SlidingFriction = 0.25,
+        RollingFriction = 0.064,
+        DrillingLength = 0.015,
+    };
+
+    /// <summary>Hard, dry ground: guess (drop 1.01 m, the upper end of natural pitches).</summary>
+    public static SurfaceMaterial HardGround { get; } = DryTurf with
+    {
+        NormalRestitution = 0.74,
+        ImpactFriction = 0.9,
+        RollingFriction = 0.04,
+        RollingFrictionBySpeed = 0.002,
+        DrillingLength = 0.012,
+    };
+
+    /// <summary>Long grass: guess (roll 3.5 m, near the historical limit of 3 m).</summary>
+    public static SurfaceMaterial LongGrass { get; } = DryTurf with
+    {
+        NormalRestitution = 0.5,
+        TangentialRestitution = 0.1,
+        ImpactFriction = 1.3,
+        SlidingFriction = 0.6,
+        RollingFriction = 0.13,
+        RollingFrictionBySpeed = 0.015,
+        DrillingLength = 0.03,
+    };
+
+    /// <summary>An indoor court: guess.</summary>
+    public static SurfaceMaterial Indoor { get; } = DryTurf with
+    {
+        NormalRestitution = 0.77,
+        ImpactFriction = 0.8,
+        SlidingFriction = 0.55,
+        RollingFriction = 0.015,
+        RollingFrictionBySpeed = 0.001,
+        DrillingLength = 0.006,
+    };
+
+    /// <summary>Concrete. Restitution 0.861 measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</summary>
+    public static SurfaceMaterial Concrete { get; } = DryTurf with
+    {
+        NormalRestitution = 0.861,
+        ImpactFriction = 0.8,
+        SlidingFriction = 0.6,
+        RollingFriction = 0.013,
+        RollingFrictionBySpeed = 0.001,
+        DrillingLength = 0.005,
+    };
+
+    /// <summary>Snow: guess.</summary>
+    public static SurfaceMaterial Snow { get; } = DryTurf with
+    {
+        NormalRestitution = 0.25,
+        TangentialRestitution = 0,
+        ImpactFriction = 0.4,
+        SlidingFriction = 0.2,
+        RollingFriction = 0.2,
+        RollingFrictionBySpeed = 0.01,
+        DrillingLength = 0.03,
+    };
+
+    /// <summary>The frame of a goal: steel or aluminium. Guess (priors of others for e₆: 0.65 … 0.80).</summary>
+    public static SurfaceMaterial GoalFrame { get; } = new()
+    {
+        NormalRestitution = 0.8,
+        TangentialRestitution = 0.1,
+        ImpactFriction = 0.3,
+        SlidingFriction = 0.3,
+        RollingFriction = 0.05,
+        RollingFrictionBySpeed = 0,
+        DrillingLength = 0,
+    };
+
+    /// <summary>A second ball, when two balls collide. Guess: no measurement was found (two air-filled shells rebound about as one shell does from a floor).</summary>
+    public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
+
+    /// <summary>
+    /// The turf of the published profile: one restitution at every speed, no limit by friction in an impact. Restitution 0.6, sliding friction 0.5, rolling friction 0.05;
+    /// all numbers as published. <see cref="Ground.PublishedTurf"/> adds the published air on the ground.
+    /// </summary>
+    public static SurfaceMaterial PublishedTurf { get; } = new()
+    {
+        NormalRestitution = 0.6,
+        RestitutionSpeed = double.PositiveInfinity,
+        RestitutionRise = 0,
+        TangentialRestitution = 0.5,
+        SpinRestitution = 0.8,
+        ImpactFriction = double.PositiveInfinity,
+        SlidingFriction = 0.5,
+        RollingFriction = 0.05,
+        RollingFrictionBySpeed = 0,
+        SpinDamping = 0.002,
+        DrillingLength = 0,
+    };
+
+    /// <summary>Wet turf by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    public static SurfaceMaterial PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
+
+    /// <summary>A hard, smooth court by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    public static SurfaceMaterial PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
+
+    /// <summary>Sand by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    public static SurfaceMaterial PublishedSand { get; } = PublishedTurf with
+    {
+        NormalRestitution = 0.15,
+        TangentialRestitution = 0,
+        SlidingFriction = 0.7,
+        RollingFriction = 0.3,
+    };
+
+    /// <summary>The frame of a goal in the published profile: restitution 0.7 at every speed. Guess.</summary>
+    public static SurfaceMaterial PublishedGoalFrame { get; } = GoalFrame with
+    {
+        NormalRestitution = 0.7,
+        RestitutionSpeed = double.PositiveInfinity,
+        TangentialRestitution = 0.3,
+        SpinRestitution = 0.8,
+        SpinDamping = 0.002,
+    };
+
+    /// <summary>Wooden boards around a pitch. Guess (stiffer than a plastic panel, softer than concrete).</summary>
+    public static SurfaceMaterial Wood { get; } = PublishedGoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingFriction = 0.02 };
+
+    /// <summary>Advertising boards: thin panels that yield. Guess.</summary>
+    public static SurfaceMaterial Board { get; } = PublishedGoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingFriction = 0.03 };
+
+    /// <summary>A boot or a leg: leather on a limb that yields. Guess (kicks: e 0.4 … 0.7 measured, with the foot's mass included).</summary>
+    public static SurfaceMaterial Boot { get; } = PublishedGoalFrame with { NormalRestitution = 0.5, TangentialRestitution = 0.1, ImpactFriction = 0.5, SlidingFriction = 0.5 };
+
+    /// <summary>A head. Guess.</summary>
+    public static SurfaceMaterial Head { get; } = Boot with { NormalRestitution = 0.45 };
+
+    /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
+    public static SurfaceMaterial Glove { get; } = PublishedGoalFrame with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
+
+    /// <summary>The presets by the names that JSON, the command line and the engines use.</summary>
+    public static IReadOnlyDictionary<string, SurfaceMaterial> Presets { get; } = new Dictionary<string, SurfaceMaterial>
+    {
+        ["dryTurf"] = DryTurf,
+        ["matchTurf"] = MatchTurf,
+        ["artificialTurf"] = ArtificialTurf,
+        ["wetTurf"] = WetTurf,
+        ["hardGround"] = HardGround,
+        ["longGrass"] = LongGrass,
+        ["indoor"] = Indoor,
+        ["concrete"] = Concrete,
+        ["snow"] = Snow,
+        ["goalFrame"] = GoalFrame,
+        ["ball"] = Ball,
+        ["wood"] = Wood,
+        ["board"] = Board,
+        ["boot"] = Boot,
+        ["head"] = Head,
+        ["glove"] = Glove,
+        ["publishedTurf"] = PublishedTurf,
+        ["publishedWetTurf"] = PublishedWetTurf,
+        ["publishedCourt"] = PublishedCourt,
+        ["publishedSand"] = PublishedSand,
+        ["publishedGoalFrame"] = PublishedGoalFrame,
+    };
+}
