@@ -275,14 +275,36 @@ internal static class WireForm
 
         // q and −q are one rotation: the largest part is taken as positive.
         double sign = parts[largest] < 0 ? -1 : 1;
+
+        int truncated = Exceeding(parts, largest);
         bits.Put((ulong)largest, 2);
         for (int i = 0; i < 4; i++)
         {
             if (i != largest)
             {
-                bits.Put((ulong)(Math.Round(sign * parts[i] * PerPart) + 63), 7);
+                double units = sign * parts[i] * PerPart;
+                bits.Put((ulong)((i == truncated ? Math.Truncate(units) : Math.Round(units)) + 63), 7);
             }
         }
+    }
+
+    /// <summary>The part that, rounded up, would exceed the largest one, which the reader computes from the others; −1 for none. Rounded down, reading and writing it again changes nothing.</summary>
+    private static int Exceeding(ReadOnlySpan<double> parts, int largest)
+    {
+        double rest = 1;
+        double most = 0;
+        int second = -1;
+        for (int i = 0; i < 4; i++)
+        {
+            double part = i == largest ? 0 : Math.Round(parts[i] * PerPart) / PerPart;
+            rest -= part * part;
+            if (part * part > most)
+            {
+                (most, second) = (part * part, i);
+            }
+        }
+
+        return most >= rest ? second : -1;
     }
 
     private static bool TryTakeRotation(ref WireBits bits, out Quaterniond q)

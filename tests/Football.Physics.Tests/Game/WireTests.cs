@@ -81,6 +81,27 @@ public sealed class WireTests
         Assert.Equal(at, runner.State.Position);
     }
 
+    /// <summary>Rotations with two parts of nearly the same size are written without loss too.</summary>
+    [Fact]
+    public void A_rotation_with_two_largest_parts_is_rounded_to_one_that_can_be_written()
+    {
+        var random = new Random(5);
+        var runner = new FixedStepRunner(timeStep: Step) { WireTicks = 1 };
+        var bytes = new byte[Snapshot.WireSize];
+        for (int i = 0; i < 20_000; i++)
+        {
+            double large = 0.5 + (0.2 * random.NextDouble());
+            double near = large + (0.02 * (random.NextDouble() - 0.5));
+            double[] parts = [large, near, random.NextDouble() - 0.5, random.NextDouble() - 0.5];
+            random.Shuffle(parts);
+            BallState state = runner.State;
+            state.BaseOrientation = new Quaterniond(parts[0], parts[1], parts[2], parts[3]).Normalized();
+            runner.Restore(runner.Tick, state);
+            runner.Step();
+            Assert.True(runner.TryWriteWire(runner.State, bytes), $"{i}: {state.BaseOrientation}");
+        }
+    }
+
     /// <summary>Without lots a decay of less than half a unit from one tick to the next would never be seen.</summary>
     [Fact]
     public void A_slow_decay_of_the_spin_is_kept_in_the_mean()
