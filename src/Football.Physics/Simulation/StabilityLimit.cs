@@ -62,8 +62,8 @@ internal readonly struct StabilityLimit
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // A hop is divided into 3e/(1 − e) pieces at least; without weight there are no hops.
-        double restitution = -upward > SurfaceForces.Least ? Math.Min(scene.Ground.Material.NormalRestitution, MostElastic) : 0;
+        // A hop has at least 3e/(1 − e) pieces, with the restitution of the slowest and most oblique impacts; without weight there are no hops.
+        double restitution = -upward > SurfaceForces.Least ? Math.Min(new ContactMaterial(scene.Ground).LargestRestitutionAt(0), MostElastic) : 0;
 
         // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
