@@ -25,7 +25,7 @@ internal sealed record Setting(
     private const double Shoulder = 0.5;
 
     /// <summary>The default ground is that of the profile.</summary>
-    private string GroundName => Profile == "published" && Ground == "dryTurf" ? "publishedTurf" : Ground;
+    private string GroundName => Profile == "published" && Ground == "matchTurf" ? "publishedTurf" : Ground;
 
     /// <summary>The goal that is kicked at.</summary>
     public Goal Goal => new() { Center = new Vector3d(-Aside, 0, -Distance), Facing = new Vector3d(0, 0, 1) };

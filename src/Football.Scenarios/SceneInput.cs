@@ -22,7 +22,7 @@ public static class SceneInput
             Ball = Ball(ball, profile),
             Gravity = gravity,
             Forces = Forces(forces, scene.Forces),
-            Ground = Ground(ground, Physics.Ground.Presets[ground.Preset("surface", Physics.Ground.Presets, profile == Profile.Measured ? "dryTurf" : "publishedTurf")]),
+            Ground = Ground(ground, Physics.Ground.Presets[ground.Preset("surface", Physics.Ground.Presets, profile == Profile.Measured ? "matchTurf" : "publishedTurf")]),
             Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
@@ -55,7 +55,7 @@ public static class SceneInput
     /// <summary>The ball; in the measured profile one of the known ones.</summary>
     public static BallProperties Ball(InputObject ball, Profile profile)
     {
-        BallProperties defaults = profile != Profile.Measured ? BallProperties.Tunnel : BallProperties.Presets[ball.Preset("type", BallProperties.Presets, "generic")];
+        BallProperties defaults = profile != Profile.Measured ? BallProperties.Modern : BallProperties.Presets[ball.Preset("type", BallProperties.Presets, "modern")];
         DragCurve curve = defaults.DragCurve;
         if (profile == Profile.Measured && ball.Has("roughness"))
         {

@@ -3,7 +3,7 @@ const $ = id => document.getElementById(id);
 const DEGREES = 180 / Math.PI, FULL_PULL = 0.3, LEAST_SPEED = 6, MOST_SPEED = 38, MANY = 20;
 const DEFAULTS = {
   speed: 25.5, elevation: 18.5, azimuth: -13, side: 62, top: 10, distance: 22, aside: 0, wall: 4, keeper: 2,
-  ball: "generic", ground: "dryTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
+  ball: "modern", ground: "matchTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
 };
 const START = "Pull back from the ball and let go, or click into the goal.";
 const VIEWS = ["behind", "side", "above", "goal", "ball"];

@@ -6,8 +6,8 @@ namespace Football.Physics;
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Ground
 {
-    /// <summary>The material. Default <see cref="SurfaceMaterial.DryTurf"/>.</summary>
-    public SurfaceMaterial Material { get; init; } = SurfaceMaterial.DryTurf with { };
+    /// <summary>The material. Default <see cref="SurfaceMaterial.MatchTurf"/>.</summary>
+    public SurfaceMaterial Material { get; init; } = new();
 
     /// <summary>Tangential restitution along z, where it differs from that of the material. −1 … 1, only on level ground; default null: the same in all directions.</summary>
     public double? TangentialRestitutionZ { get; init; }

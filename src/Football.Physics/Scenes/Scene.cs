@@ -13,7 +13,7 @@ public sealed record Scene
 
     // New ones: a serializer may write into the values that a new scene has.
 
-    /// <summary>The ball. Default <see cref="BallProperties.Tunnel"/>.</summary>
+    /// <summary>The ball. Default <see cref="BallProperties.Modern"/>.</summary>
     public BallProperties Ball { get; init; } = new();
 
     /// <summary>The air. Default still air at sea level.</summary>
@@ -25,7 +25,7 @@ public sealed record Scene
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
 
-    /// <summary>The ground. Default <see cref="SurfaceMaterial.DryTurf"/>, level.</summary>
+    /// <summary>The ground. Default <see cref="SurfaceMaterial.MatchTurf"/>, level.</summary>
     public Ground Ground { get; init; } = new();
 
     /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
@@ -43,7 +43,7 @@ public sealed record Scene
     /// <summary>The colliders of a game engine. Default none.</summary>
     public IEngineColliders? EngineColliders { get; init; }
 
-    /// <summary>A football over dry turf in still air at sea level, by what wind tunnels, filmed flights and test rigs say.</summary>
+    /// <summary>The ball and the turf of two tracked matches, in still air at sea level, by the measured laws.</summary>
     public static Scene Measured { get; } = new();
 
     /// <summary>The scene of whatever is given none: <see cref="Measured"/>.</summary>

@@ -3,22 +3,25 @@ namespace Football.Physics;
 public sealed partial record SurfaceMaterial
 {
     /// <summary>
+    /// The default: the turf of a match, mown and watered, by the bounces, slides and rolls of two matches (44 impacts, five slides, twelve rolls). Measured: restitution 0.67 (0.62 … 0.74),
+    /// η 0.45 (0 … 0.7), e_t −0.15 (−0.3 … 0), impact friction 0.42 (0.28 … 0.42), sliding friction 0.43 (0.41 … 0.46), rolling friction 0.076 at 4 m/s (0.05 … 0.11).
+    /// Derived: V_e 20 m/s (15 … ∞). Guess: c₁ (0 … 0.004), b. Meets the windows of FIFA's rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m).
+    /// </summary>
+    public static SurfaceMaterial MatchTurf { get; } = new();
+
+    /// <summary>
     /// Dry, mown turf. Restitution 0.622, e_t 0.20 and c₀ 0.070 measured: they meet the windows of FIFA's rigs (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
     /// Impact friction 1.2: at least 0.91 derived; the rest guess.
     /// </summary>
-    public static SurfaceMaterial DryTurf { get; } = new();
-
-    /// <summary>
-    /// The turf of a match, mown and watered, by the bounces of one minute of one match. Restitution 0.61, η 0.85, impact friction 0.41 (0.28 … 0.46) and e_t −0.10 (−0.2 … 0.05) measured.
-    /// Meets the windows of the rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m); the rest guess.
-    /// </summary>
-    public static SurfaceMaterial MatchTurf { get; } = DryTurf with
+    public static SurfaceMaterial DryTurf { get; } = new()
     {
-        NormalRestitution = 0.61,
-        RestitutionRise = 0.85,
-        TangentialRestitution = -0.1,
-        ImpactFriction = 0.41,
-        SlidingFriction = 0.35,
+        NormalRestitution = 0.622,
+        RestitutionSpeed = 30,
+        RestitutionRise = 0,
+        TangentialRestitution = 0.2,
+        ImpactFriction = 1.2,
+        SlidingFriction = 0.5,
+        RollingFrictionBySpeed = 0.006,
     };
 
     /// <summary>
@@ -94,7 +97,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>The frame of a goal: steel or aluminium. Guess (priors of others for e₆: 0.65 … 0.80).</summary>
-    public static SurfaceMaterial GoalFrame { get; } = new()
+    public static SurfaceMaterial GoalFrame { get; } = DryTurf with
     {
         NormalRestitution = 0.8,
         TangentialRestitution = 0.1,
@@ -104,6 +107,21 @@ public sealed partial record SurfaceMaterial
         RollingFrictionBySpeed = 0,
         DrillingLength = 0,
     };
+
+    /// <summary>Wooden boards around a pitch. Guess (stiffer than a plastic panel, softer than concrete).</summary>
+    public static SurfaceMaterial Wood { get; } = GoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingFriction = 0.02, DrillingLength = 0.005 };
+
+    /// <summary>Advertising boards: thin panels that yield. Guess.</summary>
+    public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingFriction = 0.03, DrillingLength = 0.005 };
+
+    /// <summary>A boot or a leg: leather on a limb that yields. Guess (kicks: e 0.4 … 0.7 measured, with the foot's mass included).</summary>
+    public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, DrillingLength = 0.01 };
+
+    /// <summary>A head. Guess.</summary>
+    public static SurfaceMaterial Head { get; } = Boot with { NormalRestitution = 0.45 };
+
+    /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
+    public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
 
     /// <summary>A second ball, when two balls collide. Guess: no measurement was found (two air-filled shells rebound about as one shell does from a floor).</summary>
     public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
@@ -152,26 +170,11 @@ public sealed partial record SurfaceMaterial
         SpinDamping = 0.002,
     };
 
-    /// <summary>Wooden boards around a pitch. Guess (stiffer than a plastic panel, softer than concrete).</summary>
-    public static SurfaceMaterial Wood { get; } = PublishedGoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingFriction = 0.02 };
-
-    /// <summary>Advertising boards: thin panels that yield. Guess.</summary>
-    public static SurfaceMaterial Board { get; } = PublishedGoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingFriction = 0.03 };
-
-    /// <summary>A boot or a leg: leather on a limb that yields. Guess (kicks: e 0.4 … 0.7 measured, with the foot's mass included).</summary>
-    public static SurfaceMaterial Boot { get; } = PublishedGoalFrame with { NormalRestitution = 0.5, TangentialRestitution = 0.1, ImpactFriction = 0.5, SlidingFriction = 0.5 };
-
-    /// <summary>A head. Guess.</summary>
-    public static SurfaceMaterial Head { get; } = Boot with { NormalRestitution = 0.45 };
-
-    /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
-    public static SurfaceMaterial Glove { get; } = PublishedGoalFrame with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
-
     /// <summary>The presets by the names that JSON, the command line and the engines use.</summary>
     public static IReadOnlyDictionary<string, SurfaceMaterial> Presets { get; } = new Dictionary<string, SurfaceMaterial>
     {
-        ["dryTurf"] = DryTurf,
         ["matchTurf"] = MatchTurf,
+        ["dryTurf"] = DryTurf,
         ["artificialTurf"] = ArtificialTurf,
         ["wetTurf"] = WetTurf,
         ["hardGround"] = HardGround,

@@ -2,38 +2,38 @@ using System.Text.Json.Serialization;
 
 namespace Football.Physics;
 
-/// <summary>A material: how the ball bounces off it, slides on it and rolls on it. The pitch and every object have one. The default numbers are those of <see cref="DryTurf"/>.</summary>
+/// <summary>A material: how the ball bounces off it, slides on it and rolls on it. The pitch and every object have one. The default numbers are those of <see cref="MatchTurf"/>.</summary>
 /// <remarks><see cref="Presets"/> lists the presets by name. Each preset states its evidence: measured, derived, guess (no measurement found), or published (the thesis).</remarks>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed partial record SurfaceMaterial
 {
-    /// <summary>Normal restitution e at an approach speed of 6 m/s. 0 … 1; default 0.622.</summary>
-    public double NormalRestitution { get; init; } = 0.622;
+    /// <summary>Normal restitution e at an approach speed of 6 m/s. 0 … 1; default 0.67.</summary>
+    public double NormalRestitution { get; init; } = 0.67;
 
-    /// <summary>Approach speed V_e at which the restitution falls, m/s: e ∝ 1/√(1 + (v_n/V_e)²). Above 0; infinite: the same at every speed; default 30.</summary>
-    public double RestitutionSpeed { get; init; } = 30;
+    /// <summary>Approach speed V_e at which the restitution falls, m/s: e ∝ 1/√(1 + (v_n/V_e)²). Above 0; infinite: the same at every speed; default 20.</summary>
+    public double RestitutionSpeed { get; init; } = 20;
 
-    /// <summary>Rise η of the restitution of oblique impacts. 0 … 1; default 0.</summary>
+    /// <summary>Rise η of the restitution of oblique impacts. 0 … 1; default 0.45.</summary>
     /// <remarks>A grazing ball ploughs less: e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴), where c is the speed along the surface divided by the approach speed.</remarks>
-    public double RestitutionRise { get; init; }
+    public double RestitutionRise { get; init; } = 0.45;
 
-    /// <summary>Tangential restitution e_t: a contact that grips turns the slip into −e_t times the slip. −1 … 1; default 0.2.</summary>
-    public double TangentialRestitution { get; init; } = 0.2;
+    /// <summary>Tangential restitution e_t: a contact that grips turns the slip into −e_t times the slip. −1 … 1; default −0.15.</summary>
+    public double TangentialRestitution { get; init; } = -0.15;
 
     /// <summary>Restitution of the spin about the normal, e_ω. 0 … 1; default 1.</summary>
     public double SpinRestitution { get; init; } = 1;
 
-    /// <summary>Coefficient of friction of an impact, μ_i: the tangential impulse is at most μ_i times the normal impulse. 0 or more; infinite: no limit; default 1.2.</summary>
-    public double ImpactFriction { get; init; } = 1.2;
+    /// <summary>Coefficient of friction of an impact, μ_i: the tangential impulse is at most μ_i times the normal impulse. 0 or more; infinite: no limit; default 0.42.</summary>
+    public double ImpactFriction { get; init; } = 0.42;
 
-    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.5.</summary>
-    public double SlidingFriction { get; init; } = 0.5;
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.43.</summary>
+    public double SlidingFriction { get; init; } = 0.43;
 
     /// <summary>Coefficient of rolling friction at rest, c₀. 0 … 10; default 0.07.</summary>
     public double RollingFriction { get; init; } = 0.07;
 
-    /// <summary>Growth of the rolling friction with speed, c₁, s/m. 0 … 1; default 0.006.</summary>
-    public double RollingFrictionBySpeed { get; init; } = 0.006;
+    /// <summary>Growth of the rolling friction with speed, c₁, s/m. 0 … 1; default 0.0015.</summary>
+    public double RollingFrictionBySpeed { get; init; } = 0.0015;
 
     /// <summary>Damping c_ω of the spin about the normal while the surface carries the ball, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.</summary>
     public double SpinDamping { get; init; }

@@ -222,7 +222,7 @@ public sealed class StageTests
     public void A_drag_curve_is_the_one_that_flights_have()
     {
         // Below and above the crisis of the generic curve, and without air.
-        var simulator = new Simulator();
+        var simulator = new Simulator(Support.Profiles.Tunnel);
         Assert.InRange(AirCurve.Drag(simulator, 5), 0.45, 0.5);
         Assert.InRange(AirCurve.Drag(simulator, 25), 0.14, 0.2);
         Assert.InRange(AirCurve.Lift(simulator, 25, 60), 0.1, 0.4);

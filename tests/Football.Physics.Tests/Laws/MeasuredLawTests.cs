@@ -6,7 +6,7 @@ public sealed class MeasuredLawTests
     private static readonly double[] s_reynolds = [0, 5e4, 1e5, 1.5e5, 2e5, 2.5e5, 3e5, 4e5, 5e5];
     private static readonly double[] s_spinParameters = [0, 0.05, 0.1, 0.2, 0.4, 1];
 
-    private static readonly Scene s_scene = Scene.Published with { Air = new Air { Density = 1.2, KinematicViscosity = 1.5e-5 } };
+    private static readonly Scene s_scene = Scene.Published with { Ball = BallProperties.Tunnel, Air = new Air { Density = 1.2, KinematicViscosity = 1.5e-5 } };
 
     public static TheoryData<string, double[]> Balls => new()
     {

@@ -152,7 +152,7 @@ public sealed class TableLawTests
         MeasuredLaw one = default;
         MeasuredLaw other = default;
         one.Prepare(LawGrid.Scene);
-        other.Prepare(Scene.HighAltitude);
+        other.Prepare(Scene.HighAltitude with { Ball = LawGrid.Scene.Ball });
         Assert.NotEqual(one.SpeedScale, other.SpeedScale);
         Assert.Same(one.Tables, other.Tables);
         Assert.Same(default(RegularisedLaw).Tables, default(RegularisedLaw).Tables);

@@ -13,7 +13,7 @@ public sealed class LaunchTests
         {
             Material = profile.Ground().Material with
             {
-                NormalRestitution = 0.6,
+                RestitutionRise = 0, NormalRestitution = 0.6,
                 RestitutionSpeed = double.PositiveInfinity,
             },
             Height = 1.5,
@@ -92,7 +92,7 @@ public sealed class LaunchTests
         {
             Material = profile.Ground().Material with
             {
-                NormalRestitution = 0.5,
+                RestitutionRise = 0, NormalRestitution = 0.5,
                 RestitutionSpeed = double.PositiveInfinity,
             },
             MinimumBounceSpeed = 0.2,
@@ -117,7 +117,7 @@ public sealed class LaunchTests
     [ProfileData]
     public void A_ball_that_does_not_bounce_at_all_slides_or_rolls_at_once(Profile profile)
     {
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0 } } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RestitutionRise = 0, NormalRestitution = 0 } } });
         BallState slides = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(4, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref slides, 0.01, 60, StopAt.Rest, log);
@@ -135,7 +135,7 @@ public sealed class LaunchTests
     public void A_ball_without_slip_after_its_last_impact_rolls_and_emits_no_slide(Profile profile)
     {
         var simulator = new Simulator(profile.Scene());
-        BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, -0.3, 0), new Vector3d(0, 0, -3 / 0.11));
+        BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(3, -0.2, 0), new Vector3d(0, 0, -3 / 0.11));
         var log = new StepLog();
         simulator.Step(ref state, 0.01, log);
         Assert.Equal("Impact Roll", Flight.Kinds(log));

@@ -92,10 +92,13 @@ internal static class PresetTable
             ("watered turf", SurfaceMaterial.WetTurf, new() { ["e₆"] = ("measured", Rigs + ": drop 0.60 … 1.00 m") }),
             ("match turf", SurfaceMaterial.MatchTurf, new()
             {
-                ["e₆"] = ("measured", "impacts of one minute of one match: 0.60 ± 0.05; FIFA's rigs: drop 0.60 … 1.00 m"),
-                ["η"] = ("measured", "the same impacts: 0.6 … 1"),
-                ["e_t"] = ("measured", "the same impacts, eight slow ones that grip: −0.2 … 0.05"),
-                ["μ_i"] = ("measured", "the same impacts: 0.34 ± 0.05, scatter 0.28 … 0.46; the angle of a wet pitch, 45 … 80 %, asks for 0.40"),
+                ["e₆"] = ("measured", "24 impacts of one match and 20 of another: 0.62 … 0.74; FIFA's rigs: drop 0.60 … 1.00 m"),
+                ["η"] = ("measured", "the same impacts: 0 … 0.7, the first match 0.70, the second 0 … 0.25"),
+                ["e_t"] = ("measured", "the same impacts, slow ones that grip: −0.3 … −0.1"),
+                ["μ_i"] = ("measured", "the same impacts: 0.28 … 0.42; the angle of a wet pitch, 45 … 80 %, needs 0.415"),
+                ["μ_s"] = ("measured", "five slides of the first match: 0.41 … 0.46"),
+                ["c₀"] = ("measured", "twelve rolls of the first match: c₀ + c₁ v 0.05 … 0.11, median 0.076"),
+                ["c₁, s/m"] = ("measured", "the same rolls show no growth with speed: 0 … 0.004"),
             }),
             ("hard ground", SurfaceMaterial.HardGround, new()),
             ("long grass", SurfaceMaterial.LongGrass, new()),
@@ -112,7 +115,8 @@ internal static class PresetTable
             }
         }
 
-        yield return ("all surfaces", "V_e, m/s", SurfaceMaterial.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
+        yield return ("match turf", "V_e, m/s", SurfaceMaterial.MatchTurf.RestitutionSpeed, "derived", "best fit of both matches 15 … 30");
+        yield return ("other surfaces", "V_e, m/s", SurfaceMaterial.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
         yield return ("all surfaces", "least bounce, m/s", new Ground().MinimumBounceSpeed, "guess", "a hop of 2 mm");
         yield return ("all surfaces", "rest energy, J", new Ground().RestEnergy, "guess", "");
         SurfaceMaterial frame = SurfaceMaterial.GoalFrame;

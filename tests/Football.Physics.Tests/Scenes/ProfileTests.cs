@@ -13,7 +13,8 @@ public sealed class ProfileTests
         Assert.Same(Scene.Measured, Scene.Default);
         Assert.Equal(Scene.Measured, new Scene());
         Assert.Equal(ForceSet.Measured, new ForceSet());
-        Assert.Equal(Ground.Of(SurfaceMaterial.DryTurf), new Ground());
+        Assert.Equal(Ground.Of(SurfaceMaterial.MatchTurf), new Ground());
+        Assert.Equal(BallProperties.Modern, new BallProperties());
         foreach (Scene scene in (Scene[])[new Ball().Simulator.Scene, new Simulator().Scene, new FixedStepRunner().Simulator.Scene, new BallBatch().Scene])
         {
             Assert.Same(Scene.Measured, scene);

@@ -106,7 +106,7 @@ public sealed class WindAtBoardsTests
         Assert.True(open.Position.X > 8.95);
     }
 
-    private static Simulator Cage(Vector3d wind) => new(Pitch.Cage.On(Scene.Default with { Air = new Air { Wind = wind } }));
+    private static Simulator Cage(Vector3d wind) => new(Pitch.Cage.On(Profiles.Tunnel with { Air = new Air { Wind = wind } }));
 
     private static Cost Play(Simulator simulator, ref BallState ball)
     {

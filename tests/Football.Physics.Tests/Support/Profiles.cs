@@ -10,6 +10,9 @@ public enum Profile
 /// <summary>The scenes of the profiles.</summary>
 internal static class Profiles
 {
+    /// <summary>The ball of the wind tunnels on dry turf, by the measured laws: what cases with fixed numbers were made for.</summary>
+    public static Scene Tunnel { get; } = new() { Ball = BallProperties.Tunnel, Ground = Physics.Ground.Of(SurfaceMaterial.DryTurf) };
+
     public static Profile[] All { get; } = Enum.GetValues<Profile>();
 
     public static Scene Scene(this Profile profile) => profile == Profile.Default ? new Scene() : Physics.Scene.Published;

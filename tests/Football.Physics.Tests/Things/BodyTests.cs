@@ -88,7 +88,8 @@ public sealed class BodyTests
         simulator.Step(ref state, Tick, log);
         BallEvent hit = Flight.First(log, BallEventKind.Impact);
         Assert.Equal("tray", simulator.NameOf(hit.Thing));
-        Assert.Equal(2 * 1.65, hit.Velocity.Y, 1e-3);
+        double e = 0.65 * Math.Sqrt((1 + (36.0 / 900)) / (1 + (4.0 / 900)));
+        Assert.Equal(2 * (1 + e), hit.Velocity.Y, 1e-3);
         Assert.Equal(MotionState.Airborne, state.Motion);
     }
 
@@ -159,8 +160,8 @@ public sealed class BodyTests
                 Assert.True(state.Position.Y >= Flight.Radius - 1e-9, $"scene {seed}, tick {tick}: {state.Position}");
                 double[] gaps = [.. bodies.Select(body => body.Placement.Motion.At(body.Shape, state.Position, state.Time).Distance - Flight.Radius)];
 
-                // Between two bodies that close in on it, or one and the ground, there may be no place for it.
-                Assert.True(gaps.Count(gap => gap < 0.02) > 1 || state.Position.Y < Flight.Radius + 0.02 || gaps.Min() > -1e-9, $"scene {seed}, tick {tick}: {gaps.Min()} m, {state.Motion}");
+                // Between two bodies that close in on it, or one and the ground, there may be no place for it: it may end the step apart from one of them, and squeezed.
+                Assert.True(state.Motion == MotionState.Squeezed || gaps.Count(gap => gap < 0.02) > 1 || state.Position.Y < Flight.Radius + 0.02 || gaps.Min() > -1e-9, $"scene {seed}, tick {tick}: {gaps.Min()} m, {state.Motion}");
             }
         }
     }

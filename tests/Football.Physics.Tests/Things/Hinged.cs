@@ -20,7 +20,7 @@ internal sealed record Hinged
 
     /// <summary>Rubber without friction.</summary>
     public static SurfaceMaterial Rubber { get; } =
-        new() { NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0 };
+        SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0 };
 
     public Vector3d PivotAt(double time) => Pivot + (time * Velocity);
 

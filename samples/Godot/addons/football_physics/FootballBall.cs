@@ -54,7 +54,7 @@ public partial class FootballBall : Node3D
     public MotionState Motion => Runner.State.Motion;
 
     /// <summary>Radius of the ball, m.</summary>
-    public float Radius => (float)(Preset?.BallOf() ?? BallProperties.Tunnel).Radius;
+    public float Radius => (float)(Preset?.BallOf() ?? BallProperties.Modern).Radius;
 
     /// <summary>The ball that is longest in the tree; null for none.</summary>
     internal static FootballBall? First => s_all.Count > 0 ? s_all[0] : null;

@@ -157,7 +157,7 @@ public sealed class FootballColliders : IEngineColliders
     }
 
     /// <summary>The material that the metadata football_surface of a body names: a preset, or turf. Any other name is the frame of a goal.</summary>
-    private static SurfaceMaterial SurfaceOf(string name) => name == "turf" ? SurfaceMaterial.DryTurf : SurfaceMaterial.Presets.GetValueOrDefault(name, SurfaceMaterial.GoalFrame);
+    private static SurfaceMaterial SurfaceOf(string name) => name == "turf" ? SurfaceMaterial.MatchTurf : SurfaceMaterial.Presets.GetValueOrDefault(name, SurfaceMaterial.GoalFrame);
 
     private static IShape? Shape(Shape3D shape)
     {

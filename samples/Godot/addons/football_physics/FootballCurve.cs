@@ -70,7 +70,7 @@ public partial class FootballCurve : Control
     }
 
     private string GroundName() => Preset!.Surface != FootballPreset.GroundChoice.OfProfile ? Preset.Surface.ToString()
-        : Preset.Profile == FootballPreset.ProfileChoice.Measured ? "DryTurf" : "PublishedTurf";
+        : Preset.Profile == FootballPreset.ProfileChoice.Measured ? "MatchTurf" : "PublishedTurf";
 
     private Vector2[] Curve(Simulator simulator, double spin)
     {

@@ -75,7 +75,7 @@ public partial class FootballPreset : Resource
 
     /// <summary>The ball. Default a match football.</summary>
     [Export]
-    public BallChoice Ball { get; set; } = BallChoice.Generic;
+    public BallChoice Ball { get; set; } = BallChoice.Modern;
 
     /// <summary>Mass of a custom ball, kg.</summary>
     [Export(PropertyHint.Range, "0.01,20,0.001,suffix:kg")]
@@ -85,17 +85,17 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0.02,2,0.001,suffix:m")]
     public float CustomRadius { get; set; } = 0.11f;
 
-    /// <summary>The ground. Default that of the profile: dry turf in the measured one.</summary>
+    /// <summary>The ground. Default that of the profile: match turf in the measured one.</summary>
     [Export]
     public GroundChoice Surface { get; set; } = GroundChoice.OfProfile;
 
     /// <summary>Part of the vertical speed that a bounce on a custom ground gives back.</summary>
     [Export(PropertyHint.Range, "0,1,0.001")]
-    public float CustomRestitution { get; set; } = 0.622f;
+    public float CustomRestitution { get; set; } = 0.67f;
 
     /// <summary>Friction of a ball that slides on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,2,0.01")]
-    public float CustomSlidingFriction { get; set; } = 0.5f;
+    public float CustomSlidingFriction { get; set; } = 0.43f;
 
     /// <summary>Friction of a ball that rolls on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,1,0.001")]
@@ -192,7 +192,7 @@ public partial class FootballPreset : Resource
 
     /// <summary>The ball that is chosen.</summary>
     internal BallProperties BallOf() => Ball == BallChoice.Custom
-        ? BallProperties.Tunnel with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) }
+        ? BallProperties.Modern with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) }
         : BallProperties.Presets[NameOf(Ball.ToString())];
 
     /// <summary>The name of a preset as the library has it: with a small first letter.</summary>

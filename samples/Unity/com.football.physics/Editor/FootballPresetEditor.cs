@@ -50,7 +50,7 @@ namespace Football.Physics.Unity.Editor
 
         private static string OfProfile(FootballPreset preset)
         {
-            return preset.profile == FootballPreset.ProfileChoice.Measured ? "DryTurf" : "PublishedTurf";
+            return preset.profile == FootballPreset.ProfileChoice.Measured ? "MatchTurf" : "PublishedTurf";
         }
 
         private static void Note(string type, string name, bool isOwn)

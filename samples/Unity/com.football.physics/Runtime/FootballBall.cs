@@ -75,7 +75,7 @@ namespace Football.Physics.Unity
         public FootballKick PreviewedKick => kick;
 
         /// <summary>Radius of the ball, m.</summary>
-        public float Radius => (float)(preset != null ? preset.BallOf() : BallProperties.Tunnel).Radius;
+        public float Radius => (float)(preset != null ? preset.BallOf() : BallProperties.Modern).Radius;
 
         /// <summary>Length of a step, s: the preset's.</summary>
         public double TimeStep => preset != null ? preset.timeStep : FootballPreset.DefaultTimeStep;

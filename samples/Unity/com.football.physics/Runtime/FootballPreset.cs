@@ -17,7 +17,7 @@ namespace Football.Physics.Unity
 
         /// <summary>The ball. Default a match football.</summary>
         [Header("Ball")]
-        public BallChoice ball = BallChoice.Generic;
+        public BallChoice ball = BallChoice.Modern;
 
         /// <summary>Mass of a ball of your own, kg.</summary>
         [Range(0.01f, 20f), Tooltip("Mass of a custom ball, kg.")]
@@ -27,7 +27,7 @@ namespace Football.Physics.Unity
         [Range(0.02f, 2f), Tooltip("Radius of a custom ball, m.")]
         public float customRadius = 0.11f;
 
-        /// <summary>The ground. Default that of the profile: dry turf in the measured one.</summary>
+        /// <summary>The ground. Default that of the profile: match turf in the measured one.</summary>
         [Header("Ground")]
         public GroundChoice ground = GroundChoice.OfProfile;
 
@@ -37,11 +37,11 @@ namespace Football.Physics.Unity
 
         /// <summary>Part of the vertical speed that a bounce on a ground of your own gives back.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: part of the vertical speed that a bounce gives back.")]
-        public float customRestitution = 0.622f;
+        public float customRestitution = 0.67f;
 
         /// <summary>Friction of a ball that slides on a ground of your own.</summary>
         [Range(0f, 2f), Tooltip("Custom ground: friction of a ball that slides.")]
-        public float customSlidingFriction = 0.5f;
+        public float customSlidingFriction = 0.43f;
 
         /// <summary>Friction of a ball that rolls on a ground of your own.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: friction of a ball that rolls.")]
@@ -249,7 +249,7 @@ namespace Football.Physics.Unity
         internal BallProperties BallOf()
         {
             return ball == BallChoice.Custom
-                ? BallProperties.Tunnel with { Mass = Typed(customMass), Radius = Typed(customRadius) }
+                ? BallProperties.Modern with { Mass = Typed(customMass), Radius = Typed(customRadius) }
                 : BallProperties.Presets[NameOf(ball.ToString())];
         }
 

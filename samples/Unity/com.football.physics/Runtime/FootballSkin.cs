@@ -23,7 +23,7 @@ namespace Football.Physics.Unity
         /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
 
-        private float Radius => TryGetComponent(out FootballBall ball) ? ball.Radius : (float)BallProperties.Tunnel.Radius;
+        private float Radius => TryGetComponent(out FootballBall ball) ? ball.Radius : (float)BallProperties.Modern.Radius;
 
         private int Stamp => HashCode.Combine(Radius, transform.lossyScale, color, material);
 

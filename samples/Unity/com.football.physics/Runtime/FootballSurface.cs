@@ -28,7 +28,7 @@ namespace Football.Physics.Unity
         {
             get
             {
-                return material == Material.Turf ? SurfaceMaterial.DryTurf : SurfaceMaterial.Presets[FootballPreset.NameOf(material.ToString())];
+                return material == Material.Turf ? SurfaceMaterial.MatchTurf : SurfaceMaterial.Presets[FootballPreset.NameOf(material.ToString())];
             }
         }
     }
