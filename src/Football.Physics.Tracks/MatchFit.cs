@@ -45,7 +45,7 @@ public sealed class MatchFit
     public MatchFitResult Find(TrackPoint[] track, MatchFitRequest? request = null, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         // 1. The track without spikes, in runs. 2. Its flights. 3. One wind and one ball for all of them. 4. Neighbours that are one flight by that ball, and all again.
-        // 5. The height of the ground, and what happened between the flights. 6. The surface, from the impacts.
+        // 5. The height of the ground, and what happened between the flights. 6. The surface, from the impacts, slides and rolls.
         request ??= new MatchFitRequest();
         Validate(track, request);
         var runs = new TrackRuns(track);
@@ -141,6 +141,9 @@ public sealed class MatchFit
         List<MatchPiece> pieces = new MatchPieces(runs, equations, fit.At, contact).Make(finder.Ends, flights);
         Ground ground = (_scene.Ground.IsNone ? new Ground() : _scene.Ground) with { Height = contact - radius };
         int impacts = 0;
+        List<GroundWindow> windows = [];
+        double rollingSpeed = 0;
+        double rollingDeviation = 0;
         if (request.Surface)
         {
             var surface = new SurfaceFit(_scene.Ball, ground, pieces);
@@ -149,6 +152,13 @@ public sealed class MatchFit
             names.AddRange(surface.Names);
             values.AddRange(surface.Values);
             deviations.AddRange(surface.Deviations);
+            windows = new GroundWindows(runs, fit.At, ground).Find(pieces);
+            var friction = new GroundFriction(ground, windows);
+            ground = friction.Ground;
+            names.AddRange(friction.Names);
+            values.AddRange(friction.Values);
+            deviations.AddRange(friction.Deviations);
+            (rollingSpeed, rollingDeviation) = (friction.RollingSpeed, friction.RollingDeviation);
         }
 
         double squares = 0;
@@ -167,6 +177,9 @@ public sealed class MatchFit
             Covered = Covered(runs.Points, told, contact - radius),
             Noise = runs.Noise,
             Impacts = impacts,
+            Windows = windows,
+            RollingSpeed = rollingSpeed,
+            RollingDeviation = rollingDeviation,
         };
     }
 

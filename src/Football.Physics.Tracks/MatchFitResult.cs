@@ -18,7 +18,7 @@ public sealed class MatchFitResult
     /// <summary>The pieces, in order of time.</summary>
     public IReadOnlyList<MatchPiece> Pieces { get; }
 
-    /// <summary>Names of the numbers that were found: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor), groundHeight (m), restitution, restitutionRise, friction.</summary>
+    /// <summary>Names of the numbers that were found: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor), groundHeight (m), restitution, restitutionRise, friction (of impacts), slidingFriction, rollingFriction, rollingFrictionBySpeed (s/m); the last three only if the ball slid or rolled untouched.</summary>
     public IReadOnlyList<string> Names { get; }
 
     /// <summary>The scene with all numbers that were found.</summary>
@@ -38,6 +38,15 @@ public sealed class MatchFitResult
 
     /// <summary>Impacts that the surface was found from.</summary>
     public int Impacts { get; internal init; }
+
+    /// <summary>The times in which the ball slid or rolled untouched, in order, with the resistance of the ground in each; none if the surface was not asked for.</summary>
+    public IReadOnlyList<GroundWindow> Windows { get; internal init; } = [];
+
+    /// <summary>Mean speed of the windows in which the ball rolls, m/s: there c₀ + c₁ v is known best. 0 if there are none.</summary>
+    public double RollingSpeed { get; internal init; }
+
+    /// <summary>Standard deviation of c₀ + c₁ v at <see cref="RollingSpeed"/>; those of c₀ and c₁ alone are larger, as one makes up for the other.</summary>
+    public double RollingDeviation { get; internal init; }
 
     /// <summary>A number.</summary>
     /// <param name="index">Which of <see cref="Names"/>, from 0.</param>

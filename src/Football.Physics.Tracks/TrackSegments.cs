@@ -1,6 +1,6 @@
 namespace Football.Physics.Tracks;
 
-/// <summary>Divides a track into pieces that a cubic in time describes, so that kicks, bounces and seams lie between them.</summary>
+/// <summary>Divides a track into pieces that a polynomial in time describes, a cubic unless told otherwise, so that kicks, bounces and seams are between them.</summary>
 /// <remarks>
 /// The best division of all (dynamic programming): the least Σ (|seen − cubic|²/σ² + price of a piece). A cubic is a flight of a second within some centimetres; longer ones
 /// are divided, and put together again by the laws of flight.
@@ -10,25 +10,32 @@ internal sealed class TrackSegments
     /// <summary>Extra cost of a piece that has fewer points than a cubic.</summary>
     private const double ShortPrice = 15;
 
-    private const int Coefficients = 4;
     private const int Shortest = 5;
 
     private readonly TrackPoint[] _track;
     private readonly double _perVariance;
     private readonly double _price;
     private readonly int _longest;
-    private readonly double[] _moments = new double[(2 * Coefficients) - 1];
-    private readonly double[] _right = new double[3 * Coefficients];
+    private readonly int _coefficients;
+    private readonly double[] _moments;
+    private readonly double[] _right;
     private readonly double[] _squares = new double[3];
-    private readonly double[] _factor = new double[Coefficients * Coefficients];
+    private readonly double[] _factor;
+    private readonly double[] _solution;
 
     /// <summary>Prepares the division of a track.</summary>
     /// <param name="track">The track.</param>
     /// <param name="deviation">σ, how far a coordinate may be off a cubic, m.</param>
     /// <param name="longest">Points of a piece at most.</param>
     /// <param name="price">Price of a piece, in squares of σ: for twelve numbers of three cubics, and where it begins.</param>
-    public TrackSegments(TrackPoint[] track, double deviation, int longest, double price)
+    /// <param name="degree">Degree of the polynomial.</param>
+    public TrackSegments(TrackPoint[] track, double deviation, int longest, double price, int degree = 3)
     {
+        _coefficients = degree + 1;
+        _moments = new double[(2 * degree) + 1];
+        _right = new double[3 * _coefficients];
+        _factor = new double[_coefficients * _coefficients];
+        _solution = new double[_coefficients];
         _price = price;
         _track = track;
         _perVariance = 1.0 / (deviation * deviation);
@@ -84,11 +91,11 @@ internal sealed class TrackSegments
         for (int k = 0; k < _moments.Length; k++, power *= t)
         {
             _moments[k] += power;
-            if (k < Coefficients)
+            if (k < _coefficients)
             {
                 _right[k] += power * p.X;
-                _right[Coefficients + k] += power * p.Y;
-                _right[(2 * Coefficients) + k] += power * p.Z;
+                _right[_coefficients + k] += power * p.Y;
+                _right[(2 * _coefficients) + k] += power * p.Z;
             }
         }
 
@@ -100,34 +107,34 @@ internal sealed class TrackSegments
     /// <summary>Σ p² − |L⁻¹ r|² of the three coordinates, M = L Lᵀ.</summary>
     private double Residual()
     {
-        for (int i = 0; i < Coefficients; i++)
+        for (int i = 0; i < _coefficients; i++)
         {
             for (int j = 0; j <= i; j++)
             {
                 double sum = _moments[i + j];
                 for (int k = 0; k < j; k++)
                 {
-                    sum -= _factor[(i * Coefficients) + k] * _factor[(j * Coefficients) + k];
+                    sum -= _factor[(i * _coefficients) + k] * _factor[(j * _coefficients) + k];
                 }
 
-                _factor[(i * Coefficients) + j] = i > j ? sum / _factor[(j * Coefficients) + j] : Math.Sqrt(Math.Max(sum, 1e-30));
+                _factor[(i * _coefficients) + j] = i > j ? sum / _factor[(j * _coefficients) + j] : Math.Sqrt(Math.Max(sum, 1e-30));
             }
         }
 
         double residual = 0;
-        Span<double> y = stackalloc double[Coefficients];
+        double[] y = _solution;
         for (int axis = 0; axis < 3; axis++)
         {
             double left = _squares[axis];
-            for (int i = 0; i < Coefficients; i++)
+            for (int i = 0; i < _coefficients; i++)
             {
-                double sum = _right[(axis * Coefficients) + i];
+                double sum = _right[(axis * _coefficients) + i];
                 for (int k = 0; k < i; k++)
                 {
-                    sum -= _factor[(i * Coefficients) + k] * y[k];
+                    sum -= _factor[(i * _coefficients) + k] * y[k];
                 }
 
-                y[i] = sum / _factor[(i * Coefficients) + i];
+                y[i] = sum / _factor[(i * _coefficients) + i];
                 left -= y[i] * y[i];
             }
 

@@ -116,6 +116,32 @@ public sealed class MatchTests
     }
 
     [Fact]
+    public void Slides_and_rolls_are_told_with_their_friction()
+    {
+        // Passes along the ground, one every three seconds; each slides and then rolls.
+        FootballCommand done = Match(Passes(), "--set", "ground.surface=matchTurf", "--ball", "modern", "--free", "surface,height");
+        Assert.Equal(0, done.ExitCode);
+        JsonElement[] windows = [.. done.Lines.SkipLast(1).Where(piece => piece.GetProperty("kind").GetString() == "ground").SelectMany(piece => piece.GetProperty("windows").EnumerateArray())];
+        JsonElement summary = done.Lines[^1];
+        Assert.Equal(summary.GetProperty("slides").GetInt32(), windows.Count(window => window.GetProperty("motion").GetString() == "sliding"));
+        Assert.Equal(summary.GetProperty("rolls").GetInt32(), windows.Count(window => window.GetProperty("motion").GetString() == "rolling"));
+        Assert.Equal(["deviation", "from", "motion", "points", "resistance", "speed", "to"], windows[0].EnumerateObject().Select(item => item.Name).Order());
+        JsonElement fitted = summary.GetProperty("fitted");
+        JsonElement deviations = summary.GetProperty("deviations");
+        foreach ((string name, double truth) in (ReadOnlySpan<(string, double)>)[("slidingFriction", 0.4), ("rollingFriction", 0.06), ("rollingFrictionBySpeed", 0.002)])
+        {
+            double deviation = deviations.GetProperty(name).GetDouble();
+            Assert.InRange(deviation, 1e-4, 0.06);
+            Assert.InRange(fitted.GetProperty(name).GetDouble(), truth - (3 * deviation), truth + (3 * deviation));
+        }
+
+        JsonElement rolling = summary.GetProperty("rolling");
+        Assert.Equal(0.06 + (0.002 * rolling.GetProperty("speed").GetDouble()), rolling.GetProperty("resistance").GetDouble(), 3 * rolling.GetProperty("deviation").GetDouble());
+        Assert.Contains("slides and rolls", done.Error, StringComparison.Ordinal);
+        Assert.Equal(JsonValueKind.Null, Match(Track("t,x,y,z")).Lines[^1].GetProperty("rolling").ValueKind);
+    }
+
+    [Fact]
     public void The_fit_is_drawn()
     {
         string file = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName() + ".svg");
@@ -144,6 +170,32 @@ public sealed class MatchTests
         for (int i = 0; i < 110; i++)
         {
             text.Append(CultureInfo.InvariantCulture, $"\n{i * 0.02:0.####},{ball.Position.X:0.####},{-ball.Position.Z:0.####},{ball.Position.Y:0.####}");
+            log.Clear();
+            simulator.Step(ref ball, 0.02, log);
+        }
+
+        return text.ToString();
+    }
+
+    private static string Passes()
+    {
+        var simulator = new Simulator(new Scene
+        {
+            Ball = BallProperties.Modern,
+            Ground = Ground.Of(SurfaceMaterial.MatchTurf with { SlidingFriction = 0.4, RollingFriction = 0.06, RollingFrictionBySpeed = 0.002 }),
+        });
+        var log = new StepLog();
+        BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), Vector3d.Zero, Vector3d.Zero);
+        var text = new StringBuilder("t,x,y,z");
+        for (int i = 0; i < 900; i++)
+        {
+            if (i % 150 == 0)
+            {
+                double way = i % 300 == 0 ? 1 : -1;
+                simulator.Kick(ref ball, new Vector3d(way * (7 + (0.004 * i)), 0, 2 * way), Vector3d.Zero);
+            }
+
+            text.Append(CultureInfo.InvariantCulture, $"\n{i * 0.02:0.####},{ball.Position.X:0.###},{-ball.Position.Z:0.###},{ball.Position.Y:0.###}");
             log.Clear();
             simulator.Step(ref ball, 0.02, log);
         }

@@ -14,6 +14,7 @@ internal static class PlayLab
     {
         var files = new Option<string[]>("--track") { HelpName = "FILE", Description = "The track of a real match as CSV (t, x, y, z); can be given several times.", DefaultValueFactory = _ => [] };
         var altitude = new Option<double?>("--altitude") { HelpName = "M", Description = "Metres over the sea of those matches." };
+        var bounces = new Option<bool>("--bounces") { Description = "Of the tracks only bounces, slides and rolls, without the comparison of balls." };
         Option<long> matches = Arguments.Whole("--matches", "Simulated minutes, for each noise.", 0, 1_000_000, 10);
         Option<long> damaged = Arguments.Whole("--damaged", "Damaged files.", 0, 10_000_000, 200);
         return LabOptions.Create(
@@ -21,23 +22,24 @@ internal static class PlayLab
             "Tracks of matches: real ones that are given, by every ball and surface; simulated minutes, of which everything is known; damaged files, none of which may do harm.",
             ["football lab play --matches 1 --damaged 10 --seed 7"],
             terminal,
-            (parsed, seed, progress) => Run(parsed.GetRequiredValue(files), parsed.GetValue(altitude), seed, (int)parsed.GetValue(matches), (int)parsed.GetValue(damaged), progress, terminal),
+            (parsed, seed, progress) => Run(parsed.GetRequiredValue(files), parsed.GetValue(altitude), parsed.GetValue(bounces), seed, (int)parsed.GetValue(matches), (int)parsed.GetValue(damaged), progress, terminal),
             files,
             altitude,
+            bounces,
             matches,
             damaged);
     }
 
-    private static LabReport Run(string[] files, double? altitude, long seed, int matches, int damaged, Progress progress, Terminal terminal)
+    private static LabReport Run(string[] files, double? altitude, bool bounces, long seed, int matches, int damaged, Progress progress, Terminal terminal)
     {
         var report = new LabReport { Name = "play", Seed = seed };
-        AddReal(files, altitude, report, terminal);
+        AddReal(files, altitude, bounces, report, terminal);
         AddSimulated(seed, matches, report, progress);
         AddDamaged(seed, damaged, report, progress);
         return report;
     }
 
-    private static void AddReal(string[] files, double? altitude, LabReport report, Terminal terminal)
+    private static void AddReal(string[] files, double? altitude, bool bounces, LabReport report, Terminal terminal)
     {
         if (files.Length == 0)
         {
@@ -47,15 +49,16 @@ internal static class PlayLab
         }
 
         var flights = new LabTable("Flights of real matches", "track", "ball", "fitted", "flights", "rms, cm", "covered, %", "drag", "crisis, Re", "verdict");
-        var impacts = new LabTable("Impacts of real matches: medians", "track", "along the ground", "surface", "impacts", "restitution", "kept", "off, restitution", "off, kept", "verdict");
-        report.Tables.Add(flights);
-        report.Tables.Add(impacts);
+        var impacts = new LabTable(
+            "Impacts of real matches: medians", "track", "along the ground", "surface", "impacts", "restitution", "kept", "friction", "off, restitution", "off, kept", "restitution is", "kept is");
+        var windows = new LabTable("Slides and rolls of real matches", "track", "resistance", "windows", "m/s", "median", "least", "most", "together", "±", "default turf", "verdict");
+        report.Tables.AddRange(bounces ? [impacts, windows] : [flights, impacts, windows]);
         foreach (string file in files)
         {
-            RealTrack.Add(file, altitude, flights, impacts, report, terminal.Person.WriteLine);
+            RealTrack.Add(file, altitude, bounces ? null : flights, impacts, windows, report, terminal.Person.WriteLine);
         }
 
-        report.Notes.Add("To reach: modern at most 6 cm as it ships and 3 cm with its drag fitted; matchTurf within 0.05 of what is seen, by classes. A minute has a dozen impacts: a median of three is sure to about 0.05.");
+        report.Notes.Add("To reach: modern at most 6 cm as it ships and 3 cm with its drag fitted; the default turf within 0.05 of the bounces of a track of millimetres, by classes, and 0.1 of one of centimetres; within two deviations of slides and rolls. A minute has a dozen impacts: a median of three is sure to about 0.05.");
     }
 
     private static void AddSimulated(long seed, int matches, LabReport report, Progress progress)

@@ -112,7 +112,7 @@ internal sealed class MatchCommand
         {
             foreach (MatchPiece piece in fit.Pieces)
             {
-                terminal.Output.Write(MatchWriter.Piece(piece).Span);
+                terminal.Output.Write(MatchWriter.Piece(piece, fit).Span);
             }
 
             terminal.Output.Write(MatchWriter.Summary(fit).Span);

@@ -20,6 +20,7 @@ internal static class MatchTable
         }
 
         terminal.PersonConsole.Write(pieces);
+        PrintWindows(fit, terminal);
         Table numbers = new Table().Border(TableBorder.Simple).AddColumns("of the whole track", "value", "±");
         for (int i = 0; i < fit.Names.Count; i++)
         {
@@ -27,11 +28,35 @@ internal static class MatchTable
         }
 
         terminal.PersonConsole.Write(numbers);
+        if (fit.RollingSpeed > 0)
+        {
+            terminal.Person.WriteLine(FormattableString.Invariant(
+                $"Rolling: c₀ + c₁ v is {MatchWriter.RollingResistance(fit):0.000} ± {fit.RollingDeviation:0.000} at {fit.RollingSpeed:0.0} m/s, where it is known best."));
+        }
+    }
+
+    /// <summary>Where the ball slid and rolled untouched, and the resistance there.</summary>
+    private static void PrintWindows(MatchFitResult fit, Terminal terminal)
+    {
+        if (fit.Windows.Count == 0)
+        {
+            return;
+        }
+
+        Table windows = new Table().Border(TableBorder.Simple).AddColumns("on the ground", "from, s", "to, s", "points", "speed, m/s", "resistance", "±");
+        foreach (GroundWindow window in fit.Windows)
+        {
+            windows.AddRow(
+                MatchWriter.Word(window.Motion), Text(window.From, "0.00"), Text(window.To, "0.00"), window.Points.ToString(CultureInfo.InvariantCulture),
+                Text(window.Speed, "0.0"), Text(window.Resistance, "0.000"), Text(window.Deviation, "0.000"));
+        }
+
+        terminal.PersonConsole.Write(windows);
     }
 
     /// <summary>The summary as one line.</summary>
     public static string Summary(MatchFitResult fit) => FormattableString.Invariant(
-        $"{fit.Flights} flights, rms {100 * fit.Rms:0.00} cm; {100 * fit.Covered:0.0} % of what is above 0.5 m in them; {fit.Impacts} impacts; noise {1000 * fit.Noise:0.0} mm. Good for {MatchWriter.GoodFor(fit)}.");
+        $"{fit.Flights} flights, rms {100 * fit.Rms:0.00} cm; {100 * fit.Covered:0.0} % of what is above 0.5 m in them; {fit.Impacts} impacts, {fit.Windows.Count} slides and rolls; noise {1000 * fit.Noise:0.0} mm. Good for {MatchWriter.GoodFor(fit)}.");
 
     private static string Text(double number, string format) => number.ToString(format, CultureInfo.InvariantCulture);
 }

@@ -16,8 +16,14 @@ internal static class MatchWriter
         _ => "lost",
     };
 
-    /// <summary>The line of a piece.</summary>
-    public static ReadOnlyMemory<byte> Piece(MatchPiece piece) => ResultWriter.Line(json =>
+    /// <summary>The word for a motion on the ground.</summary>
+    public static string Word(MotionState motion) => motion == MotionState.Sliding ? "sliding" : "rolling";
+
+    /// <summary>c₀ + c₁ v at the mean speed of the windows in which the ball rolls.</summary>
+    public static double RollingResistance(MatchFitResult fit) => fit.Scene.Ground.RollingFriction + (fit.Scene.Ground.RollingFrictionBySpeed * fit.RollingSpeed);
+
+    /// <summary>The line of a piece; a time on the ground lists the windows in which the ball slides or rolls untouched.</summary>
+    public static ReadOnlyMemory<byte> Piece(MatchPiece piece, MatchFitResult fit) => ResultWriter.Line(json =>
     {
         json.WriteString("kind", Word(piece.Kind));
         json.WriteNumber("from", piece.From);
@@ -46,6 +52,11 @@ internal static class MatchWriter
             }
 
             json.WriteNumber("kept", piece.Kept);
+        }
+
+        if (piece.Kind == MatchPieceKind.Ground)
+        {
+            WriteWindows(json, piece, fit);
         }
 
         json.WriteStartObject("deviations");
@@ -84,12 +95,54 @@ internal static class MatchWriter
             json.WriteNull("friction");
         }
 
+        json.WriteNumber("slidingFriction", fit.Scene.Ground.SlidingFriction);
+        json.WriteNumber("rollingFriction", fit.Scene.Ground.RollingFriction);
+        json.WriteNumber("rollingFrictionBySpeed", fit.Scene.Ground.RollingFrictionBySpeed);
         json.WriteEndObject();
         json.WriteStartObject("deviations");
         WriteDeviations(json, fit);
         json.WriteEndObject();
+        WriteRolling(json, fit);
         json.WriteString("goodFor", GoodFor(fit));
     });
+
+    private static void WriteWindows(Utf8JsonWriter json, MatchPiece piece, MatchFitResult fit)
+    {
+        json.WriteStartArray("windows");
+        foreach (GroundWindow window in fit.Windows.Where(window => window.From >= piece.From && window.To <= piece.To))
+        {
+            json.WriteStartObject();
+            json.WriteString("motion", Word(window.Motion));
+            json.WriteNumber("from", window.From);
+            json.WriteNumber("to", window.To);
+            json.WriteNumber("points", window.Points);
+            json.WriteNumber("speed", window.Speed);
+            json.WriteNumber("resistance", window.Resistance);
+            json.WriteNumber("deviation", window.Deviation);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>How many slides and rolls there are, and the resistance of a roll at the speed at which it is known best.</summary>
+    private static void WriteRolling(Utf8JsonWriter json, MatchFitResult fit)
+    {
+        json.WriteNumber("slides", fit.Windows.Count(window => window.Motion == MotionState.Sliding));
+        json.WriteNumber("rolls", fit.Windows.Count(window => window.Motion == MotionState.Rolling));
+        if (fit.RollingSpeed > 0)
+        {
+            json.WriteStartObject("rolling");
+            json.WriteNumber("speed", fit.RollingSpeed);
+            json.WriteNumber("resistance", RollingResistance(fit));
+            json.WriteNumber("deviation", fit.RollingDeviation);
+            json.WriteEndObject();
+        }
+        else
+        {
+            json.WriteNull("rolling");
+        }
+    }
 
     /// <summary>What a track is good for, in words.</summary>
     public static string GoodFor(MatchFitResult fit)

@@ -1,0 +1,157 @@
+namespace Football.Physics.Tracks;
+
+/// <summary>Finds sliding friction, and rolling friction with its growth by speed, from the windows of a match.</summary>
+/// <remarks>
+/// A weighted median for slides, whose windows are few and differ; for rolls a line c₀ + c₁ v, far windows counted less (Huber). Pitches differ from one place to the next, so the scatter of the
+/// windows counts, not their own deviations alone.
+/// </remarks>
+internal sealed class GroundFriction
+{
+    /// <summary>How far resistances scatter from one place to the next on a real pitch, in the least.</summary>
+    private const double SlideScatter = 0.02;
+    private const double RollScatter = 0.01;
+
+    /// <summary>The median of |x| to the deviation; the deviation of a median by that of a mean; farther off than so many deviations counts linearly.</summary>
+    private const double Mad = 1.4826;
+    private const double MedianLoss = 1.2533;
+    private const double Huber = 1.5;
+
+    /// <summary>Standard deviations of c₀ and c₁ (s/m), about the ground's own, before the windows were seen.</summary>
+    private const double KnownRolling = 0.1;
+    private const double KnownBySpeed = 0.005;
+
+    private const int Rounds = 20;
+
+    private readonly List<string> _names = [];
+    private readonly List<double> _values = [];
+    private readonly List<double> _deviations = [];
+
+    /// <summary>Finds the numbers.</summary>
+    /// <param name="ground">The likely surface.</param>
+    /// <param name="windows">The windows.</param>
+    public GroundFriction(Ground ground, List<GroundWindow> windows)
+    {
+        Ground = ground;
+        List<GroundWindow> slides = windows.FindAll(w => w.Motion == MotionState.Sliding);
+        List<GroundWindow> rolls = windows.FindAll(w => w.Motion == MotionState.Rolling);
+        if (slides.Count > 0)
+        {
+            FindSliding(slides);
+        }
+
+        if (rolls.Count > 0)
+        {
+            FindRolling(rolls);
+        }
+    }
+
+    /// <summary>The ground with what was found.</summary>
+    public Ground Ground { get; private set; }
+
+    /// <summary>Names of the numbers.</summary>
+    public IReadOnlyList<string> Names => _names;
+
+    /// <summary>The numbers.</summary>
+    public IReadOnlyList<double> Values => _values;
+
+    /// <summary>Their standard deviations.</summary>
+    public IReadOnlyList<double> Deviations => _deviations;
+
+    /// <summary>The mean speed of the windows in which the ball rolls, m/s; 0 if there are none.</summary>
+    public double RollingSpeed { get; private set; }
+
+    /// <summary>Standard deviation of c₀ + c₁ v there.</summary>
+    public double RollingDeviation { get; private set; }
+
+    private void FindSliding(List<GroundWindow> slides)
+    {
+        double[] values = [.. slides.Select(w => w.Resistance)];
+        double scatter = Math.Max(SlideScatter, Scatter(values, Median(values)));
+        slides.Sort((a, b) => a.Resistance.CompareTo(b.Resistance));
+        double all = 0;
+        foreach (GroundWindow window in slides)
+        {
+            all += Weight(window, scatter);
+        }
+
+        // The weighted median, between its neighbours by how much weight is missing.
+        double median = slides[^1].Resistance;
+        double sum = 0;
+        for (int i = 0; i < slides.Count; i++)
+        {
+            double weight = Weight(slides[i], scatter);
+            double next = sum + (0.5 * weight);
+            if (next >= 0.5 * all)
+            {
+                double before = i > 0 ? sum - (0.5 * Weight(slides[i - 1], scatter)) : next;
+                double share = next > before ? ((0.5 * all) - before) / (next - before) : 1;
+                median = i > 0 ? slides[i - 1].Resistance + (share * (slides[i].Resistance - slides[i - 1].Resistance)) : slides[i].Resistance;
+                break;
+            }
+
+            sum += weight;
+        }
+
+        Add("slidingFriction", median, (slides.Count > 2 ? MedianLoss : 1) / Math.Sqrt(all));
+        Ground = Ground with { Material = Ground.Of(SurfaceMaterial.Material with { SlidingFriction = median }) };
+    }
+
+    private void FindRolling(List<GroundWindow> rolls)
+    {
+        // 1. c₁ as it is likely, c₀ by the median. 2. Both downhill, weights by how far each window is off. 3. What is negative is zero.
+        double[] start = [.. rolls.Select(w => w.Resistance - (Ground.Material.RollingFrictionBySpeed * w.Speed))];
+        double middle = Median(start);
+        double level = middle;
+        double growth = Ground.Material.RollingFrictionBySpeed;
+        double scatter = Math.Max(RollScatter, Scatter(start, middle));
+        double a = 0, b = 0, c = 0;
+        for (int round = 0; round < Rounds; round++)
+        {
+            a = 1 / (KnownRolling * KnownRolling);
+            b = 0;
+            c = 1 / (KnownBySpeed * KnownBySpeed);
+            double x = a * Ground.Material.RollingFriction;
+            double y = c * Ground.Material.RollingFrictionBySpeed;
+            foreach (GroundWindow window in rolls)
+            {
+                double weight = Weight(window, scatter);
+                double off = Math.Abs(window.Resistance - level - (growth * window.Speed)) * Math.Sqrt(weight);
+                weight *= off > Huber ? Huber / off : 1;
+                a += weight;
+                b += weight * window.Speed;
+                c += weight * window.Speed * window.Speed;
+                x += weight * window.Resistance;
+                y += weight * window.Speed * window.Resistance;
+            }
+
+            growth = Math.Max(0, ((a * y) - (b * x)) / ((a * c) - (b * b)));
+            level = Math.Max(0, (x - (b * growth)) / a);
+        }
+
+        double size = (a * c) - (b * b);
+        double known = 1 / (KnownRolling * KnownRolling);
+        RollingSpeed = b / (a - known);
+        RollingDeviation = Math.Sqrt((c - (2 * b * RollingSpeed) + (a * RollingSpeed * RollingSpeed)) / size);
+        Add("rollingFriction", level, Math.Sqrt(c / size));
+        Add("rollingFrictionBySpeed", growth, Math.Sqrt(a / size));
+        Ground = Ground with { Material = Ground.Of(SurfaceMaterial.Material with { RollingFriction = level, RollingFrictionBySpeed = growth }) };
+    }
+
+    private void Add(string name, double value, double deviation)
+    {
+        _names.Add(name);
+        _values.Add(value);
+        _deviations.Add(deviation);
+    }
+
+    private static double Weight(GroundWindow window, double scatter) => 1 / ((window.Deviation * window.Deviation) + (scatter * scatter));
+
+    private static double Scatter(double[] values, double middle) => Mad * Median([.. values.Select(value => Math.Abs(value - middle))]);
+
+    private static double Median(double[] values)
+    {
+        double[] sorted = (double[])values.Clone();
+        Array.Sort(sorted);
+        return 0.5 * (sorted[(sorted.Length - 1) / 2] + sorted[sorted.Length / 2]);
+    }
+}
