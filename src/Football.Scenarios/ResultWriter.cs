@@ -170,6 +170,8 @@ public static class ResultWriter
             BallEventKind.Goal => "goal",
             BallEventKind.Leave => "leave",
             BallEventKind.Squeezed => "squeezed",
+            BallEventKind.EnterZone => "enterZone",
+            BallEventKind.ExitZone => "exitZone",
             _ => "rest",
         });
         if (outcome.Balls.Count > 0)

@@ -27,6 +27,7 @@ public static class SceneInput
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
             Goals = WorldInput.Goals(root, frame),
+            Zones = WorldInput.Zones(root),
         };
     }
 

@@ -9,6 +9,9 @@ public static class WorldInput
     public static IReadOnlyList<Obstacle> Obstacles(InputObject root, Surface frame) =>
         [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
+    /// <summary>The zones.</summary>
+    public static IReadOnlyList<Zone> Zones(InputObject root) => [.. root.Objects("zones").Select(Zone).OfType<Zone>()];
+
     /// <summary>The bodies, which the game moves; null where there are none.</summary>
     public static Bodies? Bodies(InputObject root)
     {
@@ -58,6 +61,14 @@ public static class WorldInput
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
         double mass = item.Limit("mass", double.PositiveInfinity);
         return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass };
+    }
+
+    private static Zone? Zone(InputObject item, int index)
+    {
+        string name = item.Text("name", FormattableString.Invariant($"zone {index}"));
+        IShape? shape = Shape(item);
+        ZonePart of = item.Has("of") && item.OneOf("of", "ball", "centre") == "centre" ? ZonePart.Center : ZonePart.Ball;
+        return shape is null ? null : new Zone { Name = name, Shape = shape, Of = of };
     }
 
     private static IShape? Shape(InputObject item)

@@ -26,6 +26,15 @@ public sealed class BundleTests : IDisposable
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         },
         ["no ground, wind by height"] = () => new Scene { Ground = Ground.None, Air = new Air { WindField = new WindByHeight(3, 1, 0) } },
+        ["zones"] = () => new Scene
+        {
+            Zones =
+            [
+                new Zone { Name = "half \"A\"", Shape = new PlaneShape(new Vector3d(0, 0, -3), new Vector3d(0, 0, 1)), Of = ZonePart.Center },
+                new Zone { Name = "spot", Shape = new SphereShape(new Vector3d(1, 0, -6), 2) },
+                new Zone { Name = "box", Shape = new BoxShape(new Vector3d(1, 0, -9), new Vector3d(3, 2, 1), new Quaterniond(0, 0.6, 0, 0.8)) },
+            ],
+        },
         ["hills and things"] = () => new Scene
         {
             Ground = Ground.WetTurf with { Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },

@@ -272,6 +272,34 @@ public sealed class SimulateTests
         Assert.Equal(Light(1e6), Light(0.5));
     }
 
+    [Fact]
+    public void Zones_are_told_by_kind_and_name()
+    {
+        JsonElement[] events = [.. FootballCommand.Play(
+            """
+            {"profile": "published", "gravity": 0, "forces": {"buoyancy": false, "drag": "none", "magnus": "none", "spinDecay": "none"},
+             "launch": {"position": [0, 5, 0], "velocity": [0, 0, -10]}, "stop": {"at": "time", "time": 1},
+             "zones": [{"name": "area", "shape": "box", "center": [0, 5, -4], "halfSize": [3, 3, 1], "of": "centre"},
+                       {"shape": "plane", "point": [0, 0, -8], "normal": [0, 0, 1]}]}
+            """).GetProperty("events").EnumerateArray()];
+        Assert.Equal(
+            ["enterZone area 0.300000", "exitZone area 0.500000", "enterZone zone 1 0.789000"],
+            events.Select(item => FormattableString.Invariant(
+                $"{item.GetProperty("kind").GetString()} {item.GetProperty("surface").GetString()} {item.GetProperty("time").GetDouble():F6}")));
+    }
+
+    [Theory]
+    [InlineData("""{"shape": "sphere", "center": [0, 0, 0], "radius": 1, "of": "center"}""", "zones[0].of is \"center\"; allowed: ball | centre")]
+    [InlineData("""{"shape": "cube"}""", "zones[0].shape is \"cube\"; allowed: plane | sphere | capsule | box")]
+    [InlineData("""{"shape": "sphere", "center": [0, 0, 0], "radius": 0}""", "zones[0].radius is 0; allowed: above 0")]
+    [InlineData("""{"name": "a", "shape": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}, {"name": "a", "shape": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}""", "zones[1].name is \"a\"; allowed: a name that no other zone has")]
+    public void A_wrong_zone_is_refused_in_one_line(string zones, string expected)
+    {
+        FootballCommand done = FootballCommand.Simulate($$"""{"launch": {"position": [0, 1, 0], "velocity": [0, 0, -5]}, "zones": [{{zones}}]}""".ReplaceLineEndings(""));
+        Assert.Equal(1, done.ExitCode);
+        Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
+    }
+
     private sealed class InPieces(byte[] all, int piece) : MemoryStream(all)
     {
         public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(buffer.Length, piece)]);

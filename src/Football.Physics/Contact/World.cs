@@ -13,6 +13,7 @@ internal sealed class World
     private const double ErrorInNets = 3e-9;
 
     private readonly string[] _names;
+    private readonly int _zones;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
     private long _known;
@@ -51,13 +52,14 @@ internal sealed class World
             AddThings(scene, Obstacles, colliders);
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
-            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length);
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
         // Each collider is met as what moves, what has no bounds, or a box of the tree.
         Colliders = colliders.ToArray();
         FirstPassage = Colliders.Length;
+        _zones = scene.Zones.Count;
         foreach (Collider collider in Colliders)
         {
             foreach (ContactMaterial material in collider.Materials)
@@ -105,7 +107,7 @@ internal sealed class World
         }
 
         Tree = new BoundsTree(boxes);
-        _names = IsBare ? ["ground"] : NamesOf();
+        _names = IsBare && _zones == 0 ? ["ground"] : NamesOf(scene);
     }
 
     /// <summary>The ball.</summary>
@@ -117,11 +119,11 @@ internal sealed class World
     /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The number of the first net; goals follow nets. An engine's places that were added later come after them.</summary>
+    /// <summary>The number of the first net; goals follow nets, zones follow goals. An engine's places that were added later come after them.</summary>
     public int FirstPassage { get; }
 
-    /// <summary>True if a number is that of a net or a goal, and not of a collider.</summary>
-    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length);
+    /// <summary>True if a number is that of a net, a goal or a zone, and not of a collider.</summary>
+    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
     /// <summary>The colliders that move.</summary>
     public int[] Moving { get; }
@@ -309,12 +311,13 @@ internal sealed class World
 
     private static GoalMouth[] GoalsOf(Scene scene) => [.. scene.Goals.Select(goal => new GoalMouth(goal))];
 
-    private string[] NamesOf() =>
+    private string[] NamesOf(Scene scene) =>
     [
         "ground",
         .. Colliders.Where(collider => collider != Ground).Select(collider => collider.Name),
         .. Nets.Select(net => net.Name),
         .. Goals.Select(_ => "goal"),
+        .. scene.Zones.Select(zone => zone.Name),
     ];
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
@@ -431,6 +434,9 @@ internal sealed class World
 
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
+
+    /// <summary>Index among the things of the scene of a zone.</summary>
+    public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
 
     private Bounds3d BoundsOf(int thing) =>
         thing < FirstPassage ? Colliders[thing].Bounds

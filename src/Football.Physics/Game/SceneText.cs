@@ -77,6 +77,10 @@ internal sealed class SceneText
             .Number("tangentialDamping", net.TangentialDamping).Number("spinDamping", net.SpinDamping));
         List("goals", scene.Goals, goal => Vector("center", goal.Center).Vector("facing", goal.Facing).Number("width", goal.Width).Number("height", goal.Height)
             .Number("postRadius", goal.PostRadius).Numbers("depth", goal.DepthAtBar, goal.DepthOnGround).Flag("net", goal.HasNet).Material(goal.Frame(scene.Forces).First().Surface));
+        if (scene.Zones.Count > 0)
+        {
+            List("zones", scene.Zones, zone => Text("name", zone.Name).Shape("zones", zone.Shape).Text("of", zone.Of == ZonePart.Ball ? "ball" : "centre"));
+        }
     }
 
     private void AddAir(Air air, Ground ground)

@@ -39,6 +39,13 @@ internal static class SceneHash
         }
 
         key.Add(world.Engine is null ? 0 : 1);
+
+        // Zones change no path. Two machines must report the same all the same.
+        foreach (Zone zone in scene.Zones)
+        {
+            AddZone(ref key, zone);
+        }
+
         return key.Value;
     }
 
@@ -133,6 +140,18 @@ internal static class SceneHash
             {
                 AddMaterial(ref key, in material);
             }
+        }
+    }
+
+    private static void AddZone(ref SceneKey key, Zone zone)
+    {
+        key.Add((double)(int)zone.Of);
+        key.Add(zone.Shape.Bounds);
+        for (int i = 0; i < Places; i++)
+        {
+            ShapePoint at = zone.Shape.At((i % 2 == 0 ? 0.02 : 1.0) * Place(i));
+            key.Add(at.Distance);
+            key.Add(at.Normal);
         }
     }
 

@@ -228,6 +228,7 @@ public sealed partial class BallGroup
         {
             Array.Copy(_before, states, Count);
             _motions.PutBack();
+            _cluster.Abandon();
             throw;
         }
 
