@@ -23,7 +23,8 @@ public static class WorldInput
             IShape? shape = Shape(items[i]);
             Surface surface = Surface(items[i], Physics.Surface.Boot);
             double mass = items[i].Limit("mass", double.PositiveInfinity);
-            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass));
+            int layer = items[i].Whole("layer", 0);
+            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass, layer));
         }
 
         return bodies.Count > 0 ? bodies : null;
@@ -60,7 +61,8 @@ public static class WorldInput
         Vector3d spin = item.Vector("spin", Vector3d.Zero);
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
         double mass = item.Limit("mass", double.PositiveInfinity);
-        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass };
+        int layer = item.Whole("layer", 0);
+        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass, Layer = layer };
     }
 
     private static Zone? Zone(InputObject item, int index)
@@ -68,7 +70,8 @@ public static class WorldInput
         string name = item.Text("name", FormattableString.Invariant($"zone {index}"));
         IShape? shape = Shape(item);
         ZonePart of = item.Has("of") && item.OneOf("of", "ball", "centre") == "centre" ? ZonePart.Center : ZonePart.Ball;
-        return shape is null ? null : new Zone { Name = name, Shape = shape, Of = of };
+        int layer = item.Whole("layer", 0);
+        return shape is null ? null : new Zone { Name = name, Shape = shape, Of = of, Layer = layer };
     }
 
     private static IShape? Shape(InputObject item)

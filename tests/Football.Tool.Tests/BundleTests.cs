@@ -26,12 +26,14 @@ public sealed class BundleTests : IDisposable
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         },
         ["no ground, wind by height"] = () => new Scene { Ground = Ground.None, Air = new Air { WindField = new WindByHeight(3, 1, 0) } },
-        ["zones"] = () => new Scene
+        ["zones and layers"] = () => new Scene
         {
+            Ball = BallProperties.Futsal with { Ignores = Layers.Of(2, 31) },
+            Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.2, -3), 0.5), Layer = 31 }, new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.2, -12), 0.5), Layer = 30 }],
             Zones =
             [
                 new Zone { Name = "half \"A\"", Shape = new PlaneShape(new Vector3d(0, 0, -3), new Vector3d(0, 0, 1)), Of = ZonePart.Center },
-                new Zone { Name = "spot", Shape = new SphereShape(new Vector3d(1, 0, -6), 2) },
+                new Zone { Name = "spot", Shape = new SphereShape(new Vector3d(1, 0, -6), 2), Layer = 2 },
                 new Zone { Name = "box", Shape = new BoxShape(new Vector3d(1, 0, -9), new Vector3d(3, 2, 1), new Quaterniond(0, 0.6, 0, 0.8)) },
             ],
         },

@@ -300,6 +300,31 @@ public sealed class SimulateTests
         Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
     }
 
+    /// <summary>The one ball flies through the wall, the other does not.</summary>
+    [Fact]
+    public void Layers_and_what_a_ball_ignores_are_read()
+    {
+        JsonElement[] balls = [.. FootballCommand.Play(
+            """
+            {"balls": [{"launch": {"position": [0, 0.11, 0], "velocity": [0, 2, -12]}},
+                       {"ball": {"ignores": [3, 7]}, "launch": {"position": [1, 0.11, 0], "velocity": [0, 2, -12]}}],
+             "obstacles": [{"shape": "box", "center": [0, 1, -4], "halfSize": [3, 3, 0.1], "layer": 3}], "stop": {"at": "rest"}}
+            """).GetProperty("balls").EnumerateArray()];
+        Assert.Equal([false, true], balls.Select(ball => ball.GetProperty("final").GetProperty("position")[2].GetDouble() < -4));
+    }
+
+    [Theory]
+    [InlineData("\"ball\": {\"ignores\": [3, 32]}", "ball.ignores is [3, 32]; allowed: a list of layers, whole numbers 0 … 31")]
+    [InlineData("\"ball\": {\"ignores\": 3}", "ball.ignores is 3; allowed: a list of layers")]
+    [InlineData("\"obstacles\": [{\"shape\": \"sphere\", \"center\": [9, 0, 0], \"radius\": 1, \"layer\": 32}]", "obstacles[0].layer is 32; allowed: 0 … 31")]
+    [InlineData("\"zones\": [{\"shape\": \"sphere\", \"center\": [9, 0, 0], \"radius\": 1, \"layer\": 1.5}]", "zones[0].layer is 1.5; allowed: a whole number")]
+    public void A_wrong_layer_is_refused_in_one_line(string member, string expected)
+    {
+        FootballCommand done = FootballCommand.Simulate($$"""{"launch": {"position": [0, 1, 0], "velocity": [0, 0, -5]}, {{member}}}""");
+        Assert.Equal(1, done.ExitCode);
+        Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
+    }
+
     private sealed class InPieces(byte[] all, int piece) : MemoryStream(all)
     {
         public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(buffer.Length, piece)]);

@@ -35,6 +35,7 @@ internal sealed class Collider
         : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface))
     {
         Mass = obstacle.Mass;
+        Layer = obstacle.Layer;
         _obstacles = all;
         _placement = placement;
         _motion.Velocity = obstacle.Velocity;
@@ -46,6 +47,7 @@ internal sealed class Collider
         : this(body.Name, body.Shape, new ContactMaterial(body.Surface))
     {
         Mass = body.Mass;
+        Layer = body.Layer;
         _body = body;
         _placement = body.Placement;
     }
@@ -62,6 +64,9 @@ internal sealed class Collider
 
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
+
+    /// <summary>Its layer; −1 for what is in none: the ground, the frames of goals, and places of an engine, whose colliders are sorted out when they are found.</summary>
+    public int Layer { get; init; } = -1;
 
     /// <summary>The engine's collider that it stands for; null where it does for none.</summary>
     public EngineCollider? Engine { get; private set; }

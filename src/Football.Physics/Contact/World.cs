@@ -68,13 +68,19 @@ internal sealed class World
             }
         }
 
-        GivesWay = Colliders.Any(collider => collider.GivesWay);
+        GivesWay = Colliders.Any(collider => collider.GivesWay && !Ignores(collider));
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
         for (int i = 0; i < Colliders.Length; i++)
         {
+            // A collider that the ball ignores keeps its number, and is found nowhere.
             Collider collider = Colliders[i];
+            if (Ignores(collider))
+            {
+                continue;
+            }
+
             if (!collider.Moves)
             {
                 (collider.Bounds.IsFinite ? leaves : unbounded).Add(i);
@@ -145,6 +151,9 @@ internal sealed class World
 
     /// <summary>Index of the first collider among the things of the scene, of which the ground is always 0.</summary>
     public int FirstCollider { get; }
+
+    /// <summary>True if the ball ignores a collider: it has a layer that the ball passes through.</summary>
+    public bool Ignores(Collider collider) => collider.Layer >= 0 && Layers.Contains(Ball.Ignores, collider.Layer);
 
     /// <summary>True when anything moves.</summary>
     public bool Moves => Moving.Length > 0 || Engine is not null;
@@ -302,7 +311,7 @@ internal sealed class World
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, motions, placement) : new Collider(obstacle)));
-        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle) { Layer = -1 }));
         colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body)));
     }
 
@@ -377,7 +386,7 @@ internal sealed class World
             key.Add(BoundsOf(Leaves[i]));
         }
 
-        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody))
+        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
         {
             // What has no bounds is told by what it says of two points.
             ShapePoint low = collider.At(Vector3d.Zero);

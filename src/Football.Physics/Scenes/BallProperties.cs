@@ -22,6 +22,12 @@ public sealed record BallProperties
     /// </summary>
     public double KnuckleForce { get; init; } = 1.5;
 
+    /// <summary>
+    /// The layers that the ball ignores, bit k for layer k, as <see cref="Layers.Of"/> gives them: obstacles, bodies, engine colliders and zones of these layers are not there for
+    /// this ball, such as a thrower's own hands. Default none.
+    /// </summary>
+    public uint Ignores { get; init; }
+
     /// <summary>A match football, size 5, of no make in particular.</summary>
     public static BallProperties Football { get; } = new();
 

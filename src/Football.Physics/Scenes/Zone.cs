@@ -19,6 +19,9 @@ public sealed record Zone
     /// <summary>The part of the ball that must be in the shape. Default <see cref="ZonePart.Ball"/>.</summary>
     public ZonePart Of { get; init; } = ZonePart.Ball;
 
+    /// <summary>Its layer: a ball that ignores it reports nothing. 0 … 31; default 0.</summary>
+    public int Layer { get; init; }
+
     /// <summary>True if a ball is in the zone.</summary>
     /// <param name="position">Position of the ball's centre, m.</param>
     /// <param name="radius">Radius of the ball, m.</param>
@@ -32,6 +35,7 @@ public sealed record Zone
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
         Check.Defined(field + ".of", Of, (int)Of, 2);
+        Layers.Validate(field + ".layer", Layer);
 
         // The search for the crossing relies on it, as that for contacts does.
         Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / ball.Radius);

@@ -73,6 +73,20 @@ internal static class SceneHash
         key.Add(scene.Ball.InertiaFactor);
         key.Add(scene.Ball.KnuckleForce);
         key.Add(Weight.UpwardAcceleration(scene));
+        if (scene.Ball.Ignores != 0)
+        {
+            AddLayers(ref key, scene);
+        }
+    }
+
+    /// <summary>Layers decide nothing for a ball that ignores none.</summary>
+    private static void AddLayers(ref SceneKey key, Scene scene)
+    {
+        key.Add((double)scene.Ball.Ignores);
+        foreach (int layer in scene.Obstacles.Select(item => item.Layer).Concat((scene.Bodies ?? Enumerable.Empty<Body>()).Select(item => item.Layer)).Concat(scene.Zones.Select(item => item.Layer)))
+        {
+            key.Add((double)layer);
+        }
     }
 
     private static void AddAir(ref SceneKey key, Scene scene, Simulator simulator)

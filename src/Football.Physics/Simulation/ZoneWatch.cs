@@ -40,7 +40,9 @@ internal sealed class ZoneWatch
             return null;
         }
 
-        return new ZoneWatch([.. scene.Zones], [.. Enumerable.Range(firstThing, scene.Zones.Count)], scene.Ball.Radius);
+        // Those that the ball ignores keep their numbers.
+        int[] seen = [.. Enumerable.Range(0, scene.Zones.Count).Where(i => !Layers.Contains(scene.Ball.Ignores, scene.Zones[i].Layer))];
+        return seen.Length == 0 ? null : new ZoneWatch(Array.ConvertAll(seen, i => scene.Zones[i]), Array.ConvertAll(seen, i => firstThing + i), scene.Ball.Radius);
     }
 
     /// <summary>Begins a step, or goes on with one that is taken in several calls.</summary>
