@@ -199,6 +199,11 @@ public static class ResultWriter
             WriteVector(json, "normal", item.Normal);
         }
 
+        if (item.AddedEnergy > 0)
+        {
+            json.WriteNumber("addedEnergy", item.AddedEnergy);
+        }
+
         if (outcome.ImpulseOf(item) is { } impulse)
         {
             WriteVector(json, "impulse", impulse);

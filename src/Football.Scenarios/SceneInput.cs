@@ -11,7 +11,7 @@ public static class SceneInput
         // In the order in which a refusal names them.
         InputObject ball = root.Object("ball");
         InputObject air = root.Object("air");
-        double gravity = root.Number("gravity", Physics.Scene.Default.Gravity);
+        double gravity = Gravity(root);
         InputObject forces = root.Object("forces");
         InputObject ground = root.Object("ground");
         Profile profile = root.Choice("profile", Profile.Measured);
@@ -29,6 +29,19 @@ public static class SceneInput
             Goals = WorldInput.Goals(root, frame),
             Zones = WorldInput.Zones(root),
         };
+    }
+
+    /// <summary>A number, or a vector straight down.</summary>
+    private static double Gravity(InputObject root)
+    {
+        if (!root.IsArray("gravity"))
+        {
+            return root.Number("gravity", Physics.Scene.Default.Gravity);
+        }
+
+        Vector3d gravity = root.Vector("gravity", Vector3d.Zero);
+        root.Demand("gravity", gravity.X == 0 && gravity.Z == 0 && gravity.Y <= 0, "a number, or [0, −g, 0]: straight down (tilt the ground for a slope)");
+        return gravity.Y < 0 ? -gravity.Y : 0;
     }
 
     /// <summary>The solver of a single ball, and its step in seconds.</summary>

@@ -117,6 +117,7 @@ public static class WorldInput
             RollingFrictionBySpeed = surface.Number("rollingFrictionBySpeed", defaults.RollingFrictionBySpeed),
             SpinDamping = surface.Number("spinDamping", defaults.SpinDamping),
             DrillingLength = surface.Number("drillingLength", defaults.DrillingLength),
+            MinimumExitSpeed = surface.Number("minimumExitSpeed", defaults.MinimumExitSpeed),
         };
     }
 

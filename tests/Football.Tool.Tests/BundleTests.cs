@@ -43,7 +43,7 @@ public sealed class BundleTests : IDisposable
             Obstacles =
             [
                 new Obstacle { Name = "ramp \"A\"", Shape = new PlaneShape(new Vector3d(0, -3, 0), new Vector3d(0.1, 1, 0.3)) },
-                new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12 },
+                new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12, Surface = Surface.GoalFrame with { NormalRestitution = 2.5, MinimumExitSpeed = 3 } },
                 new Obstacle { Shape = new BoxShape(new Vector3d(-4, 1, -9), new Vector3d(1, 1.1, 0.3), new Quaterniond(0.1, 0.7, 0.2, 0.5)), Surface = Surface.Wood },
                 new Obstacle { Shape = new CapsuleShape(new Vector3d(5, 0.2, 1), new Vector3d(5, 1.9, 2), 0.3), Velocity = new Vector3d(-1, 0, 0) },
             ],

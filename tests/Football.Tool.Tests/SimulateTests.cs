@@ -325,6 +325,33 @@ public sealed class SimulateTests
         Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Gravity_is_a_number_or_a_vector_straight_down()
+    {
+        string Play(string gravity) => FootballCommand.Play($$"""{"gravity": {{gravity}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""").GetRawText();
+        Assert.Equal(Play("3.7"), Play("[0, -3.7, 0]"));
+        Assert.NotEqual(Play("3.7"), Play("[0, -9.81, 0]"));
+        foreach (string wrong in new[] { "[1, -9.81, 0]", "[0, 9.81, 0]", "[0, -9.81]" })
+        {
+            FootballCommand done = FootballCommand.Simulate($$"""{"gravity": {{wrong}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""");
+            Assert.Equal(1, done.ExitCode);
+            Assert.Contains($"gravity is {wrong}; allowed: ", done.ErrorLine, StringComparison.Ordinal);
+        }
+    }
+
+    /// <summary>What a bumper adds is in the event.</summary>
+    [Fact]
+    public void A_bumper_tells_the_energy_that_it_adds()
+    {
+        JsonElement hit = FootballCommand.Play(
+            """
+            {"gravity": 0, "forces": {"buoyancy": false, "drag": "none", "magnus": "none", "spinDecay": "none"}, "launch": {"position": [0, 1, 0], "velocity": [0, 0, -4]},
+             "obstacles": [{"shape": "sphere", "center": [0, 1, -3], "radius": 1, "surface": {"minimumExitSpeed": 10, "normalRestitution": 1.5}}], "stop": {"at": "impact"}}
+            """).GetProperty("events")[0];
+        Assert.Equal(10, hit.GetProperty("velocity")[2].GetDouble(), 9);
+        Assert.Equal(0.5 * 0.43 * (100 - 16), hit.GetProperty("addedEnergy").GetDouble(), 9);
+    }
+
     private sealed class InPieces(byte[] all, int piece) : MemoryStream(all)
     {
         public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(buffer.Length, piece)]);

@@ -23,7 +23,7 @@ internal sealed class World
         Obstacles = scene.Motions ?? new ObstacleMotions(scene.Obstacles);
         Ball = scene.Ball;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
-        RestEnergy = scene.Ground.RestEnergy;
+        RestEnergy = scene.Ground.RestEnergy * scene.Ball.RestShare;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
         AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;

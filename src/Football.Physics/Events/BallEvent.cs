@@ -117,6 +117,11 @@ public readonly struct BallEvent : IFormattable
         return Kind == BallEventKind.Impact ? ball.Mass * (Velocity - VelocityBefore) : Vector3d.Zero;
     }
 
+    /// <summary>
+    /// Energy that a bumper has added, J: ½ m (w'² − w²) with w the speed relative to what was hit, along the normal; with m/(1 + m/M) where that has a mass. 0 for all else.
+    /// </summary>
+    public double AddedEnergy { get; internal init; }
+
     /// <summary>Energy that the event took away, of motion and of rotation, J.</summary>
     /// <param name="ball">The ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>

@@ -161,7 +161,7 @@ internal sealed class SceneText
         Object("surface", () => Number("normalRestitution", surface.NormalRestitution).Limit("restitutionSpeed", surface.RestitutionSpeed).Number("restitutionRise", surface.RestitutionRise)
             .Number("tangentialRestitution", surface.TangentialRestitution).Number("spinRestitution", surface.SpinRestitution).Limit("impactFriction", surface.ImpactFriction)
             .Number("slidingFriction", surface.SlidingFriction).Number("rollingFriction", surface.RollingFriction).Number("rollingFrictionBySpeed", surface.RollingFrictionBySpeed)
-            .Number("spinDamping", surface.SpinDamping).Number("drillingLength", surface.DrillingLength));
+            .Number("spinDamping", surface.SpinDamping).Number("drillingLength", surface.DrillingLength).Positive("minimumExitSpeed", surface.MinimumExitSpeed));
         return this;
     }
 
@@ -174,6 +174,9 @@ internal sealed class SceneText
             .Numbers("rotation", box.Rotation.X, box.Rotation.Y, box.Rotation.Z, box.Rotation.W),
         _ => throw Code($"{list}.shape ({shape.GetType().Name})"),
     };
+
+    /// <summary>A number that is 0 by default.</summary>
+    private SceneText Positive(string name, double value) => value == 0 ? this : Number(name, value);
 
     private SceneText Layer(int layer) => layer == 0 ? this : Number("layer", layer);
 

@@ -166,7 +166,7 @@ public sealed record Scene
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
                 Check.GivenItem("ground.pattern.surfaces", i, pattern.Surfaces[i], "a surface");
-                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping);
+                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping, mayAdd: false);
             }
         }
 

@@ -6,7 +6,10 @@ namespace Football.Physics;
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed record Surface
 {
-    /// <summary>Normal restitution e. 0 … 1; that at an approach of 6 m/s where <see cref="RestitutionSpeed"/> is finite. Default 0.8.</summary>
+    /// <summary>The greatest restitution of an object.</summary>
+    private const double MostRestitution = 3;
+
+    /// <summary>Normal restitution e. 0 … 3; above 1 a bumper, which adds energy; at most 1 between balls and in a pattern of the ground. That at an approach of 6 m/s where <see cref="RestitutionSpeed"/> is finite. Default 0.8.</summary>
     public double NormalRestitution { get; init; } = 0.8;
 
     /// <summary>Approach speed V_e at which restitution has fallen, e ∝ 1/√(1 + (v_n/V_e)²), m/s. Above 0; infinite for the same at every speed; default 30.</summary>
@@ -20,6 +23,12 @@ public sealed record Surface
 
     /// <summary>Restitution of the spin about the normal, e_ω. 0 … 1; default 1.</summary>
     public double SpinRestitution { get; init; } = 1;
+
+    /// <summary>
+    /// The least speed with which the ball leaves an impact along the normal, relative to the surface, m/s: a bumper of a pinball. 0 … 1000; default 0. A ball that lands on top slower than
+    /// <see cref="Ground.MinimumBounceSpeed"/> stays down all the same. Between balls, and in a pattern of the ground, it is 0.
+    /// </summary>
+    public double MinimumExitSpeed { get; init; }
 
     /// <summary>Coefficient of friction of an impact μ: the tangential impulse is at most μ times the normal one. Not negative; infinite is no limit; default 0.3.</summary>
     public double ImpactFriction { get; init; } = 0.3;
@@ -113,10 +122,12 @@ public sealed record Surface
     /// <summary>Checks every number.</summary>
     /// <param name="field">What the surface belongs to.</param>
     /// <param name="mostDamping">The most that may damp a spin of the ball, N m s.</param>
+    /// <param name="mayAdd">Whether it may add energy: objects may, balls and the ground may not.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
-    internal void Validate(string field, double mostDamping = 1)
+    internal void Validate(string field, double mostDamping = 1, bool mayAdd = true)
     {
-        Check.Within(field + ".normalRestitution", NormalRestitution, 0, 1);
+        Check.Within(field + ".normalRestitution", NormalRestitution, 0, mayAdd ? MostRestitution : 1);
+        Check.Within(field + ".minimumExitSpeed", MinimumExitSpeed, 0, mayAdd ? Limits.Speed : 0);
         Check.Within(field + ".restitutionSpeed", RestitutionSpeed, 0, double.PositiveInfinity, exclusiveLow: true);
         Check.Within(field + ".restitutionRise", RestitutionRise, 0, 1);
         Check.Within(field + ".tangentialRestitution", TangentialRestitution, -1, 1);

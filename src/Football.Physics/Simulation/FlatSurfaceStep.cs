@@ -117,7 +117,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _radiusSquared = ball.Radius * ball.Radius;
         _halfMass = 0.5 * ball.Mass;
         _halfInertia = 0.5 * ball.MomentOfInertia;
-        _restEnergy = scene.Ground.RestEnergy;
+        _restEnergy = _world.RestEnergy;
         _fastestWind = around.Air.FastestWind;
         bool shares = _world.SharesAir;
         _airInLoad = _world.AirLoads && _world.AirActs ? 1 : 0;

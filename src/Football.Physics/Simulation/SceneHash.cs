@@ -183,6 +183,10 @@ internal static class SceneHash
         key.Add(material.RollingFrictionBySpeed);
         key.Add(material.SpinDamping);
         key.Add(material.DrillingLength);
+        if (material.MinimumExitSpeed > 0)
+        {
+            key.Add(material.MinimumExitSpeed);
+        }
     }
 
     /// <summary>A place of the pitch and above it, m.</summary>

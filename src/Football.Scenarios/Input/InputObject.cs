@@ -230,6 +230,9 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
     /// <summary>Whether the member is an object.</summary>
     public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
 
+    /// <summary>Whether the member is a list.</summary>
+    public bool IsArray(string name) => Take(name) is { ValueKind: JsonValueKind.Array };
+
     /// <summary>Refuses a member that another one stands for.</summary>
     public void Exclude(string name, string other)
     {

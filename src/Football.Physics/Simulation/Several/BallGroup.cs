@@ -54,7 +54,7 @@ public sealed partial class BallGroup
     private BallGroup(Simulator[] simulators, Surface? contact)
     {
         Contact = contact ?? Surface.Ball;
-        Contact.Validate("ballContact");
+        Contact.Validate("ballContact", mayAdd: false);
         int count = simulators.Length;
         _simulators = simulators;
         World world = simulators[0].World;
