@@ -10,6 +10,7 @@ using Football.Physics.Labs.Play;
 using Football.Physics.Labs.Queries;
 using Football.Physics.Labs.Scenes;
 using Football.Physics.Labs.Stress;
+using Football.Physics.Labs.Zones;
 using Football.Tool.Commands;
 
 namespace Football.Physics.Labs;
@@ -47,5 +48,6 @@ internal static class Laboratories
         PlayLab.Create(terminal),
         ScenesLab.Create(terminal),
         StressLab.Create(terminal),
+        ZonesLab.Create(terminal),
     };
 }

@@ -15,7 +15,7 @@ static void check(fp_status status)
 
 int main(void)
 {
-    static const char *const kinds[] = { "impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed" };
+    static const char *const kinds[] = { "impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed", "enter zone", "exit zone" };
     const char *pitch = "{\"goals\": [{\"center\": [0, 0, -22], \"facing\": [0, 0, 1]}], \"obstacles\": [{\"name\": \"wall\", "
                         "\"shape\": \"box\", \"center\": [1, 0.92, -9.15], \"halfSize\": [1.3, 0.92, 0.2]}]}";
     const char *request = "{\"from\": [0, 0.11, 0], \"target\": [2.9, 1.7, -22], \"speed\": 24, \"spin\": {\"side\": -45, \"top\": 10}}";

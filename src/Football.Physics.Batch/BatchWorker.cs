@@ -16,7 +16,7 @@ internal sealed class BatchWorker
     private readonly LaneGroup _group = new();
     private readonly Vector3d[] _axis = new Vector3d[LaneGroup.Size];
     private readonly int[] _order = new int[LaneGroup.Size];
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly HighestPoint _highest = new();
     private readonly double _upward;
 

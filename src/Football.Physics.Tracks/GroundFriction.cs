@@ -93,7 +93,7 @@ internal sealed class GroundFriction
         }
 
         Add("slidingFriction", median, (slides.Count > 2 ? MedianLoss : 1) / Math.Sqrt(all));
-        Ground = Ground with { Material = Ground.Of(SurfaceMaterial.Material with { SlidingFriction = median }) };
+        Ground = Ground with { Material = Ground.Material with { SlidingFriction = median } };
     }
 
     private void FindRolling(List<GroundWindow> rolls)
@@ -134,7 +134,7 @@ internal sealed class GroundFriction
         RollingDeviation = Math.Sqrt((c - (2 * b * RollingSpeed) + (a * RollingSpeed * RollingSpeed)) / size);
         Add("rollingFriction", level, Math.Sqrt(c / size));
         Add("rollingFrictionBySpeed", growth, Math.Sqrt(a / size));
-        Ground = Ground with { Material = Ground.Of(SurfaceMaterial.Material with { RollingFriction = level, RollingFrictionBySpeed = growth }) };
+        Ground = Ground with { Material = Ground.Material with { RollingFriction = level, RollingFrictionBySpeed = growth } };
     }
 
     private void Add(string name, double value, double deviation)

@@ -96,12 +96,12 @@ internal sealed class TrackModel
         {
             Ground = _scene.Ground with
             {
-                Material = turf with { Material = turf.Material with
-                    {
-                        NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.Material.NormalRestitution),
-                        ImpactFriction = Math.Max(0, friction) * turf.Material.ImpactFriction,
-                        SlidingFriction = Math.Max(0, friction) * turf.Material.SlidingFriction,
-                    } },
+                Material = turf with
+                {
+                    NormalRestitution = Math.Min(1, Math.Max(0, restitution) * turf.NormalRestitution),
+                    ImpactFriction = Math.Max(0, friction) * turf.ImpactFriction,
+                    SlidingFriction = Math.Max(0, friction) * turf.SlidingFriction,
+                },
             },
         };
         if (_request.Drag || _request.Lift)

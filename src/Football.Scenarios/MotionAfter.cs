@@ -3,7 +3,7 @@ namespace Football.Scenarios;
 /// <summary>What the ball does after an event.</summary>
 public static class MotionAfter
 {
-    /// <summary>Its motion; a net and the line of a goal leave it as it was.</summary>
+    /// <summary>Its motion; a net, the line of a goal and a zone leave it as it was.</summary>
     public static MotionState Of(BallEventKind kind, MotionState before) => kind switch
     {
         BallEventKind.Impact or BallEventKind.Leave => MotionState.Airborne,
@@ -11,7 +11,7 @@ public static class MotionAfter
         BallEventKind.Roll => MotionState.Rolling,
         BallEventKind.Rest => MotionState.Stopped,
         BallEventKind.Squeezed => before == MotionState.Squeezed ? MotionState.Airborne : MotionState.Squeezed,
-        BallEventKind.Net or BallEventKind.Goal => before,
+        BallEventKind.Net or BallEventKind.Goal or BallEventKind.EnterZone or BallEventKind.ExitZone => before,
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, null),
     };
 }

@@ -170,6 +170,8 @@ public static class ResultWriter
             BallEventKind.Goal => "goal",
             BallEventKind.Leave => "leave",
             BallEventKind.Squeezed => "squeezed",
+            BallEventKind.EnterZone => "enterZone",
+            BallEventKind.ExitZone => "exitZone",
             _ => "rest",
         });
         if (outcome.Balls.Count > 0)
@@ -195,6 +197,11 @@ public static class ResultWriter
         if (item.Normal != Vector3d.Zero)
         {
             WriteVector(json, "normal", item.Normal);
+        }
+
+        if (item.AddedEnergy > 0)
+        {
+            json.WriteNumber("addedEnergy", item.AddedEnergy);
         }
 
         if (outcome.ImpulseOf(item) is { } impulse)

@@ -11,7 +11,7 @@ public static class SceneInput
         // In the order in which a refusal names them.
         InputObject ball = root.Object("ball");
         InputObject air = root.Object("air");
-        double gravity = root.Number("gravity", Physics.Scene.Default.Gravity);
+        double gravity = Gravity(root);
         InputObject forces = root.Object("forces");
         InputObject ground = root.Object("ground");
         Profile profile = root.Choice("profile", Profile.Measured);
@@ -27,7 +27,21 @@ public static class SceneInput
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
             Goals = WorldInput.Goals(root, frame),
+            Zones = WorldInput.Zones(root),
         };
+    }
+
+    /// <summary>A number, or a vector straight down.</summary>
+    private static double Gravity(InputObject root)
+    {
+        if (!root.IsArray("gravity"))
+        {
+            return root.Number("gravity", Physics.Scene.Default.Gravity);
+        }
+
+        Vector3d gravity = root.Vector("gravity", Vector3d.Zero);
+        root.Demand("gravity", gravity.X == 0 && gravity.Z == 0 && gravity.Y <= 0, "a number, or [0, −g, 0]: straight down (tilt the ground for a slope)");
+        return gravity.Y < 0 ? -gravity.Y : 0;
     }
 
     /// <summary>The solver of a single ball, and its step in seconds.</summary>
@@ -72,7 +86,7 @@ public static class SceneInput
         }
 
         NumberField<BallProperties>[] numbers = profile == Profile.Measured ? SceneFields.Ball : [.. SceneFields.Ball.Where(field => field.Name != "knuckleForce")];
-        return ball.Numbers(numbers, defaults) with { DragCurve = curve };
+        return ball.Numbers(numbers, defaults) with { DragCurve = curve, Ignores = Layers.Of(ball.Layers("ignores")) };
     }
 
     private static ForceSet Forces(InputObject forces, ForceSet defaults) => forces.Numbers(SceneFields.Forces, defaults) with

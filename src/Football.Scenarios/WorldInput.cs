@@ -9,6 +9,9 @@ public static class WorldInput
     public static IReadOnlyList<Obstacle> Obstacles(InputObject root, SurfaceMaterial frame) =>
         [.. root.Objects("obstacles").Select((item, i) => Obstacle(item, i, frame)).OfType<Obstacle>()];
 
+    /// <summary>The zones.</summary>
+    public static IReadOnlyList<Zone> Zones(InputObject root) => [.. root.Objects("zones").Select(Zone).OfType<Zone>()];
+
     /// <summary>The bodies, which the game moves; null where there are none.</summary>
     public static Bodies? Bodies(InputObject root)
     {
@@ -20,7 +23,8 @@ public static class WorldInput
             IShape? shape = Shape(items[i]);
             SurfaceMaterial surface = Surface(items[i], SurfaceMaterial.Boot);
             double mass = items[i].Limit("mass", double.PositiveInfinity);
-            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass));
+            int layer = items[i].Whole("layer", 0);
+            _ = shape is null ? null : items[i].Make(() => bodies.Add(name, shape, surface, mass, layer));
         }
 
         return bodies.Count > 0 ? bodies : null;
@@ -57,7 +61,17 @@ public static class WorldInput
         Vector3d spin = item.Vector("spin", Vector3d.Zero);
         Vector3d pivot = item.Vector("pivot", Vector3d.Zero);
         double mass = item.Limit("mass", double.PositiveInfinity);
-        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass };
+        int layer = item.Whole("layer", 0);
+        return shape is null ? null : new Obstacle { Name = name, Shape = shape, Surface = surface, Velocity = velocity, Spin = spin, Pivot = pivot, Mass = mass, Layer = layer };
+    }
+
+    private static Zone? Zone(InputObject item, int index)
+    {
+        string name = item.Text("name", FormattableString.Invariant($"zone {index}"));
+        IShape? shape = Shape(item);
+        ZonePart of = item.Has("of") && item.OneOf("of", "ball", "centre") == "centre" ? ZonePart.Center : ZonePart.Ball;
+        int layer = item.Whole("layer", 0);
+        return shape is null ? null : new Zone { Name = name, Shape = shape, Of = of, Layer = layer };
     }
 
     private static IShape? Shape(InputObject item)

@@ -26,13 +26,24 @@ public sealed class BundleTests : IDisposable
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         },
         ["no ground, wind by height"] = () => new Scene { Ground = Ground.None, Air = new Air { WindField = new WindByHeight(3, 1, 0) } },
+        ["zones and layers"] = () => new Scene
+        {
+            Ball = BallProperties.Futsal with { Ignores = Layers.Of(2, 31) },
+            Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.2, -3), 0.5), Layer = 31 }, new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.2, -12), 0.5), Layer = 30 }],
+            Zones =
+            [
+                new Zone { Name = "half \"A\"", Shape = new PlaneShape(new Vector3d(0, 0, -3), new Vector3d(0, 0, 1)), Of = ZonePart.Center },
+                new Zone { Name = "spot", Shape = new SphereShape(new Vector3d(1, 0, -6), 2), Layer = 2 },
+                new Zone { Name = "box", Shape = new BoxShape(new Vector3d(1, 0, -9), new Vector3d(3, 2, 1), new Quaterniond(0, 0.6, 0, 0.8)) },
+            ],
+        },
         ["hills and things"] = () => new Scene
         {
             Ground = new Ground { Material = SurfaceMaterial.WetTurf, Heights = new HeightField(-10, -10, 10, new double[,] { { 0, 0.1, 0.2 }, { 0.1, 0.5, 0.2 }, { 0, 0.1, 0.3 } }) },
             Obstacles =
             [
                 new Obstacle { Name = "ramp \"A\"", Shape = new PlaneShape(new Vector3d(0, -3, 0), new Vector3d(0.1, 1, 0.3)) },
-                new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12 },
+                new Obstacle { Shape = new SphereShape(new Vector3d(3, 1, -6), 0.4), Mass = 12, Surface = SurfaceMaterial.GoalFrame with { NormalRestitution = 2.5, MinimumExitSpeed = 3 } },
                 new Obstacle { Shape = new BoxShape(new Vector3d(-4, 1, -9), new Vector3d(1, 1.1, 0.3), new Quaterniond(0.1, 0.7, 0.2, 0.5)), Surface = SurfaceMaterial.Wood },
                 new Obstacle { Shape = new CapsuleShape(new Vector3d(5, 0.2, 1), new Vector3d(5, 1.9, 2), 0.3), Velocity = new Vector3d(-1, 0, 0) },
             ],

@@ -272,6 +272,86 @@ public sealed class SimulateTests
         Assert.Equal(Light(1e6), Light(0.5));
     }
 
+    [Fact]
+    public void Zones_are_told_by_kind_and_name()
+    {
+        JsonElement[] events = [.. FootballCommand.Play(
+            """
+            {"profile": "published", "gravity": 0, "forces": {"buoyancy": false, "drag": "none", "magnus": "none", "spinDecay": "none"},
+             "launch": {"position": [0, 5, 0], "velocity": [0, 0, -10]}, "stop": {"at": "time", "time": 1},
+             "zones": [{"name": "area", "shape": "box", "center": [0, 5, -4], "halfSize": [3, 3, 1], "of": "centre"},
+                       {"shape": "plane", "point": [0, 0, -8], "normal": [0, 0, 1]}]}
+            """).GetProperty("events").EnumerateArray()];
+        Assert.Equal(
+            ["enterZone area 0.300000", "exitZone area 0.500000", "enterZone zone 1 0.789000"],
+            events.Select(item => FormattableString.Invariant(
+                $"{item.GetProperty("kind").GetString()} {item.GetProperty("surface").GetString()} {item.GetProperty("time").GetDouble():F6}")));
+    }
+
+    [Theory]
+    [InlineData("""{"shape": "sphere", "center": [0, 0, 0], "radius": 1, "of": "center"}""", "zones[0].of is \"center\"; allowed: ball | centre")]
+    [InlineData("""{"shape": "cube"}""", "zones[0].shape is \"cube\"; allowed: plane | sphere | capsule | box")]
+    [InlineData("""{"shape": "sphere", "center": [0, 0, 0], "radius": 0}""", "zones[0].radius is 0; allowed: above 0")]
+    [InlineData("""{"name": "a", "shape": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}, {"name": "a", "shape": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}""", "zones[1].name is \"a\"; allowed: a name that no other zone has")]
+    public void A_wrong_zone_is_refused_in_one_line(string zones, string expected)
+    {
+        FootballCommand done = FootballCommand.Simulate($$"""{"launch": {"position": [0, 1, 0], "velocity": [0, 0, -5]}, "zones": [{{zones}}]}""".ReplaceLineEndings(""));
+        Assert.Equal(1, done.ExitCode);
+        Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
+    }
+
+    /// <summary>The one ball flies through the wall, the other does not.</summary>
+    [Fact]
+    public void Layers_and_what_a_ball_ignores_are_read()
+    {
+        JsonElement[] balls = [.. FootballCommand.Play(
+            """
+            {"balls": [{"launch": {"position": [0, 0.11, 0], "velocity": [0, 2, -12]}},
+                       {"ball": {"ignores": [3, 7]}, "launch": {"position": [1, 0.11, 0], "velocity": [0, 2, -12]}}],
+             "obstacles": [{"shape": "box", "center": [0, 1, -4], "halfSize": [3, 3, 0.1], "layer": 3}], "stop": {"at": "rest"}}
+            """).GetProperty("balls").EnumerateArray()];
+        Assert.Equal([false, true], balls.Select(ball => ball.GetProperty("final").GetProperty("position")[2].GetDouble() < -4));
+    }
+
+    [Theory]
+    [InlineData("\"ball\": {\"ignores\": [3, 32]}", "ball.ignores is [3, 32]; allowed: a list of layers, whole numbers 0 … 31")]
+    [InlineData("\"ball\": {\"ignores\": 3}", "ball.ignores is 3; allowed: a list of layers")]
+    [InlineData("\"obstacles\": [{\"shape\": \"sphere\", \"center\": [9, 0, 0], \"radius\": 1, \"layer\": 32}]", "obstacles[0].layer is 32; allowed: 0 … 31")]
+    [InlineData("\"zones\": [{\"shape\": \"sphere\", \"center\": [9, 0, 0], \"radius\": 1, \"layer\": 1.5}]", "zones[0].layer is 1.5; allowed: a whole number")]
+    public void A_wrong_layer_is_refused_in_one_line(string member, string expected)
+    {
+        FootballCommand done = FootballCommand.Simulate($$"""{"launch": {"position": [0, 1, 0], "velocity": [0, 0, -5]}, {{member}}}""");
+        Assert.Equal(1, done.ExitCode);
+        Assert.Contains(expected, done.ErrorLine, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Gravity_is_a_number_or_a_vector_straight_down()
+    {
+        string Play(string gravity) => FootballCommand.Play($$"""{"gravity": {{gravity}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""").GetRawText();
+        Assert.Equal(Play("3.7"), Play("[0, -3.7, 0]"));
+        Assert.NotEqual(Play("3.7"), Play("[0, -9.81, 0]"));
+        foreach (string wrong in new[] { "[1, -9.81, 0]", "[0, 9.81, 0]", "[0, -9.81]" })
+        {
+            FootballCommand done = FootballCommand.Simulate($$"""{"gravity": {{wrong}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""");
+            Assert.Equal(1, done.ExitCode);
+            Assert.Contains($"gravity is {wrong}; allowed: ", done.ErrorLine, StringComparison.Ordinal);
+        }
+    }
+
+    /// <summary>What a bumper adds is in the event.</summary>
+    [Fact]
+    public void A_bumper_tells_the_energy_that_it_adds()
+    {
+        JsonElement hit = FootballCommand.Play(
+            """
+            {"gravity": 0, "forces": {"buoyancy": false, "drag": "none", "magnus": "none", "spinDecay": "none"}, "launch": {"position": [0, 1, 0], "velocity": [0, 0, -4]},
+             "obstacles": [{"shape": "sphere", "center": [0, 1, -3], "radius": 1, "surface": {"minimumExitSpeed": 10, "normalRestitution": 1.5}}], "stop": {"at": "impact"}}
+            """).GetProperty("events")[0];
+        Assert.Equal(10, hit.GetProperty("velocity")[2].GetDouble(), 9);
+        Assert.Equal(0.5 * 0.43 * (100 - 16), hit.GetProperty("addedEnergy").GetDouble(), 9);
+    }
+
     private sealed class InPieces(byte[] all, int piece) : MemoryStream(all)
     {
         public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(buffer.Length, piece)]);

@@ -1,6 +1,6 @@
 // A ball under way: what the library tells of it, in rows, as a track that is drawn while it still grows.
 const ROWS = [19, 9, 11, 10];
-const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed"];
+const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "leave", "squeezed", "enterZone", "exitZone"];
 
 class Flown {
   constructor(number, colour, radius) {

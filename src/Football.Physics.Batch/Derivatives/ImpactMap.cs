@@ -11,7 +11,7 @@ internal sealed class ImpactMap
 
     private readonly World _world;
     private readonly WorldContact _contact;
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
 
     public ImpactMap(Scene scene, Surroundings around)
     {

@@ -12,7 +12,7 @@ public sealed class LaunchDerivatives
     private readonly Simulator.StepCallback _onStep;
 
     /// <summary>Every event of a run counts.</summary>
-    private readonly StepLog _log = new(mostEvents: int.MaxValue);
+    private readonly StepLog _log = new(mostEvents: int.MaxValue) { IgnoresZones = true };
     private BallState _start;
     private int _events;
     private long _pieces;

@@ -27,7 +27,7 @@ internal sealed class StepDifferences
     private const double Agreed = 3e-8;
 
     private readonly Simulator _simulator;
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly bool _isEven;
     private readonly bool _hasLawsAlone;
     private readonly TangentBasis _basis;

@@ -11,7 +11,7 @@ internal sealed class PassJudge
 
     private readonly Simulator _simulator;
     private readonly Simulator? _amongThings;
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly Interception _query = new();
     private Trajectory _path = new();
 

@@ -20,7 +20,7 @@ internal sealed class PassRolls
     private readonly PassPlayers _players;
     private readonly PassWatch _watch;
     private readonly PassTrack _single = new();
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly PassTrack?[] _kept;
     private readonly double _length;
 

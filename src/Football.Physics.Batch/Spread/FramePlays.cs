@@ -33,7 +33,7 @@ internal sealed class FramePlays
     private readonly double _axisUp;
     private readonly double _reach;
     private readonly int _thing;
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly List<FrameSpan> _aside = [];
     private readonly List<FrameSpan> _up = [];
     private BallState _near;

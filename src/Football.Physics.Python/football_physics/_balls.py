@@ -47,6 +47,8 @@ class EventKind(enum.IntEnum):
     GOAL = 5
     LEAVE = 6
     SQUEEZED = 7
+    ENTER_ZONE = 8
+    EXIT_ZONE = 9
 
 
 class AimResult(NamedTuple):

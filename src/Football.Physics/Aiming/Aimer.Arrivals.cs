@@ -11,7 +11,7 @@ public sealed partial class Aimer
     /// <summary>An arrival that is further off than this, m/s, is not the one that was asked for.</summary>
     internal const double LargestArrivalError = 0.01;
 
-    private readonly StepLog _arrivalLog = new();
+    private readonly StepLog _arrivalLog = new() { IgnoresZones = true };
     private ArrivalTimes? _arrivals;
 
     /// <summary>Finds the kick that is at a target with a given speed.</summary>

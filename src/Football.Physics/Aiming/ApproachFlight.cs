@@ -122,7 +122,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private Vector3d? _through;
     private double _throughSquared;
     private int[] _things = [];

@@ -5,8 +5,8 @@ internal sealed class KickFlight
 {
     private readonly Simulator _simulator;
     private readonly KickObserver _observer;
-    private readonly StepLog _log = new();
-    private readonly StepLog _watched = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
+    private readonly StepLog _watched = new() { IgnoresZones = true };
 
     /// <param name="simulator">The scene.</param>
     /// <param name="observer">What it is flown for.</param>

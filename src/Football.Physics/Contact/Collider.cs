@@ -35,6 +35,7 @@ internal sealed class Collider
         : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface))
     {
         Mass = obstacle.Mass;
+        Layer = obstacle.Layer;
         _obstacles = all;
         _placement = placement;
         _motion.Velocity = obstacle.Velocity;
@@ -46,6 +47,7 @@ internal sealed class Collider
         : this(body.Name, body.Shape, new ContactMaterial(body.Surface))
     {
         Mass = body.Mass;
+        Layer = body.Layer;
         _body = body;
         _placement = body.Placement;
     }
@@ -62,6 +64,9 @@ internal sealed class Collider
 
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
+
+    /// <summary>Its layer; −1 for what is in none: the ground, the frames of goals, and places of an engine, whose colliders are sorted out when they are found.</summary>
+    public int Layer { get; init; } = -1;
 
     /// <summary>The engine's collider that it stands for; null where it does for none.</summary>
     public EngineCollider? Engine { get; private set; }
@@ -262,6 +267,12 @@ internal readonly struct ContactMaterial
     /// <summary>η.</summary>
     public double RestitutionRise { get; init; }
 
+    /// <summary>The most that e is at any speed: 1, or more of a bumper.</summary>
+    private readonly double _most;
+
+    /// <summary>The least speed off the surface after an impact, m/s.</summary>
+    public double MinimumExitSpeed { get; init; }
+
     /// <summary>e_t along x, and along every direction but z.</summary>
     public readonly double TangentialX;
 
@@ -296,6 +307,8 @@ internal readonly struct ContactMaterial
     {
         PerRestitutionSpeed = 1.0 / surface.RestitutionSpeed;
         SlowRestitution = AtRest(surface.NormalRestitution, PerRestitutionSpeed);
+        _most = Math.Max(1.0, surface.NormalRestitution);
+        MinimumExitSpeed = surface.MinimumExitSpeed;
         RestitutionRise = surface.RestitutionRise;
         TangentialX = surface.TangentialRestitution;
         TangentialZ = surface.TangentialRestitution;
@@ -313,6 +326,7 @@ internal readonly struct ContactMaterial
     {
         this = default;
         SlowRestitution = restitution;
+        _most = 1;
         TangentialX = tangentialRestitution;
         TangentialZ = tangentialRestitution;
         Spin = 1;
@@ -320,10 +334,13 @@ internal readonly struct ContactMaterial
     }
 
     /// <summary>The same surface without restitution.</summary>
-    public ContactMaterial WithoutRestitution() => this with { SlowRestitution = 0, RestitutionRise = 0 };
+    public ContactMaterial WithoutRestitution() => this with { SlowRestitution = 0, RestitutionRise = 0, MinimumExitSpeed = 0 };
+
+    /// <summary>True if an impact may add energy.</summary>
+    public bool IsBumper => _most > 1 || MinimumExitSpeed > 0;
 
     /// <summary>
-    /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1.
+    /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1, except of a bumper, whose e does not rise.
     /// </summary>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
@@ -339,21 +356,28 @@ internal readonly struct ContactMaterial
         double steep = HalfRise * approach;
         double square = along.LengthSquared / (steep * steep);
         double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
-        return e + (RestitutionRise * (1.0 - e) * grazing);
+        return e + (RestitutionRise * Math.Max(0, 1.0 - e) * grazing);
     }
 
     /// <summary>The most that e may be at any obliqueness.</summary>
     public double LargestRestitutionAt(double approach)
     {
         double e = RestitutionHeadOn(approach);
-        return e + (RestitutionRise * (1.0 - e));
+        return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
-    /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), at most 1.</summary>
+    /// <summary>The speed off a bumper after an impact, m/s: e v_n or more. It is never faster than 1000 m/s, unless it came so fast.</summary>
+    /// <param name="approach">v_n, m/s.</param>
+    /// <param name="restitution">e.</param>
+    /// <param name="share">How much of it counts.</param>
+    public double Bumped(double approach, double restitution, double share) =>
+        Math.Min(share * Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
+
+    /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), at most 1, or at most that of a bumper.</summary>
     private double RestitutionHeadOn(double approach)
     {
         double x = approach * PerRestitutionSpeed;
-        return Math.Min(1.0, x > 0 ? SlowRestitution / Math.Sqrt(1.0 + (x * x)) : SlowRestitution);
+        return Math.Min(_most, x > 0 ? SlowRestitution / Math.Sqrt(1.0 + (x * x)) : SlowRestitution);
     }
 
     private static double AtRest(double atRigSpeed, double perSpeed)

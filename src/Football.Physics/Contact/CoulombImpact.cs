@@ -80,6 +80,17 @@ internal static class CoulombImpact
         Apply(ball, in material, in other, in n, in surface, in v, in w, low, out velocity, out spin);
     }
 
+    /// <summary>The energy that a bumper has added to the motion along the normal, J; 0 for what is none, or has added none.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">What it has hit.</param>
+    /// <param name="other">How easily that gives way.</param>
+    /// <param name="before">(v − V)·n, m/s.</param>
+    /// <param name="after">(v' − V')·n, m/s.</param>
+    public static double Added(BallProperties ball, in ContactMaterial material, in GivingWay other, double before, double after) =>
+
+        // ½ m/(1 + m/M) (w'² − w²)
+        material.IsBumper ? Math.Max(0, 0.5 * ball.Mass / (1.0 + other.Ratio) * ((after * after) - (before * before))) : 0;
+
     private static void Apply(
         BallProperties ball,
         in ContactMaterial material,
@@ -106,7 +117,10 @@ internal static class CoulombImpact
 
         // J_n/m = (1 + e) (−u·n)/(1 + m/M)
         Vector3d along = u + (approach * n);
-        double normal = (1.0 + (share * material.RestitutionAt(approach, in along))) * approach / (1.0 + other.Ratio);
+        double restitution = material.RestitutionAt(approach, in along);
+        double normal = material.IsBumper
+            ? (approach + material.Bumped(approach, restitution, share)) / (1.0 + other.Ratio)
+            : (1.0 + (share * restitution)) * approach / (1.0 + other.Ratio);
 
         // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
         Vector3d slip = along + (r * Vector3d.Cross(in n, in w));

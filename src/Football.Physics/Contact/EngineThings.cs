@@ -26,7 +26,7 @@ internal sealed class EngineThings
     private readonly Placement _nowhere = new(Bounds3d.Everywhere);
     private readonly Dictionary<EngineCollider, int> _places = new(Room);
     private readonly Dictionary<int, EngineCollider> _known = new(Room);
-    private readonly EngineHits _hits = new();
+    private readonly EngineHits _hits;
     private readonly List<EngineCollider> _rotating = [];
     private readonly HashSet<EngineCollider> _isRotating = [];
     private Collider[] _colliders = [];
@@ -47,6 +47,7 @@ internal sealed class EngineThings
         _world = world;
         _engine = engine;
         _ballRadius = world.Ball.Radius;
+        _hits = new EngineHits(world.Ball.Ignores);
         _first = first;
         _passages = passages;
         Pushes = EnginePushes.Of(engine);

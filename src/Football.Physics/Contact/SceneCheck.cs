@@ -94,6 +94,11 @@ internal static class SceneCheck
 
         // Where what the game moves is, and what was pushed, the state does not say.
         Collider carrier = world.Colliders[index];
+        if (world.Ignores(carrier))
+        {
+            return Carrier(in s, "a thing of a layer that the ball does not ignore");
+        }
+
         if (carrier.IsBody || carrier.GivesWay || s.Motion == MotionState.Squeezed)
         {
             return null;

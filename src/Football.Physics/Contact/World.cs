@@ -13,6 +13,7 @@ internal sealed class World
     private const double ErrorInNets = 3e-9;
 
     private readonly string[] _names;
+    private readonly int _zones;
     /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
     private readonly MovingSpheres _movers = new();
     private long _known;
@@ -22,7 +23,7 @@ internal sealed class World
         Obstacles = scene.Motions ?? new ObstacleMotions(scene.Obstacles);
         Ball = scene.Ball;
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
-        RestEnergy = scene.Ground.RestEnergy;
+        RestEnergy = scene.Ground.RestEnergy * scene.Ball.RestShare;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
         AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
@@ -51,13 +52,14 @@ internal sealed class World
             AddThings(scene, Obstacles, colliders);
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
-            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length);
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
         // Each collider is met as what moves, what has no bounds, or a box of the tree.
         Colliders = colliders.ToArray();
         FirstPassage = Colliders.Length;
+        _zones = scene.Zones.Count;
         foreach (Collider collider in Colliders)
         {
             foreach (ContactMaterial material in collider.Materials)
@@ -66,13 +68,19 @@ internal sealed class World
             }
         }
 
-        GivesWay = Colliders.Any(collider => collider.GivesWay);
+        GivesWay = Colliders.Any(collider => collider.GivesWay && !Ignores(collider));
         var moving = new List<int>();
         var unbounded = new List<int>();
         var leaves = new List<int>();
         for (int i = 0; i < Colliders.Length; i++)
         {
+            // A collider that the ball ignores keeps its number, and is found nowhere.
             Collider collider = Colliders[i];
+            if (Ignores(collider))
+            {
+                continue;
+            }
+
             if (!collider.Moves)
             {
                 (collider.Bounds.IsFinite ? leaves : unbounded).Add(i);
@@ -105,7 +113,7 @@ internal sealed class World
         }
 
         Tree = new BoundsTree(boxes);
-        _names = IsBare ? ["ground"] : NamesOf();
+        _names = IsBare && _zones == 0 ? ["ground"] : NamesOf(scene);
     }
 
     /// <summary>The ball.</summary>
@@ -117,11 +125,11 @@ internal sealed class World
     /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The number of the first net; goals follow nets. An engine's places that were added later come after them.</summary>
+    /// <summary>The number of the first net; goals follow nets, zones follow goals. An engine's places that were added later come after them.</summary>
     public int FirstPassage { get; }
 
-    /// <summary>True if a number is that of a net or a goal, and not of a collider.</summary>
-    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length);
+    /// <summary>True if a number is that of a net, a goal or a zone, and not of a collider.</summary>
+    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
     /// <summary>The colliders that move.</summary>
     public int[] Moving { get; }
@@ -143,6 +151,9 @@ internal sealed class World
 
     /// <summary>Index of the first collider among the things of the scene, of which the ground is always 0.</summary>
     public int FirstCollider { get; }
+
+    /// <summary>True if the ball ignores a collider: it has a layer that the ball passes through.</summary>
+    public bool Ignores(Collider collider) => collider.Layer >= 0 && Layers.Contains(Ball.Ignores, collider.Layer);
 
     /// <summary>True when anything moves.</summary>
     public bool Moves => Moving.Length > 0 || Engine is not null;
@@ -300,7 +311,7 @@ internal sealed class World
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, motions, placement) : new Collider(obstacle)));
-        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle) { Layer = -1 }));
         colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body)));
     }
 
@@ -309,12 +320,13 @@ internal sealed class World
 
     private static GoalMouth[] GoalsOf(Scene scene) => [.. scene.Goals.Select(goal => new GoalMouth(goal))];
 
-    private string[] NamesOf() =>
+    private string[] NamesOf(Scene scene) =>
     [
         "ground",
         .. Colliders.Where(collider => collider != Ground).Select(collider => collider.Name),
         .. Nets.Select(net => net.Name),
         .. Goals.Select(_ => "goal"),
+        .. scene.Zones.Select(zone => zone.Name),
     ];
 
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
@@ -374,7 +386,7 @@ internal sealed class World
             key.Add(BoundsOf(Leaves[i]));
         }
 
-        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody))
+        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
         {
             // What has no bounds is told by what it says of two points.
             ShapePoint low = collider.At(Vector3d.Zero);
@@ -431,6 +443,9 @@ internal sealed class World
 
     /// <summary>Index among the things of the scene of a goal.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
+
+    /// <summary>Index among the things of the scene of a zone.</summary>
+    public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
 
     private Bounds3d BoundsOf(int thing) =>
         thing < FirstPassage ? Colliders[thing].Bounds

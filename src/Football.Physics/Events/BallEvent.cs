@@ -52,7 +52,7 @@ public readonly struct BallEvent : IFormattable
 
     /// <summary>
     /// What was hit, met or passed, or carries the ball: its index among the things of the scene; −1 for none. 0 is the ground, then
-    /// come the obstacles in their order, the posts and bars of the goals, all nets, the goals. An engine's collider has a number of its own, far beyond these, by its
+    /// come the obstacles in their order, the posts and bars of the goals, the bodies, all nets, the goals, the zones. An engine's collider has a number of its own, far beyond these, by its
     /// name alone. The simulator gives the name.
     /// </summary>
     public int Thing { get; internal init; }
@@ -63,7 +63,7 @@ public readonly struct BallEvent : IFormattable
     /// <summary>The ball that was hit, where that is one of several; −1 for none. <see cref="Thing"/> is then −1.</summary>
     public int OtherBall => _other - 1;
 
-    /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from. Zero for a rest or a leave.</summary>
+    /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from; of a zone the outward normal of its shape. Zero for a rest or a leave.</summary>
     public Vector3d Normal { get; }
 
     /// <summary>When, s since the launch.</summary>
@@ -116,6 +116,11 @@ public readonly struct BallEvent : IFormattable
         Check.Given(nameof(ball), ball);
         return Kind == BallEventKind.Impact ? ball.Mass * (Velocity - VelocityBefore) : Vector3d.Zero;
     }
+
+    /// <summary>
+    /// Energy that a bumper has added, J: ½ m (w'² − w²) with w the speed relative to what was hit, along the normal; with m/(1 + m/M) where that has a mass. 0 for all else.
+    /// </summary>
+    public double AddedEnergy { get; internal init; }
 
     /// <summary>Energy that the event took away, of motion and of rotation, J.</summary>
     /// <param name="ball">The ball.</param>

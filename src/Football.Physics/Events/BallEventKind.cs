@@ -33,4 +33,10 @@ public enum BallEventKind
     /// hits is not told one by one. The ball is then <see cref="MotionState.Squeezed"/>.
     /// </summary>
     Squeezed = 7,
+
+    /// <summary>The ball entered a <see cref="Zone"/>.</summary>
+    EnterZone = 8,
+
+    /// <summary>The ball left a <see cref="Zone"/>.</summary>
+    ExitZone = 9,
 }

@@ -30,7 +30,7 @@ internal sealed class SceneText
             .Number("collisionTolerance", settings.CollisionTolerance).Word("rollingTransition", settings.RollingTransition));
         Scene scene = simulator.Scene;
         Object("scene", () => AddScene(scene));
-        List("bodies", scene.Bodies ?? Enumerable.Empty<Body>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass));
+        List("bodies", scene.Bodies ?? Enumerable.Empty<Body>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass).Layer(body.Layer));
         return this;
     }
 
@@ -64,17 +64,21 @@ internal sealed class SceneText
         }
 
         Text("profile", "measured");
-        Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Curve(scene.Ball.DragCurve));
+        Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Curve(scene.Ball.DragCurve).Ignores(scene.Ball.Ignores));
         Object("air", () => AddAir(scene.Air, scene.Ground));
         Number("gravity", scene.Gravity);
         Object("forces", () => AddForces(scene.Forces));
         Object("ground", () => AddGround(scene.Ground));
         List("obstacles", scene.Obstacles, item => Text("name", item.Name).Shape("obstacles", item.Shape).Material(item.Surface).Vector("velocity", item.Velocity)
-            .Vector("spin", item.Spin).Vector("pivot", item.Pivot).Limit("mass", item.Mass));
+            .Vector("spin", item.Spin).Vector("pivot", item.Pivot).Limit("mass", item.Mass).Layer(item.Layer));
         List("nets", scene.Nets, net => Text("name", net.Name).Vector("center", net.Center).Vector("normal", net.Normal).Vector("along", net.Along)
             .Numbers("halfSize", net.HalfLength, net.HalfWidth).Numbers(SceneFields.Net, net));
         List("goals", scene.Goals, goal => Vector("center", goal.Center).Vector("facing", goal.Facing).Number("width", goal.Width).Number("height", goal.Height)
             .Number("postRadius", goal.PostRadius).Numbers("depth", goal.DepthAtBar, goal.DepthOnGround).Flag("net", goal.HasNet).Material(goal.Frame(scene.Forces).First().Surface));
+        if (scene.Zones.Count > 0)
+        {
+            List("zones", scene.Zones, zone => Text("name", zone.Name).Shape("zones", zone.Shape).Text("of", zone.Of == ZonePart.Ball ? "ball" : "centre").Layer(zone.Layer));
+        }
     }
 
     private void AddAir(Air air, Ground ground)
@@ -163,6 +167,11 @@ internal sealed class SceneText
             .Numbers("rotation", box.Rotation.X, box.Rotation.Y, box.Rotation.Z, box.Rotation.W),
         _ => throw Code($"{list}.shape ({shape.GetType().Name})"),
     };
+
+    private SceneText Layer(int layer) => layer == 0 ? this : Number("layer", layer);
+
+    private SceneText Ignores(uint set) =>
+        set == 0 ? this : Numbers("ignores", [.. Enumerable.Range(0, Layers.Highest + 1).Where(layer => Layers.Contains(set, layer)).Select(layer => (double)layer)]);
 
     private SceneText Number(string name, double value) => Raw(name, Digits(value));
 

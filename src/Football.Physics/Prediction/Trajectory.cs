@@ -56,7 +56,7 @@ public sealed partial class Trajectory
     internal StepLog Log { get; } = new();
 
     /// <summary>For steps that are no part of the path.</summary>
-    internal StepLog Trial { get; } = new(1);
+    internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
     internal int Count { get; private set; }
 

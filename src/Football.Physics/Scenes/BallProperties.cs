@@ -4,10 +4,13 @@ namespace Football.Physics;
 /// <remarks>Numbers are tagged: law (the Laws of the Game, or exact mechanics), measured, derived, guess (no measurement found).</remarks>
 public sealed record BallProperties
 {
+    /// <summary>Below this radius, m, a ball is a marble: the rest energy of a football would end its roll at a third of a metre a second.</summary>
+    private const double SmallRadius = 0.02;
+
     /// <summary>Mass, kg. 0.001 … 100, and no less than a twentieth of that of the air it displaces; default 0.43 (law: 0.41 … 0.45).</summary>
     public double Mass { get; init; } = 0.43;
 
-    /// <summary>Radius, m. 0.02 … 5; default 0.11 (law: 68 … 70 cm around).</summary>
+    /// <summary>Radius, m. 0.005 … 5; default 0.11 (law: 68 … 70 cm around). A ball below 2 cm rests below the share (r/2 cm)³ of <see cref="Ground.RestEnergy"/>.</summary>
     public double Radius { get; init; } = 0.11;
 
     /// <summary>Inertia factor α in I = α m r². 0.1 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</summary>
@@ -21,6 +24,12 @@ public sealed record BallProperties
     /// 0 … 100; default 1.5 (guess, within what Hong and Asai 2014 measured on other balls, 0.6 … 3.1).
     /// </summary>
     public double KnuckleForce { get; init; } = 1.5;
+
+    /// <summary>
+    /// The layers that the ball ignores, bit k for layer k, as <see cref="Layers.Of"/> gives them: obstacles, bodies, engine colliders and zones of these layers do not exist for
+    /// this ball, such as a thrower's own hands. Default none.
+    /// </summary>
+    public uint Ignores { get; init; }
 
     /// <summary>
     /// The default: a match ball of today as it flies in a match. Its drag curve is that of roughness 0.86: measured on one match, and closer to the flights of a second one than the balls
@@ -107,6 +116,9 @@ public sealed record BallProperties
 
     /// <summary>The most that may damp a spin of this ball, N m s: so that none ends within 10 µs.</summary>
     internal double MostDamping => Math.Min(1.0, 1e5 * MomentOfInertia);
+
+    /// <summary>The share of the ground's rest energy at which the ball rests: as small as its volume where the ball is a marble.</summary>
+    internal double RestShare => Radius < SmallRadius ? Radius / SmallRadius * (Radius / SmallRadius) * (Radius / SmallRadius) : 1;
 
     internal void Validate()
     {

@@ -38,15 +38,17 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <param name="shape">Its shape, in its own frame.</param>
     /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.Boot"/>.</param>
     /// <param name="mass">Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</param>
+    /// <param name="layer">Its layer: a ball that ignores it passes through. 0 … 31; default 0.</param>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0, or <paramref name="layer"/> is out of range.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
-    public Body Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity)
+    public Body Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
     {
         Check.Given(nameof(name), name);
         Check.Given(nameof(shape), shape);
         Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
+        Layers.Validate(nameof(layer), layer);
 
         // Simulators have counted them: a later one would not be in their lists, nor in snapshots of motions.
         if (_inUse)
@@ -55,7 +57,7 @@ public sealed class Bodies : IReadOnlyList<Body>
                 "A simulator uses these bodies already. Add all of them before it is built; withdraw those that come on later (Body.Withdraw), and MoveTo brings them on.");
         }
 
-        var body = new Body(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass);
+        var body = new Body(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
         _bodies.Add(body);
         Array.Resize(ref _kept, _bodies.Count);
         _movers.Add(body.BoundsAt(0), body.Velocity);
@@ -65,14 +67,15 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <summary>Adds a body of a kind.</summary>
     /// <param name="name">Its name, for events and messages.</param>
     /// <param name="kind">Its shape, surface and mass: <see cref="BodyKind.Boot"/>, <see cref="BodyKind.Player"/> and others.</param>
+    /// <param name="layer">Its layer: a ball that ignores it passes through. 0 … 31; default 0.</param>
     /// <returns>The body, at the origin, for the game to move.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0, or <paramref name="layer"/> is out of range.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
-    public Body Add(string name, BodyKind kind)
+    public Body Add(string name, BodyKind kind, int layer = 0)
     {
         Check.Given(nameof(kind), kind);
-        return Add(name, kind.Shape, kind.Surface, kind.Mass);
+        return Add(name, kind.Shape, kind.Surface, kind.Mass, layer);
     }
 
     /// <inheritdoc/>

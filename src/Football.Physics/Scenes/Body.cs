@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// it goes on so, rotates about its position, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
 /// </summary>
 /// <remarks>
-/// Made by <see cref="Bodies.Add(string, IShape, SurfaceMaterial?, double)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
+/// Made by <see cref="Bodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
 /// speed; what hits it then is the body's own velocity. To a look-ahead a body goes on for ever as it goes now.
 /// </remarks>
 public sealed class Body
@@ -15,7 +15,7 @@ public sealed class Body
 
     private readonly Bodies _all;
 
-    internal Body(Bodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass)
+    internal Body(Bodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass, int layer)
     {
         _all = all;
         Index = index;
@@ -23,6 +23,7 @@ public sealed class Body
         Shape = shape;
         Surface = surface;
         Mass = mass;
+        Layer = layer;
         Placement = new Placement(shape.Bounds);
     }
 
@@ -39,6 +40,9 @@ public sealed class Body
     /// Mass behind its surface, kg: an impact of the ball changes its <see cref="Velocity"/> by the impulse, without turning it. Infinite where nothing moves it.
     /// </summary>
     public double Mass { get; }
+
+    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31.</summary>
+    public int Layer { get; }
 
     /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
     public Vector3d Position => Placement.Motion.Origin;

@@ -1,6 +1,6 @@
 namespace Football.Physics;
 
-/// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="Bodies.Add(string, BodyKind)"/>.</summary>
+/// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="Bodies.Add(string, BodyKind, int)"/>.</summary>
 public sealed record BodyKind
 {
     /// <summary>Its shape, in its own frame.</summary>

@@ -11,6 +11,7 @@ public sealed class EngineCollider
 
     private readonly bool _hasShape;
     private readonly double _mass = double.PositiveInfinity;
+    private int _layer;
     private Vector3d _pushed;
     private Vector3d _gone;
     private double _pushedAt = double.NaN;
@@ -71,6 +72,18 @@ public sealed class EngineCollider
         {
             Check.Within("engineCollider.mass", value, 0, double.PositiveInfinity, exclusiveLow: true);
             _mass = value;
+        }
+    }
+
+    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31; default 0. A change counts from the next step on.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The layer is out of range.</exception>
+    public int Layer
+    {
+        get => _layer;
+        set
+        {
+            Layers.Validate("engineCollider.layer", value);
+            _layer = value;
         }
     }
 

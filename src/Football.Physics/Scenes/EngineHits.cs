@@ -5,9 +5,10 @@ public sealed class EngineHits
 {
     private EngineCollider[] _found = new EngineCollider[16];
 
-    internal EngineHits()
-    {
-    }
+    private readonly uint _ignores;
+
+    /// <param name="ignores">The layers that the ball ignores.</param>
+    internal EngineHits(uint ignores) => _ignores = ignores;
 
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
@@ -19,8 +20,8 @@ public sealed class EngineHits
     {
         Check.Given(nameof(collider), collider);
 
-        // An engine may report a collider more than once.
-        if (Array.IndexOf(_found, collider, 0, Count) >= 0)
+        // An engine may report a collider more than once, and one that the ball ignores.
+        if (Layers.Contains(_ignores, collider.Layer) || Array.IndexOf(_found, collider, 0, Count) >= 0)
         {
             return;
         }

@@ -27,6 +27,9 @@ public sealed record Obstacle
     /// <summary>The pivot that its surface turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
     public Vector3d Pivot { get; init; }
 
+    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31; default 0.</summary>
+    public int Layer { get; init; }
+
     internal void Validate(string field, BallProperties ball)
     {
         // A serializer, or a with-expression, may leave null where the type says there is none.
@@ -40,6 +43,7 @@ public sealed record Obstacle
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
         Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");
         Check.Place(field + ".pivot", Pivot);
+        Layers.Validate(field + ".layer", Layer);
         Check.Within(field + ".mass", Mass, 0, double.PositiveInfinity, exclusiveLow: true);
     }
 }

@@ -6,6 +6,9 @@ public sealed record Scene
     /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
     private const int MostNets = 64;
 
+    /// <summary>Zones of a scene at most.</summary>
+    private const int MostZones = 10_000;
+
     // Made when they are asked for: most games have none of them.
     private static Scene? s_published;
     private static Scene? s_vacuum;
@@ -36,6 +39,9 @@ public sealed record Scene
 
     /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
+
+    /// <summary>Zones, which report when the ball enters and leaves them; at most 10 000. Default none.</summary>
+    public IReadOnlyList<Zone> Zones { get; init; } = [];
 
     /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
     public Bodies? Bodies { get; init; }
@@ -81,6 +87,7 @@ public sealed record Scene
         Check.Given("obstacles", Obstacles);
         Check.Given("nets", Nets);
         Check.Given("goals", Goals);
+        Check.Given("zones", Zones);
 
         // Parts alone, then what depends on several: the least mass on the air, the most damping and the sharpest hollow on the ball.
         Ball.Validate();
@@ -90,6 +97,7 @@ public sealed record Scene
         ValidateLightness();
         ValidateGround();
         ValidateThings();
+        ValidateZones();
     }
 
     /// <summary>Refuses a ball that is too light: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
@@ -109,7 +117,7 @@ public sealed record Scene
     {
         Check.Given("ground.material", Ground.Material);
         Check.Within("ground.tangentialRestitution[0]", Ground.Material.TangentialRestitution, -1, 1);
-        Ground.Material.Validate("ground", Ball.MostDamping);
+        Ground.Material.Validate("ground", Ball.MostDamping, mayAdd: false);
         SceneFields.Check(SceneFields.Ground, Ground, "ground.");
         if (Ground.TangentialRestitutionZ is { } tangential)
         {
@@ -152,7 +160,7 @@ public sealed record Scene
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {
                 Check.GivenItem("ground.pattern.surfaces", i, pattern.Surfaces[i], "a surface");
-                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping);
+                pattern.Surfaces[i].Validate(Check.Item("ground.pattern.surfaces", i), Ball.MostDamping, mayAdd: false);
             }
         }
 
@@ -197,5 +205,22 @@ public sealed record Scene
 
         Check.Within("nets (those of the goals included)", nets, 0, MostNets);
         Check.Within("goals", Goals.Count, 0, MostNets);
+    }
+
+    private void ValidateZones()
+    {
+        Check.Within("zones", Zones.Count, 0, MostZones);
+        var names = new HashSet<string>(StringComparer.Ordinal);
+        for (int i = 0; i < Zones.Count; i++)
+        {
+            Check.GivenItem("zones", i, Zones[i], "a zone");
+            Zones[i].Validate(Check.Item("zones", i), Ball);
+
+            // Events tell zones apart by their names.
+            if (!names.Add(Zones[i].Name))
+            {
+                throw Check.Refusal(Check.Item("zones", i) + ".name", $"\"{Zones[i].Name}\"", "a name that no other zone has");
+            }
+        }
     }
 }

@@ -8,7 +8,7 @@ internal static class SceneFields
     /// <summary>The numbers of a surface material.</summary>
     public static NumberField<SurfaceMaterial>[] Material { get; } =
     [
-        new("normalRestitution", "", 0, 1, m => m.NormalRestitution, (m, v) => m with { NormalRestitution = v }),
+        new("normalRestitution", "", 0, 3, m => m.NormalRestitution, (m, v) => m with { NormalRestitution = v }),
         new("restitutionSpeed", "m/s", 0, double.PositiveInfinity, m => m.RestitutionSpeed, (m, v) => m with { RestitutionSpeed = v }, isAboveLeast: true),
         new("restitutionRise", "", 0, 1, m => m.RestitutionRise, (m, v) => m with { RestitutionRise = v }),
         new("tangentialRestitution", "", -1, 1, m => m.TangentialRestitution, (m, v) => m with { TangentialRestitution = v }),
@@ -19,6 +19,7 @@ internal static class SceneFields
         new("rollingFrictionBySpeed", "s/m", 0, 1, m => m.RollingFrictionBySpeed, (m, v) => m with { RollingFrictionBySpeed = v }),
         new("spinDamping", "N m s", 0, 1, m => m.SpinDamping, (m, v) => m with { SpinDamping = v }),
         new("drillingLength", "m", 0, 1, m => m.DrillingLength, (m, v) => m with { DrillingLength = v }),
+        new("minimumExitSpeed", "m/s", 0, Limits.Speed, m => m.MinimumExitSpeed, (m, v) => m with { MinimumExitSpeed = v }),
     ];
 
     /// <summary>The numbers of the ground besides its material; its height and shape are not in the list.</summary>
@@ -32,7 +33,7 @@ internal static class SceneFields
     public static NumberField<BallProperties>[] Ball { get; } =
     [
         new("mass", "kg", 0.001, 100, b => b.Mass, (b, v) => b with { Mass = v }),
-        new("radius", "m", 0.02, 5, b => b.Radius, (b, v) => b with { Radius = v }),
+        new("radius", "m", 0.005, 5, b => b.Radius, (b, v) => b with { Radius = v }),
         new("inertiaFactor", "", 0.1, 1, b => b.InertiaFactor, (b, v) => b with { InertiaFactor = v }),
         new("knuckleForce", "N", 0, 100, b => b.KnuckleForce, (b, v) => b with { KnuckleForce = v }),
     ];

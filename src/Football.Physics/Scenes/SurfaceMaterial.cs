@@ -7,7 +7,7 @@ namespace Football.Physics;
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public sealed partial record SurfaceMaterial
 {
-    /// <summary>Normal restitution e at an approach speed of 6 m/s. 0 … 1; default 0.67.</summary>
+    /// <summary>Normal restitution e at an approach speed of 6 m/s. 0 … 3, at most 1 for the ground and between balls; above 1 the object is a bumper, which adds energy; default 0.67.</summary>
     public double NormalRestitution { get; init; } = 0.67;
 
     /// <summary>Approach speed V_e at which the restitution falls, m/s: e ∝ 1/√(1 + (v_n/V_e)²). Above 0; infinite: the same at every speed; default 20.</summary>
@@ -26,14 +26,14 @@ public sealed partial record SurfaceMaterial
     /// <summary>Coefficient of friction of an impact, μ_i: the tangential impulse is at most μ_i times the normal impulse. 0 or more; infinite: no limit; default 0.42.</summary>
     public double ImpactFriction { get; init; } = 0.42;
 
-    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.43.</summary>
-    public double SlidingFriction { get; init; } = 0.43;
+    /// <summary>Coefficient of sliding friction μ_s. 0 … 10; default 0.45.</summary>
+    public double SlidingFriction { get; init; } = 0.45;
 
-    /// <summary>Coefficient of rolling friction at rest, c₀. 0 … 10; default 0.07.</summary>
-    public double RollingFriction { get; init; } = 0.07;
+    /// <summary>Coefficient of rolling friction at rest, c₀. 0 … 10; default 0.064.</summary>
+    public double RollingFriction { get; init; } = 0.064;
 
-    /// <summary>Growth of the rolling friction with speed, c₁, s/m. 0 … 1; default 0.0015.</summary>
-    public double RollingFrictionBySpeed { get; init; } = 0.0015;
+    /// <summary>Growth of the rolling friction with speed, c₁, s/m. 0 … 1; default 0.003.</summary>
+    public double RollingFrictionBySpeed { get; init; } = 0.003;
 
     /// <summary>Damping c_ω of the spin about the normal while the surface carries the ball, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.</summary>
     public double SpinDamping { get; init; }
@@ -41,16 +41,26 @@ public sealed partial record SurfaceMaterial
     /// <summary>Lever b of the drilling friction about the normal, m: its torque is b μ_s times the normal force. 0 … 1; default 0.02.</summary>
     public double DrillingLength { get; init; } = 0.02;
 
+    /// <summary>The least speed at which the ball leaves an impact along the normal, relative to the surface, m/s: the bumper of a pinball. 0 … 1000, 0 for the ground and between balls; default 0.</summary>
+    /// <remarks>A ball that lands on top of the object with less than <see cref="Ground.MinimumBounceSpeed"/> stays down.</remarks>
+    public double MinimumExitSpeed { get; init; }
+
     /// <summary>The largest restitution at 6 m/s, over all directions.</summary>
     internal double LargestRestitution => NormalRestitution + (RestitutionRise * (1.0 - NormalRestitution));
 
     /// <summary>Checks every number.</summary>
     /// <param name="field">Name of the surface in messages.</param>
     /// <param name="mostDamping">The largest damping of a spin of the ball, N m s.</param>
+    /// <param name="mayAdd">Whether the surface may add energy: objects may, balls and the ground may not.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
-    internal void Validate(string field, double mostDamping = 1)
+    internal void Validate(string field, double mostDamping = 1, bool mayAdd = true)
     {
         SceneFields.Check(SceneFields.Material, this, field + ".");
+        if (!mayAdd)
+        {
+            Check.Within(field + ".normalRestitution", NormalRestitution, 0, 1);
+            Check.Within(field + ".minimumExitSpeed", MinimumExitSpeed, 0, 0);
+        }
 
         // The damping is also limited by the ball's moment of inertia.
         Check.Within(field + ".spinDamping", SpinDamping, 0, mostDamping);

@@ -94,7 +94,7 @@ internal sealed partial class ContactSetParts
     private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
     {
         double h = after.Time - before.Time;
-        if (run.Log.Observer is null || !(h > 0))
+        if (!run.Log.IsWatched || !(h > 0))
         {
             return;
         }

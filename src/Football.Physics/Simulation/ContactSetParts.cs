@@ -282,7 +282,7 @@ internal sealed partial class ContactSetParts
     private static void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, ref StepRun run)
     {
         double h = after.Time - before.Time;
-        if (run.Log.Observer is null || !(h > 0))
+        if (!run.Log.IsWatched || !(h > 0))
         {
             return;
         }

@@ -117,7 +117,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _radiusSquared = ball.Radius * ball.Radius;
         _halfMass = 0.5 * ball.Mass;
         _halfInertia = 0.5 * ball.MomentOfInertia;
-        _restEnergy = scene.Ground.RestEnergy;
+        _restEnergy = _world.RestEnergy;
         _fastestWind = around.Air.FastestWind;
         bool shares = _world.SharesAir;
         _airInLoad = _world.AirLoads && _world.AirActs ? 1 : 0;
@@ -311,7 +311,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             ? (dt * mean) + ((1.0 / 12.0) * commutator)
             : RotationVector.Of(start.Spin, 0.25 * ((6.0 * mean) - start.Spin - at.Spin), last.Spin, dt);
         Vector3d turn = InWorld(turned.X, turned.Y, turned.Z);
-        if (log.Observer is not null)
+        if (log.IsWatched)
         {
             MoveAndShow<TMotion>(log, ref s, in on, in material, in position, in turn, in first, in last, dt, end, alongX, alongZ);
             return true;
@@ -352,13 +352,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         BallState before = s;
         Move(ref s, in on, in position, in turn, in last, end);
         PlaneRates rates = default;
-        if (log.Observer!.WantsEndAcceleration)
+        Vector3d start = InWorld(first.AX, 0, first.AZ);
+        if (log.WantsEnd(in before, in s, in start))
         {
             RatesOf<TMotion>(in on, in material, in last, dt, alongX, alongZ, out rates);
             log.Evaluations++;
         }
 
-        log.Show(in before, in s, InWorld(first.AX, 0, first.AZ), InWorld(rates.AX, 0, rates.AZ), _order);
+        log.Show(in before, in s, in start, InWorld(rates.AX, 0, rates.AZ), _order);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

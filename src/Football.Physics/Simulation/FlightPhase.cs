@@ -220,7 +220,7 @@ internal sealed class FlightPhase<TIntegrator>
 
         run.Log.Evaluations += sweep.Evaluations;
         Unsafe.SkipInit(out BallState before);
-        if (run.Log.Observer is not null)
+        if (run.Log.IsWatched)
         {
             before = s;
         }
@@ -239,7 +239,7 @@ internal sealed class FlightPhase<TIntegrator>
             ContactSet.Separate(_world, ref s);
         }
 
-        if (run.Log.Observer is not null)
+        if (run.Log.IsWatched)
         {
             run.Show(in before, in s, ref sweep, order);
         }

@@ -142,7 +142,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double time = s.Time;
         s.Time = end;
         log.Steps++;
-        if (log.Observer is not null)
+        if (log.IsWatched)
         {
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
         }
@@ -188,7 +188,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
 
         // The guards of every flight; a step that is watched is left to the pieces.
-        if (height < _contactHeight || (vy < 0 && climb > 0) || log.Observer is not null)
+        if (height < _contactHeight || (vy < 0 && climb > 0) || log.IsWatched)
         {
             return WholeFlight.NotTaken;
         }

@@ -39,6 +39,13 @@ internal static class SceneHash
         }
 
         key.Add(world.Engine is null ? 0 : 1);
+
+        // Zones change no path. Two machines must report the same all the same.
+        foreach (Zone zone in scene.Zones)
+        {
+            AddZone(ref key, zone);
+        }
+
         return key.Value;
     }
 
@@ -66,6 +73,20 @@ internal static class SceneHash
         key.Add(scene.Ball.InertiaFactor);
         key.Add(scene.Ball.KnuckleForce);
         key.Add(Weight.UpwardAcceleration(scene));
+        if (scene.Ball.Ignores != 0)
+        {
+            AddLayers(ref key, scene);
+        }
+    }
+
+    /// <summary>Layers decide nothing for a ball that ignores none.</summary>
+    private static void AddLayers(ref SceneKey key, Scene scene)
+    {
+        key.Add((double)scene.Ball.Ignores);
+        foreach (int layer in scene.Obstacles.Select(item => item.Layer).Concat((scene.Bodies ?? Enumerable.Empty<Body>()).Select(item => item.Layer)).Concat(scene.Zones.Select(item => item.Layer)))
+        {
+            key.Add((double)layer);
+        }
     }
 
     private static void AddAir(ref SceneKey key, Scene scene, Simulator simulator)
@@ -136,6 +157,18 @@ internal static class SceneHash
         }
     }
 
+    private static void AddZone(ref SceneKey key, Zone zone)
+    {
+        key.Add((double)(int)zone.Of);
+        key.Add(zone.Shape.Bounds);
+        for (int i = 0; i < Places; i++)
+        {
+            ShapePoint at = zone.Shape.At((i % 2 == 0 ? 0.02 : 1.0) * Place(i));
+            key.Add(at.Distance);
+            key.Add(at.Normal);
+        }
+    }
+
     private static void AddMaterial(ref SceneKey key, in ContactMaterial material)
     {
         key.Add(material.SlowRestitution);
@@ -150,6 +183,10 @@ internal static class SceneHash
         key.Add(material.RollingFrictionBySpeed);
         key.Add(material.SpinDamping);
         key.Add(material.DrillingLength);
+        if (material.MinimumExitSpeed > 0)
+        {
+            key.Add(material.MinimumExitSpeed);
+        }
     }
 
     /// <summary>A place of the pitch and above it, m.</summary>

@@ -130,6 +130,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     {
         var run = new StepRun(0, s.Time, log);
         _displacement.Follow(ref s, in from, ref run);
+        log.Zones?.Moved(log, in s);
     }
 
     public override bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate) =>
@@ -149,7 +150,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
-    /// <summary>Shows a whole step of flight to the observer: the ball is at its end, the rest is of its start.</summary>
+    /// <summary>Shows a whole step of flight to all that watch: the ball is at its end, the rest is of its start.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {
@@ -159,7 +160,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         before.Velocity = velocity;
         before.SpinRate = spin;
         Vector3d acceleration = default;
-        if (log.Observer!.WantsEndAcceleration)
+        if (log.WantsEnd(in before, in s, in step.StartAcceleration))
         {
             FlightRates.Of(ref _air, in s, _upward, in step.AirVelocity, step.SpinRate, out acceleration, out _);
             log.Evaluations++;
@@ -231,6 +232,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             {
                 _contact.TakeJump(ref s, ref run);
             }
+
+            log.Zones?.Moved(log, in s);
         }
 
         // The first piece was tried as a whole step already where it is not one's end.

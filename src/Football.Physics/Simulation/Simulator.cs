@@ -13,6 +13,7 @@ public sealed class Simulator
     /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
 
     private readonly bool _hasOwnForces;
+    private readonly bool _isPlain;
     private readonly bool _mayWake;
     private ulong? _sceneHash;
 
@@ -36,6 +37,8 @@ public sealed class Simulator
         _world = _stepper.World;
         _mayWake = _stepper.MayWake;
         _hasOwnForces = Scene.Forces.Custom.Count > 0;
+        Zones = ZoneWatch.Of(Scene, _world.ThingOfZone(0));
+        _isPlain = !_hasOwnForces && Zones is null;
     }
 
     /// <summary>The scene.</summary>
@@ -100,7 +103,7 @@ public sealed class Simulator
         return state;
     }
 
-    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.Thing"/>: the ground first, then obstacles, nets, posts, bars, goals, bodies.</summary>
+    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.Thing"/>: the ground first, then obstacles, posts and bars, bodies, nets, goals, zones.</summary>
     public IReadOnlyList<string> Names => _world.Names;
 
     /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
@@ -212,15 +215,33 @@ public sealed class Simulator
             return;
         }
 
-        if (!_hasOwnForces)
+        if (_isPlain)
         {
             _stepper.Step(ref state, dt, log);
-            return;
+        }
+        else
+        {
+            TakeCopy(ref state, dt, log);
+        }
+    }
+
+    /// <summary>Takes a step on a copy, for a custom force may throw within it; and watched by zones.</summary>
+    private void TakeCopy(ref BallState state, double dt, StepLog log)
+    {
+        ZoneWatch? outer = log.Zones;
+        ZoneWatch? zones = log.IgnoresZones ? null : Zones;
+        BallState next = state;
+        try
+        {
+            zones?.Begin(log, in state);
+            _stepper.Step(ref next, dt, log);
+            zones?.Moved(log, in next);
+        }
+        finally
+        {
+            log.Zones = outer;
         }
 
-        // On a copy: an own force may throw half way.
-        BallState next = state;
-        _stepper.Step(ref next, dt, log);
         state = next;
     }
 
@@ -277,6 +298,9 @@ public sealed class Simulator
 
     /// <summary>All that can be met.</summary>
     internal World World => _world;
+
+    /// <summary>The zones that watch the ball; null if there are none.</summary>
+    internal ZoneWatch? Zones { get; }
 
     /// <summary>The centre of a ball that lies on the ground, m: where a ball is put if nobody names a place. At height 0 if there is no ground.</summary>
     internal Vector3d OnGround(double x, double z) => GroundPlace.At(_world, x, z);

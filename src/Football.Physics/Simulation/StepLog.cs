@@ -1,7 +1,7 @@
 namespace Football.Physics;
 
 /// <summary>The log of a step or a run, beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
-public sealed class StepLog
+public sealed partial class StepLog
 {
     /// <summary>Makes an empty log.</summary>
     /// <param name="eventCapacity">Events to make room for, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
@@ -60,17 +60,30 @@ public sealed class StepLog
     internal StepBudget Spent;
 
     /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
-    public PieceObserver? Observer { get; set; }
+    public PieceObserver? Observer
+    {
+        get => _observer;
+        set
+        {
+            _observer = value;
+            IsWatched = value is not null || _zones is not null;
+        }
+    }
 
-    /// <summary>Shows a piece to the observer.</summary>
+    /// <summary>Shows a piece to the zones and to the observer.</summary>
     /// <param name="before">The ball at the piece's start.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="startAcceleration">Acceleration at the start, m/s².</param>
-    /// <param name="endAcceleration">Acceleration at the end, m/s²; only where the observer wants it.</param>
+    /// <param name="endAcceleration">Acceleration at the end, m/s²; only where it is wanted.</param>
     /// <param name="order">Order of the method that took it.</param>
     internal void Show(in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
     {
-        PieceObserver observer = Observer!;
+        _zones?.See(this, in before, in after, in startAcceleration, in endAcceleration, order);
+        if (_observer is not { } observer)
+        {
+            return;
+        }
+
         var piece = new PathPiece(
             before.Time,
             after.Time - before.Time,
@@ -88,7 +101,9 @@ public sealed class StepLog
     /// <summary>Begins a step of a ball of a group, which is taken in several calls.</summary>
     /// <param name="ball">The ball's number.</param>
     /// <param name="clears">Whether the log is emptied.</param>
-    internal void Begin(int ball, bool clears)
+    /// <param name="zones">The zones that watch it; null if there are none.</param>
+    /// <param name="s">The ball.</param>
+    internal void Begin(int ball, bool clears, ZoneWatch? zones, in BallState s)
     {
         if (clears)
         {
@@ -103,6 +118,23 @@ public sealed class StepLog
         Pushed = false;
         Continues = true;
         Spent = StepBudget.New;
+        Zones = null;
+        zones?.Begin(this, in s);
+    }
+
+    /// <summary>Ends a step of a ball of a group.</summary>
+    /// <param name="s">The ball.</param>
+    internal void End(in BallState s)
+    {
+        _zones?.Moved(this, in s);
+        Abandon();
+    }
+
+    /// <summary>Ends a step of a ball of a group that failed.</summary>
+    internal void Abandon()
+    {
+        Continues = false;
+        Zones = null;
     }
 
     /// <summary>Adds the events and counts of another log.</summary>
@@ -117,6 +149,7 @@ public sealed class StepLog
         Evaluations += other.Evaluations;
         Stalled += other.Stalled;
         Untold += other.Untold;
+        ZoneEvents += other.ZoneEvents;
     }
 
     /// <summary>Mark of its contents now, to come back to.</summary>
@@ -144,6 +177,7 @@ public sealed class StepLog
         Untold = 0;
         LeftOut = 0;
         Halted = false;
+        ZoneEvents = 0;
     }
 }
 

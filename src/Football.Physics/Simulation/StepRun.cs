@@ -99,6 +99,7 @@ internal ref struct StepRun
     /// <summary>Where events and counts go.</summary>
     public StepLog Log;
 
+    private int _firstZoneEvent;
     private long _lastEvaluation;
     private double _lastHit;
     private int _hits;
@@ -117,6 +118,7 @@ internal ref struct StepRun
         _lastEvaluation = log.Evaluations + MostEvaluations - MostOfPiece;
         _lastHit = double.NegativeInfinity;
         FirstEvent = log.Events.Count;
+        _firstZoneEvent = log.ZoneEvents;
         if (log.Continues)
         {
             Continue(in log.Spent);
@@ -154,8 +156,8 @@ internal ref struct StepRun
     /// <summary>True when the step has told so much that slow impacts are counted and told no more.</summary>
     public readonly bool IsCrowded => Told >= MostInCrowd;
 
-    /// <summary>Events of the step so far.</summary>
-    private readonly int Told => _eventsBefore + Log.Events.Count - FirstEvent;
+    /// <summary>Events of the step so far; those of zones change nothing.</summary>
+    private readonly int Told => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>Counts a piece before it is taken.</summary>
     /// <returns>False where the step has had all pieces, or all evaluations, that a step may have.</returns>
@@ -204,7 +206,7 @@ internal ref struct StepRun
         Log.Steps++;
     }
 
-    /// <summary>Shows a piece to the observer, if there is one; only then is the acceleration at its end worth an evaluation.</summary>
+    /// <summary>Shows a piece if anyone watches; only then is the acceleration at its end worth an evaluation.</summary>
     /// <param name="before">The ball at the piece's start.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="sweep">The piece.</param>
@@ -212,10 +214,10 @@ internal ref struct StepRun
     public void Show<TSweep>(in BallState before, in BallState after, ref TSweep sweep, int order)
         where TSweep : struct, ISweep
     {
-        if (Log.Observer is { } observer)
+        if (Log.IsWatched)
         {
             Vector3d end = default;
-            if (observer.WantsEndAcceleration)
+            if (Log.WantsEnd(in before, in after, sweep.StartAcceleration))
             {
                 end = sweep.EndAcceleration();
                 Log.Evaluations++;

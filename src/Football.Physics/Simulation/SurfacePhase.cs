@@ -266,7 +266,7 @@ internal sealed class SurfacePhase<TIntegrator>
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
         Hold(ref s, in system, meets && met.What == SeparationKind.Contact ? met.Index : -1);
-        if (overEdge && run.Log.Observer is not null)
+        if (overEdge && run.Log.IsWatched)
         {
             // What acts beyond the edge is no end of this path.
             Vector3d end = Extrapolate.Rate(before.Velocity, s.Velocity, sweep.StartAcceleration, sweep.Length);
@@ -372,7 +372,7 @@ internal sealed class SurfacePhase<TIntegrator>
         s.SpinAxis = end.Spin;
         run.Advance(ref s, t);
         Hold(ref s, in system, -1);
-        if (run.Log.Observer is not null)
+        if (run.Log.IsWatched)
         {
             Vector3d acceleration = start - (system.SlidingFriction(in on) * system.Direction);
             Vector3d atEnd = Extrapolate.Rate(from.Velocity, s.Velocity, in acceleration, t);

@@ -61,7 +61,7 @@ internal sealed class WorldContact
         if (hit.Moves)
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
-            bool again = Touches(ref s, (1.0 + restitution) * surface.Length);
+            bool again = Touches(ref s, ((1.0 + restitution) * surface.Length) + material.MinimumExitSpeed);
             double fastest = Math.Max(s.SqueezeSpeed, v.Length);
             if (again && velocity.Length > fastest)
             {
@@ -80,6 +80,8 @@ internal sealed class WorldContact
             CoulombImpact.Apply(_world.Ball, in dead, in way, in n, in surface, in v, in w, out velocity, out spin);
             off = 0;
         }
+
+        double added = CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), off);
 
         // The event reports the velocity by the impulse; a ball that stays loses what is left of it off the surface.
         Vector3d reported = velocity;
@@ -101,7 +103,7 @@ internal sealed class WorldContact
         }
         else
         {
-            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin));
+            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin) { AddedEnergy = added });
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
@@ -206,7 +208,7 @@ internal sealed class WorldContact
         foreach (ref readonly Contact contact in set)
         {
             double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, (1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) : fastest;
+            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, ((1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) + contact.Material.MinimumExitSpeed) : fastest;
         }
 
         if (fastest < 0)

@@ -104,6 +104,20 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
 
+    /// <summary>A list of layers, 0 … 31; none where it is missing.</summary>
+    public int[] Layers(string name)
+    {
+        if (Take(name) is not { } value)
+        {
+            return [];
+        }
+
+        double[] layers = value.ValueKind == JsonValueKind.Array ? [.. value.EnumerateArray().Select(NumberOf)] : [double.NaN];
+        return layers.All(layer => layer == Math.Floor(layer) && layer is >= 0 and <= Physics.Layers.Highest)
+            ? Array.ConvertAll(layers, layer => (int)layer)
+            : Refuse<int[]>(name, $"a list of layers, whole numbers 0 … {Physics.Layers.Highest}", []);
+    }
+
     /// <summary>A whole number of 64 bits, or null.</summary>
     public long? OptionalWhole(string name, long? fallback = null) => Take(name) is not { } value ? fallback
         : value.ValueKind == JsonValueKind.Null ? null
@@ -237,6 +251,9 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
 
     /// <summary>Whether the member is an object.</summary>
     public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
+
+    /// <summary>Whether the member is a list.</summary>
+    public bool IsArray(string name) => Take(name) is { ValueKind: JsonValueKind.Array };
 
     /// <summary>Refuses a member that another one stands for.</summary>
     public void Exclude(string name, string other)

@@ -24,6 +24,7 @@ public sealed partial class ProfileRuleTests
         ["SlideTests"] = (6, "closed forms of constant friction and damping, the thesis' heuristic (the default: DefaultGroundTests)"),
         ["SpinDecayTests"] = (3, "the thesis' torque, which is finite at rest: a spin ends at an instant"),
         ["WindFieldTests"] = (1, "what the drag law's jump costs"),
+        ["ZoneTests"] = (3, "times of straight paths and parabolas, without air"),
         ["AirBoundsTests"] = (1, "the bounds of the thesis' laws and their slopes"),
         ["FoundByTheLabTests"] = (2, "spins that the thesis' torque ends"),
     };

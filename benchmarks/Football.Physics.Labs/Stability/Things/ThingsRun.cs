@@ -139,7 +139,7 @@ internal sealed class ThingsRun
             : null;
     }
 
-    /// <summary>No impact gives energy in the frame of what was hit.</summary>
+    /// <summary>No impact gives energy in the frame of what was hit, except as much as its event says that a bumper has added.</summary>
     private StressFailure? Impulses()
     {
         double mass = _world.Ball.Mass;
@@ -158,7 +158,7 @@ internal sealed class ThingsRun
             Vector3d with = collider.SurfaceVelocity(in contact, hit.Time);
             double before = (mass * (hit.VelocityBefore - with).LengthSquared) + (inertia * hit.SpinBefore.LengthSquared);
             double after = (mass * (hit.Velocity - with).LengthSquared) + (inertia * hit.Spin.LengthSquared);
-            if (!(after <= (before * (1 + 1e-12)) + 1e-24))
+            if (!(after <= ((before + (2 * hit.AddedEnergy)) * (1 + 1e-12)) + 1e-24))
             {
                 return Fail("impact energy", $"{0.5 * before} J to {0.5 * after} J at {_simulator.NameOf(hit.Thing)}");
             }

@@ -37,6 +37,14 @@ public partial class FootballBall
     [Signal]
     public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
 
+    /// <summary>The ball entered a zone of the scene.</summary>
+    [Signal]
+    public delegate void EnterZoneEventHandler(Vector3 position, Vector3 velocity, double time);
+
+    /// <summary>The ball left a zone of the scene.</summary>
+    [Signal]
+    public delegate void ExitZoneEventHandler(Vector3 position, Vector3 velocity, double time);
+
     private void Emit(in BallEvent happened)
     {
         Vector3 position = GodotFrame.ToGodot(happened.Position);
@@ -60,6 +68,12 @@ public partial class FootballBall
                 break;
             case BallEventKind.Squeezed:
                 EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
+                break;
+            case BallEventKind.EnterZone:
+                EmitSignal(SignalName.EnterZone, position, velocity, happened.Time);
+                break;
+            case BallEventKind.ExitZone:
+                EmitSignal(SignalName.ExitZone, position, velocity, happened.Time);
                 break;
             case BallEventKind.Net:
                 EmitSignal(SignalName.Net, position, velocity, happened.Time);

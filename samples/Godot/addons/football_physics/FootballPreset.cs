@@ -95,11 +95,11 @@ public partial class FootballPreset : Resource
 
     /// <summary>Friction of a ball that slides on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,2,0.01")]
-    public float CustomSlidingFriction { get; set; } = 0.43f;
+    public float CustomSlidingFriction { get; set; } = 0.45f;
 
     /// <summary>Friction of a ball that rolls on a custom ground.</summary>
     [Export(PropertyHint.Range, "0,1,0.001")]
-    public float CustomRollingFriction { get; set; } = 0.07f;
+    public float CustomRollingFriction { get; set; } = 0.064f;
 
     /// <summary>The laws of the air. Default those of the profile.</summary>
     [Export]

@@ -31,6 +31,12 @@ namespace Football.Physics.Unity
         [Tooltip("Things that move leave the ball no room, or it has room again: the ball's motion says which.")]
         public FootballUnityEvent squeezed = new FootballUnityEvent();
 
+        [Tooltip("The ball entered a zone of the scene, whose name is the surface of the event.")]
+        public FootballUnityEvent enterZone = new FootballUnityEvent();
+
+        [Tooltip("The ball left a zone of the scene, whose name is the surface of the event.")]
+        public FootballUnityEvent exitZone = new FootballUnityEvent();
+
         internal void Invoke(FootballEvent happened)
         {
             FootballUnityEvent listeners = happened.Kind switch
@@ -43,6 +49,8 @@ namespace Football.Physics.Unity
                 BallEventKind.Net => net,
                 BallEventKind.Goal => goal,
                 BallEventKind.Squeezed => squeezed,
+                BallEventKind.EnterZone => enterZone,
+                BallEventKind.ExitZone => exitZone,
                 _ => throw new ArgumentOutOfRangeException(nameof(happened)),
             };
             listeners.Invoke(happened);

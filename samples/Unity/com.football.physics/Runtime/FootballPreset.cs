@@ -41,11 +41,11 @@ namespace Football.Physics.Unity
 
         /// <summary>Friction of a ball that slides on a ground of your own.</summary>
         [Range(0f, 2f), Tooltip("Custom ground: friction of a ball that slides.")]
-        public float customSlidingFriction = 0.43f;
+        public float customSlidingFriction = 0.45f;
 
         /// <summary>Friction of a ball that rolls on a ground of your own.</summary>
         [Range(0f, 1f), Tooltip("Custom ground: friction of a ball that rolls.")]
-        public float customRollingFriction = 0.07f;
+        public float customRollingFriction = 0.064f;
 
         /// <summary>The laws of the air. Default those of the profile.</summary>
         [Header("Air")]

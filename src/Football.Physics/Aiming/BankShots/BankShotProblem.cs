@@ -39,7 +39,7 @@ internal sealed class BankShotProblem : ILeastSquares
     private readonly Simulator _open;
     private readonly Simulator _grounded;
     private readonly BallProperties _ball;
-    private readonly StepLog _log = new();
+    private readonly StepLog _log = new() { IgnoresZones = true };
     private readonly Vector3d[] _arrival;
     private readonly double[] _reach;
     private AimRequest _request = new();

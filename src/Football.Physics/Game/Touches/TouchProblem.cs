@@ -37,7 +37,7 @@ internal abstract class TouchProblem : ILeastSquares
 
     protected Simulator Simulator { get; }
 
-    protected StepLog Log { get; } = new();
+    protected StepLog Log { get; } = new() { IgnoresZones = true };
 
     public virtual bool IsFree(int unknown) => true;
 

@@ -107,6 +107,9 @@ internal sealed partial class BallCluster
         }
     }
 
+    /// <summary>Ends a step that failed.</summary>
+    public void Abandon() => Array.ForEach(_current, log => log.Abandon());
+
     /// <summary>Which balls lie on each other before the step.</summary>
     public BallRests Rests => _rests;
 
@@ -225,7 +228,7 @@ internal sealed partial class BallCluster
             // The space ahead of any ball was searched before something was pushed.
             int i = _cluster[k];
             states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
-            _current[i].Continues = false;
+            _current[i].End(in states[i]);
         }
 
         return ended;
@@ -263,7 +266,7 @@ internal sealed partial class BallCluster
     private void Begin(BallState[] states, int i)
     {
         states[i] = _before[i];
-        _current[i].Begin(i, _clears);
+        _current[i].Begin(i, _clears, _simulators[i].Zones, in _before[i]);
         _meetings[i] = 0;
         _piles.Leave(i);
     }

@@ -54,7 +54,7 @@ public sealed partial class BallGroup
     private BallGroup(Simulator[] simulators, SurfaceMaterial? contact)
     {
         Contact = contact ?? SurfaceMaterial.Ball;
-        Contact.Validate("ballContact");
+        Contact.Validate("ballContact", mayAdd: false);
         int count = simulators.Length;
         _simulators = simulators;
         World world = simulators[0].World;
@@ -228,6 +228,7 @@ public sealed partial class BallGroup
         {
             Array.Copy(_before, states, Count);
             _motions.PutBack();
+            _cluster.Abandon();
             throw;
         }
 

@@ -61,8 +61,10 @@ internal sealed class BallLook
             return false;
         }
 
+        own.Zones?.Begin(own, in from);
         s = end;
         own.Add(log);
+        own.ZonePlace = end.Position;
         own.Spent = log.Spent;
         return true;
     }

@@ -357,7 +357,7 @@ internal sealed partial class BallPile
     private static void Show(in BallState before, in BallState after, StepLog log)
     {
         double h = after.Time - before.Time;
-        if (log.Observer is null || !(h > 0))
+        if (!log.IsWatched || !(h > 0))
         {
             return;
         }

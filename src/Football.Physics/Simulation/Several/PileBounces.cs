@@ -75,10 +75,9 @@ internal sealed class PileBounces
         }
 
         // e u_n, what it would leave with.
-        double e = contact.Second < 0
-            ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position).LargestRestitutionAt(closing)
-            : _material.LargestRestitutionAt(closing);
-        return e * closing >= least ? contact.Gap / closing : double.PositiveInfinity;
+        ContactMaterial material = contact.Second < 0 ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position) : _material;
+        double e = material.LargestRestitutionAt(closing);
+        return Math.Max(e * closing, material.MinimumExitSpeed) >= least ? contact.Gap / closing : double.PositiveInfinity;
     }
 
     private void Bounce(in PileContact contact, BallState[] states, StepLog[] logs)
@@ -103,10 +102,14 @@ internal sealed class PileBounces
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         Collider hit = simulator.World.Colliders[contact.Collider];
-        CoulombImpact.Apply(
-            simulator.Scene.Ball, in hit.MaterialAt(s.Position), in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
+        ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
+        CoulombImpact.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
         logs[ball].Events.Add(new BallEvent(
-            BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin));
+            BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
+        {
+            AddedEnergy = CoulombImpact.Added(
+                simulator.Scene.Ball, in material, default, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal)),
+        });
         Set(ref s, in velocity, in spin);
     }
 

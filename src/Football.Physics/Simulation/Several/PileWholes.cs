@@ -92,7 +92,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             s.Time = time;
             log.Steps++;
             log.Evaluations += system.Evaluations;
-            if (log.Observer is not null)
+            if (log.IsWatched)
             {
                 // A path whose memory is full ends a step early, not the pile.
                 log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);

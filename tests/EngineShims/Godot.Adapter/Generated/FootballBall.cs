@@ -15,5 +15,7 @@ public partial class FootballBall
         public static readonly StringName Net = new(nameof(Net));
         public static readonly StringName Goal = new(nameof(Goal));
         public static readonly StringName Squeezed = new(nameof(Squeezed));
+        public static readonly StringName EnterZone = new(nameof(EnterZone));
+        public static readonly StringName ExitZone = new(nameof(ExitZone));
     }
 }

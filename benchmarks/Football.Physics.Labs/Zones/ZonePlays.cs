@@ -1,0 +1,258 @@
+using Football.Physics.Prediction;
+
+namespace Football.Physics.Labs.Zones;
+
+/// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
+internal sealed class ZonePlays
+{
+    /// <summary>Times that are not farther apart, s, agree.</summary>
+    public const double Allowed = 1e-6;
+
+    /// <summary>Between two samples of the path, s.</summary>
+    private const double Spacing = 2e-4;
+
+    /// <summary>How long a kick is followed, s.</summary>
+    private const double Duration = 1.5;
+
+    /// <summary>So far, m, from the border a crossing is a graze, whose time may be uncertain and that need not be reported.</summary>
+    private const double Graze = 1e-8;
+
+    private readonly PiecePath _path = new();
+    private readonly List<Crossing> _expected = [];
+    private readonly List<Crossing> _told = [];
+
+    /// <summary>Kicks.</summary>
+    public int Cases { get; private set; }
+
+    /// <summary>Events by shape.</summary>
+    public int[] Events { get; } = new int[ZoneDraw.Shapes.Length];
+
+    /// <summary>Crossings that were found by samples and not reported.</summary>
+    public int Missed { get; private set; }
+
+    /// <summary>Events of crossings that there are not.</summary>
+    public int Wrong { get; private set; }
+
+    /// <summary>Crossings of so little depth that they need not be reported.</summary>
+    public int Grazes { get; private set; }
+
+    /// <summary>Pairs of events between two samples, which the path confirms.</summary>
+    public int Short { get; private set; }
+
+    /// <summary>Events out of order.</summary>
+    public int Disordered { get; private set; }
+
+    /// <summary>Paths that zones changed.</summary>
+    public int Changed { get; private set; }
+
+    /// <summary>The largest difference of the time of a crossing, s.</summary>
+    public double WorstTime { get; private set; }
+
+    /// <summary>The largest distance of an event from the border, m.</summary>
+    public double WorstPlace { get; private set; }
+
+    /// <summary>The first case that failed; −1 if none did.</summary>
+    public int FirstFailure { get; private set; } = -1;
+
+    /// <summary>True if a crossing was missed, or something else was wrong.</summary>
+    public bool Failed => Missed + Wrong + Disordered + Changed > 0 || WorstTime > Allowed || WorstPlace > Graze;
+
+    /// <summary>Plays a case.</summary>
+    public void Play(long seed, int index)
+    {
+        var random = new LabRandom(LabRandom.Mix(seed, index));
+        bool failed = Failed;
+        ZoneCase kick = ZoneDraw.Kick(random);
+        BallState plain = Fly(kick, kick.Scene, new StepLog(mostEvents: 65_536));
+        var log = new StepLog(mostEvents: 65_536) { Observer = _path };
+        _path.Clear();
+        Fly(kick, kick.Scene, log);
+
+        // Zones near points of the path, then the same kick among them.
+        var zones = new Zone[(int)random.Uniform(1, 6)];
+        for (int i = 0; i < zones.Length; i++)
+        {
+            zones[i] = ZoneDraw.Zone(random, i, _path.At(_path.Start + (random.Uniform(0, 1) * (_path.End - _path.Start))));
+        }
+
+        zones = [.. zones.Where(zone => zone.Shape.HollowCurvature <= 0.5 / kick.Scene.Ball.Radius)];
+        Scene scene = kick.Scene with { Zones = zones };
+        log = new StepLog(mostEvents: 65_536);
+        BallState among = Fly(kick, scene, log);
+        Changed += among.Equals(plain) ? 0 : 1;
+        Compare(log.Events, new Simulator(scene), zones);
+        Cases++;
+        FirstFailure = Failed && !failed ? index : FirstFailure;
+    }
+
+    private static BallState Fly(ZoneCase kick, Scene scene, StepLog log)
+    {
+        var simulator = new Simulator(scene, kick.Settings);
+        BallState s = simulator.Launch(kick.Position, kick.Velocity, kick.Spin);
+        simulator.Run(ref s, kick.Step, Duration, StopAt.Time, log);
+        return s;
+    }
+
+    private void Compare(EventBuffer events, Simulator simulator, Zone[] zones)
+    {
+        for (int i = 1; i < events.Count; i++)
+        {
+            Disordered += events[i].Time < events[i - 1].Time ? 1 : 0;
+        }
+
+        for (int z = 0; z < zones.Length; z++)
+        {
+            Zone zone = zones[z];
+            var border = new Border(zone, simulator.Scene.Ball.Radius, _path);
+            border.Sample(Spacing, _expected);
+            _told.Clear();
+            foreach (BallEvent happened in events.Span)
+            {
+                if (happened.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone && simulator.NameOf(happened.Thing) == zone.Name)
+                {
+                    _told.Add(new Crossing(happened.Time, happened.Kind == BallEventKind.EnterZone));
+                    WorstPlace = Math.Max(WorstPlace, Math.Max(Math.Abs(border.Of(happened.Position)), (happened.Position - _path.At(happened.Time)).Length - (happened.Velocity.Length * 1e-9)));
+                    Events[Array.FindIndex(ZoneDraw.Shapes, name => zone.Name.StartsWith(name, StringComparison.Ordinal))]++;
+                }
+            }
+
+            Match(in border);
+        }
+    }
+
+    /// <summary>Compares the crossings of one zone with those that were sampled.</summary>
+    private void Match(in Border border)
+    {
+        int i = 0;
+        int j = 0;
+        while (i < _expected.Count || j < _told.Count)
+        {
+            if (i < _expected.Count && j < _told.Count && _expected[i].Enters == _told[j].Enters
+                && (Math.Abs(_expected[i].Time - _told[j].Time) <= Allowed || border.Deepest(_expected[i].Time, _told[j].Time) <= Graze))
+            {
+                double off = Math.Abs(_expected[i].Time - _told[j].Time);
+                Grazes += off > Allowed ? 1 : 0;
+                WorstTime = off <= Allowed ? Math.Max(WorstTime, off) : WorstTime;
+                i++;
+                j++;
+            }
+            else if (j + 1 < _told.Count && (i == _expected.Count || _told[j + 1].Time < _expected[i].Time + Allowed) && _told[j + 1].Time - _told[j].Time < Spacing * 1.01
+                && border.IsIn(0.5 * (_told[j].Time + _told[j + 1].Time)) == _told[j].Enters)
+            {
+                Short++;
+                j += 2;
+            }
+            else if (i + 1 < _expected.Count && border.Deepest(_expected[i].Time, _expected[i + 1].Time) <= Graze)
+            {
+                Grazes++;
+                i += 2;
+            }
+            else if (i < _expected.Count && (j == _told.Count || _expected[i].Time <= _told[j].Time))
+            {
+                Missed++;
+                i++;
+            }
+            else
+            {
+                Wrong++;
+                j++;
+            }
+        }
+    }
+
+    /// <summary>A crossing of the border.</summary>
+    private readonly record struct Crossing(double Time, bool Enters);
+
+    /// <summary>The border of a zone along the path.</summary>
+    private readonly struct Border(Zone zone, double radius, PiecePath path)
+    {
+        private readonly double _level = zone.Of == ZonePart.Ball ? radius : 0;
+
+        public double Of(in Vector3d position) => zone.Shape.At(in position).Distance - _level;
+
+        public bool IsIn(double time) => zone.Holds(path.At(time), radius);
+
+        /// <summary>The greatest distance from the border between two times, m.</summary>
+        public double Deepest(double from, double to)
+        {
+            double deepest = 0;
+            for (int i = 0; i <= 32; i++)
+            {
+                deepest = Math.Max(deepest, Math.Abs(Of(path.At(from + (i / 32.0 * (to - from))))));
+            }
+
+            return deepest;
+        }
+
+        /// <summary>The crossings that samples see, each by bisection.</summary>
+        public void Sample(double spacing, List<Crossing> into)
+        {
+            into.Clear();
+            int count = (int)Math.Ceiling((path.End - path.Start) / spacing);
+            double before = path.Start;
+            bool wasIn = IsIn(before);
+            for (int i = 1; i <= count; i++)
+            {
+                double time = Math.Min(path.End, path.Start + (i * spacing));
+                bool isIn = IsIn(time);
+                if (isIn != wasIn)
+                {
+                    double low = before;
+                    double high = time;
+                    for (int k = 0; k < 40; k++)
+                    {
+                        double middle = 0.5 * (low + high);
+                        bool past = IsIn(middle) == isIn;
+                        (low, high) = past ? (low, middle) : (middle, high);
+                    }
+
+                    into.Add(new Crossing(high, isIn));
+                }
+
+                before = time;
+                wasIn = isIn;
+            }
+        }
+    }
+
+    /// <summary>The path of a kick, piece by piece.</summary>
+    private sealed class PiecePath : PieceObserver
+    {
+        private readonly List<PathPiece> _pieces = [];
+        private int _last;
+
+        public override bool WantsEndAcceleration => true;
+
+        public double Start => _pieces[0].Time;
+
+        public double End => _pieces[^1].EndTime;
+
+        public void Clear()
+        {
+            _pieces.Clear();
+            _last = 0;
+        }
+
+        public override bool Add(in PathPiece piece)
+        {
+            _pieces.Add(piece);
+            return false;
+        }
+
+        public Vector3d At(double time)
+        {
+            while (_last > 0 && time < _pieces[_last].Time)
+            {
+                _last--;
+            }
+
+            while (_last + 1 < _pieces.Count && time >= _pieces[_last + 1].Time)
+            {
+                _last++;
+            }
+
+            PathPiece piece = _pieces[_last];
+            return piece.PositionAt(Math.Min(Math.Max(time, piece.Time), piece.EndTime));
+        }
+    }
+}

@@ -1,0 +1,177 @@
+namespace Football.Physics;
+
+/// <summary>The zones of a scene, watched from piece to piece of the path. Immutable; what it must remember of a ball is in the ball's log.</summary>
+/// <remarks>
+/// Zones never shorten a piece: the path is searched after it was taken. Whether the ball is in a zone follows from its position, so a state has nothing of it. Where the path
+/// jumps, because something pushed the ball out of its way, the ball has taken the straight line at once.
+/// </remarks>
+internal sealed class ZoneWatch
+{
+    /// <summary>A quintic bends off the cubic with the same ends by less than this share of the difference of their accelerations, times the square of its length.</summary>
+    private const double QuinticMargin = 0.1;
+
+    private readonly Zone[] _zones;
+    private readonly Bounds3d[] _bounds;
+    private readonly double[] _levels;
+    private readonly int[] _things;
+    private readonly Bounds3d _all;
+
+    private ZoneWatch(Zone[] zones, int[] things, double radius)
+    {
+        _zones = zones;
+        _things = things;
+        _levels = Array.ConvertAll(zones, zone => zone.LevelOf(radius));
+        _bounds = new Bounds3d[zones.Length];
+        _all = Bounds3d.Nowhere;
+        for (int i = 0; i < zones.Length; i++)
+        {
+            _bounds[i] = zones[i].Shape.Bounds.Grown(_levels[i] + Zone.Touching);
+            _all = _all.With(in _bounds[i]);
+        }
+    }
+
+    /// <summary>The zones of a scene; null if there are none, which costs a step nothing.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="firstThing">The number of its first zone among its things.</param>
+    public static ZoneWatch? Of(Scene scene, int firstThing)
+    {
+        if (scene.Zones.Count == 0)
+        {
+            return null;
+        }
+
+        // Those that the ball ignores keep their numbers.
+        int[] seen = [.. Enumerable.Range(0, scene.Zones.Count).Where(i => !Layers.Contains(scene.Ball.Ignores, scene.Zones[i].Layer))];
+        return seen.Length == 0 ? null : new ZoneWatch(Array.ConvertAll(seen, i => scene.Zones[i]), Array.ConvertAll(seen, i => firstThing + i), scene.Ball.Radius);
+    }
+
+    /// <summary>Begins a step, or goes on with one that is taken in several calls.</summary>
+    public void Begin(StepLog log, in BallState s)
+    {
+        if (log.Continues && log.Zones == this)
+        {
+            Jump(log, s.Position, in s);
+            return;
+        }
+
+        log.Zones = this;
+        log.ZonePlace = s.Position;
+    }
+
+    /// <summary>The ball may have been moved without a piece.</summary>
+    public void Moved(StepLog log, in BallState s) => Jump(log, s.Position, in s);
+
+    /// <summary>True if a piece may cross the border of a zone: then its path must be known well.</summary>
+    public bool IsNear(in BallState before, in BallState after, in Vector3d startAcceleration)
+    {
+        double h = after.Time - before.Time;
+        Vector3d from = before.Position;
+        Vector3d to = after.Position;
+        Vector3d v = h * before.Velocity;
+        Vector3d w = h * after.Velocity;
+        Bounds3d box = BoundsOf(in from, from + (0.5 * v)).With(BoundsOf(in to, to - (0.5 * w)));
+        Vector3d off = (h * h * startAcceleration) - ((6.0 * (to - from)) - (4.0 * v) - (2.0 * w));
+        box = box.Grown((QuinticMargin * off.Length) + Zone.Touching);
+        if (!_all.Touches(in box))
+        {
+            return false;
+        }
+
+        for (int i = 0; i < _zones.Length; i++)
+        {
+            if (IsNear(i, in box))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Sees a piece of the path.</summary>
+    public void See(StepLog log, in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
+    {
+        Jump(log, before.Position, in before);
+        if (!(after.Time > before.Time))
+        {
+            Jump(log, after.Position, in before);
+            return;
+        }
+
+        log.ZonePlace = after.Position;
+        if (IsNear(in before, in after, in startAcceleration))
+        {
+            var path = ZonePath.Of(in before, in after, in startAcceleration, in endAcceleration, PathPiece.DegreeOf(order, hasEndAcceleration: true));
+            Find(log, in path);
+            Report(log, in path, in before, in after);
+        }
+    }
+
+    /// <summary>The ball was moved straight to where it is, at once.</summary>
+    private void Jump(StepLog log, in Vector3d to, in BallState s)
+    {
+        Vector3d from = log.ZonePlace;
+        if (from == to)
+        {
+            return;
+        }
+
+        log.ZonePlace = to;
+        if (_all.Touches(BoundsOf(in from, in to)))
+        {
+            var path = ZonePath.Line(in from, in to);
+            Find(log, in path);
+            Report(log, in path, in s, in s);
+        }
+    }
+
+    private void Find(StepLog log, in ZonePath path)
+    {
+        for (int i = 0; i < _zones.Length; i++)
+        {
+            if (IsNear(i, path.Bounds))
+            {
+                new ZoneSearch(log, in path, i, _zones[i].Shape, _levels[i]).Run();
+            }
+        }
+    }
+
+    /// <summary>True if the border of a zone may lead through a box: the box touches the zone's, and its middle is no farther from the border than its corners are from the middle.</summary>
+    private bool IsNear(int zone, in Bounds3d box)
+    {
+        if (!_bounds[zone].Touches(in box))
+        {
+            return false;
+        }
+
+        Vector3d half = 0.5 * (box.Max - box.Min);
+        return Math.Abs(_zones[zone].Shape.At(box.Min + half).Distance - _levels[zone]) <= half.Length + Zone.Touching;
+    }
+
+    /// <summary>Reports what was found in a piece, in order.</summary>
+    private void Report(StepLog log, in ZonePath path, in BallState before, in BallState after)
+    {
+        double h = after.Time - before.Time;
+        foreach (ref readonly ZoneCrossing crossing in log.TakeCrossings())
+        {
+            Vector3d place = path.At(crossing.At);
+            Vector3d velocity = h > 0 ? path.RateAt(crossing.At) / h : before.Velocity;
+            Vector3d spin = before.Spin + (crossing.At * (after.Spin - before.Spin));
+            Vector3d normal = _zones[crossing.Zone].Shape.At(in place).Normal;
+            log.ZoneEvents++;
+            log.Events.Add(new BallEvent(
+                crossing.Enters ? BallEventKind.EnterZone : BallEventKind.ExitZone,
+                _things[crossing.Zone],
+                in normal,
+                Math.Min(before.Time + (crossing.At * h), after.Time),
+                in place,
+                in velocity,
+                in spin,
+                in velocity,
+                in spin));
+        }
+    }
+
+    private static Bounds3d BoundsOf(in Vector3d a, in Vector3d b) => new(
+        new Vector3d(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new Vector3d(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
+}

@@ -1,0 +1,23 @@
+using Football.Physics.Labs.Zones;
+
+namespace Football.Physics.Labs.Tests.Things;
+
+/// <summary>Zones against a dense sampling of the path.</summary>
+public sealed class ZonesLabTests
+{
+    [Fact]
+    public void Every_crossing_is_reported_in_order_and_no_zone_changes_a_path()
+    {
+        var plays = new ZonePlays();
+        for (int i = 0; i < 150; i++)
+        {
+            plays.Play(20261127, i);
+        }
+
+        Assert.Equal((150, 0, 0, 0, 0), (plays.Cases, plays.Missed, plays.Wrong, plays.Disordered, plays.Changed));
+        Assert.InRange(plays.WorstTime, 0, 1e-9);
+        Assert.InRange(plays.WorstPlace, 0, 1e-9);
+        Assert.All(plays.Events, count => Assert.True(count > 30, $"{count} events"));
+        Assert.False(plays.Failed);
+    }
+}
