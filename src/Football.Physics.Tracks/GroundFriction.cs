@@ -45,7 +45,7 @@ internal sealed class GroundFriction
         }
     }
 
-    /// <summary>The ground with what was found.</summary>
+    /// <summary>The ground with the frictions that were found.</summary>
     public Ground Ground { get; private set; }
 
     /// <summary>Names of the numbers.</summary>
@@ -98,7 +98,7 @@ internal sealed class GroundFriction
 
     private void FindRolling(List<GroundWindow> rolls)
     {
-        // 1. c₁ as it is likely, c₀ by the median. 2. Both downhill, weights by how far each window is off. 3. What is negative is zero.
+        // 1. c₁ as it is likely, c₀ by the median. 2. Both downhill, weights by how far each window is off. 3. Negative numbers become zero.
         double[] start = [.. rolls.Select(w => w.Resistance - (Ground.Material.RollingFrictionBySpeed * w.Speed))];
         double middle = Median(start);
         double level = middle;

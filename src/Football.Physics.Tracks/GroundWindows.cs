@@ -24,15 +24,15 @@ internal sealed class GroundWindows
     private const int LeastPoints = 6;
     private const double LeastDuration = 0.2;
 
-    /// <summary>A slower ball tells little: grass and slope decide where it goes, m/s.</summary>
+    /// <summary>Grass and slope decide where a slower ball goes, m/s.</summary>
     private const double LeastSpeed = 1.2;
 
     /// <summary>A ball whose height changes by more, m, hops; and the share of the noise in a change of height.</summary>
     private const double Hop = 0.1;
     private const double NoiseShare = 6;
 
-    /// <summary>Windows whose resistance is less sure than this tell nothing.</summary>
-    private const double LeastSure = 0.03;
+    /// <summary>Windows of a larger standard deviation of the resistance are left out.</summary>
+    private const double MostDeviation = 0.03;
 
     /// <summary>The acceleration across the path by that along it; more is due to sidespin, a seam, or a slide in another direction than the path's.</summary>
     private const double SlideAcross = 0.35;
@@ -69,7 +69,7 @@ internal sealed class GroundWindows
     /// <summary>Prepares for the pieces of a match.</summary>
     /// <param name="runs">The track.</param>
     /// <param name="air">The scene without ground, with the air and the ball that the flights told of.</param>
-    /// <param name="ground">The likely surface: it says which resistance is nearer to that of a slide.</param>
+    /// <param name="ground">The likely surface. A resistance above the geometric mean of its sliding and rolling friction is a slide.</param>
     public GroundWindows(TrackRuns runs, Simulator air, Ground ground)
     {
         _air = air;
@@ -107,7 +107,7 @@ internal sealed class GroundWindows
 
     private void Divide(TrackPoint[] track, List<GroundWindow> windows)
     {
-        // 1. Parabolas, seen from above: heights are off near the ground. 2. Each as if it rolled: which of them do? 3. The others as slides, which end in a roll or begin without spin.
+        // 1. Parabolas, seen from above: heights are off near the ground. 2. Each as if it rolled: which of them do? 3. The others as slides, which end in a roll or began without spin.
         int longest = (int)Math.Max(8, Math.Min(LongestPiece / _wait, track.Length));
         List<int> ends = [];
         TrackPoint[] plan = Array.ConvertAll(track, point => new TrackPoint(point.Time, point.Position.Horizontal, point.Noise));
@@ -131,7 +131,7 @@ internal sealed class GroundWindows
             bool slides = rolls[i].Along > _threshold;
             double? end = i + 1 < ends.Count && IsRoll(in rolls[i + 1]) ? EndOf(pieces[i], pieces[i + 1]) : null;
             Measured measured = slides ? Measure(pieces[i], MotionState.Sliding, end) : rolls[i];
-            bool counts = measured.Deviation < LeastSure && (slides ? IsSlide(in measured) : IsRoll(in measured));
+            bool counts = measured.Deviation < MostDeviation && (slides ? IsSlide(in measured) : IsRoll(in measured));
             if (counts)
             {
                 windows.Add(new GroundWindow
@@ -185,7 +185,7 @@ internal sealed class GroundWindows
     /// <summary>The resistance along and across the path, by the motion that is assumed; a slide that no roll follows began without spin.</summary>
     private Measured Measure(TrackPoint[] points, MotionState motion, double? rollsFrom)
     {
-        // A parabola through what is left when the air's way is subtracted, ∬ a_air; the air depends on velocity and spin, so a few rounds.
+        // Subtract the path that is due to the air, ∬ a_air, and fit a parabola to the rest. The air's force depends on velocity and spin, so repeat a few times.
         int count = points.Length;
         double start = points[0].Time;
         var left = (TrackPoint[])points.Clone();
