@@ -113,7 +113,7 @@ internal static class RealTrack
             double speed = slides ? windows.Average(window => window.Speed) : fit.RollingSpeed;
             double together = slides ? fit.Scene.Ground.Material.SlidingFriction : fit.Scene.Ground.Material.RollingFriction + (fit.Scene.Ground.Material.RollingFrictionBySpeed * speed);
             double deviation = slides ? fit.Deviation(fit.Names.ToList().IndexOf("slidingFriction")) : fit.RollingDeviation;
-            double turf = slides ? shipped.SlidingFriction : shipped.RollingFriction + (shipped.RollingFrictionBySpeed * speed);
+            double turf = slides ? shipped.Material.SlidingFriction : shipped.Material.RollingFriction + (shipped.Material.RollingFrictionBySpeed * speed);
             table.Add(
                 file, slides ? "slides: μ_s" : "rolls: c₀ + c₁ v", windows.Length, speed, BounceClasses.Median(windows.Select(window => window.Resistance)),
                 windows.Min(window => window.Resistance), windows.Max(window => window.Resistance), together, deviation, turf, Verdict.Of(Math.Abs(turf - together) <= 2 * deviation));

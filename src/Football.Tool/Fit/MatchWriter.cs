@@ -20,7 +20,7 @@ internal static class MatchWriter
     public static string Word(MotionState motion) => motion == MotionState.Sliding ? "sliding" : "rolling";
 
     /// <summary>c₀ + c₁ v at the mean speed of the windows in which the ball rolls.</summary>
-    public static double RollingResistance(MatchFitResult fit) => fit.Scene.ground.Material.RollingFriction + (fit.Scene.ground.Material.RollingFrictionBySpeed * fit.RollingSpeed);
+    public static double RollingResistance(MatchFitResult fit) => fit.Scene.Ground.Material.RollingFriction + (fit.Scene.Ground.Material.RollingFrictionBySpeed * fit.RollingSpeed);
 
     /// <summary>The line of a piece; a time on the ground lists the windows in which the ball slides or rolls untouched.</summary>
     public static ReadOnlyMemory<byte> Piece(MatchPiece piece, MatchFitResult fit) => ResultWriter.Line(json =>
@@ -95,9 +95,9 @@ internal static class MatchWriter
             json.WriteNull("friction");
         }
 
-        json.WriteNumber("slidingFriction", fit.Scene.ground.Material.SlidingFriction);
-        json.WriteNumber("rollingFriction", fit.Scene.ground.Material.RollingFriction);
-        json.WriteNumber("rollingFrictionBySpeed", fit.Scene.ground.Material.RollingFrictionBySpeed);
+        json.WriteNumber("slidingFriction", fit.Scene.Ground.Material.SlidingFriction);
+        json.WriteNumber("rollingFriction", fit.Scene.Ground.Material.RollingFriction);
+        json.WriteNumber("rollingFrictionBySpeed", fit.Scene.Ground.Material.RollingFrictionBySpeed);
         json.WriteEndObject();
         json.WriteStartObject("deviations");
         WriteDeviations(json, fit);
