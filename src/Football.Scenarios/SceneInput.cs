@@ -108,8 +108,8 @@ public static class SceneInput
             Mass = ball.Number("mass", defaults.Mass),
             Radius = ball.Number("radius", defaults.Radius),
             InertiaFactor = ball.Number("inertiaFactor", defaults.InertiaFactor),
-            Ignores = Layers.Of(ball.Layers("ignores")),
             KnuckleForce = profile == Profile.Measured ? ball.Number("knuckleForce", defaults.KnuckleForce) : defaults.KnuckleForce,
+            Ignores = Layers.Of(ball.Layers("ignores")),
         };
     }
 
