@@ -129,6 +129,24 @@ public sealed unsafe class CallTests
     }
 
     [Fact]
+    public void Zones_are_told_and_layers_are_ignored()
+    {
+        NativeScene* scene = Scene(
+            "{\"gravity\": [0, 0, 0], \"ball\": {\"ignores\": [3]}, \"obstacles\": [{\"shape\": \"box\", \"center\": [0, 1, -2], \"halfSize\": [3, 3, 0.1], \"layer\": 3}],"
+            + "\"zones\": [{\"name\": \"area\", \"shape\": \"plane\", \"point\": [0, 0, -3], \"normal\": [0, 0, 1], \"of\": \"centre\"}]}");
+        double* position = stackalloc double[3] { 0, 1, 0 };
+        double* velocity = stackalloc double[3] { 0, 0, -20 };
+        double* spin = stackalloc double[3];
+        NativeState state;
+        NativeEvent* events = stackalloc NativeEvent[8];
+        int count;
+        Assert.Equal(NativeStatus.Ok, s_launch(scene, position, velocity, spin, &state));
+        Assert.Equal(NativeStatus.Ok, s_step(scene, &state, 0.5, events, 8, &count));
+        Assert.Equal((1, (int)BallEventKind.EnterZone), (count, events[0].Kind));
+        Assert.Equal(-3, events[0].Position[2], 1e-9);
+    }
+
+    [Fact]
     public void More_events_than_there_is_room_for_are_counted_and_the_step_is_taken()
     {
         NativeScene* scene = Scene("{}");
@@ -155,7 +173,7 @@ public sealed unsafe class CallTests
     [Fact]
     public void A_step_allocates_nothing_whatever_is_in_its_way()
     {
-        NativeScene* scene = Scene("{\"goals\": [{\"center\": [0, 0, -20], \"facing\": [0, 0, 1]}]}");
+        NativeScene* scene = Scene("{\"goals\": [{\"center\": [0, 0, -20], \"facing\": [0, 0, 1]}], \"zones\": [{\"name\": \"area\", \"shape\": \"box\", \"center\": [0, 2, -12], \"halfSize\": [20, 4, 8]}]}");
         NativeState kick = Launched(scene);
         NativeState* states = stackalloc NativeState[4];
         NativeEvent* events = stackalloc NativeEvent[16];

@@ -143,6 +143,18 @@ class Arrays(unittest.TestCase):
         goal = told[told["kind"] == fp.EventKind.GOAL]
         self.assertEqual(([1], "goal"), (goal["ball"].tolist(), scene.name_of(int(goal["thing"][0]))))
 
+    def test_zones_and_layers(self):
+        zone = {"name": "area", "shape": "box", "center": [0, 2, -12], "halfSize": [20, 4, 8], "of": "centre"}
+        wall = {"shape": "box", "center": [0, 1, -2], "halfSize": [3, 3, 0.1], "layer": 3}
+        scene = fp.Scene({"ball": {"ignores": [3]}, "zones": [zone], "obstacles": [wall], "gravity": [0, -9.81, 0]})
+        balls = fp.Balls(scene, 1)
+        balls.kick([0], [0, 3, -25])
+        told = np.concatenate([balls.step_events(1 / 60) for _ in range(120)])
+        told = told[told["kind"] >= fp.EventKind.ENTER_ZONE]
+        self.assertEqual([fp.EventKind.ENTER_ZONE, fp.EventKind.EXIT_ZONE], told["kind"].tolist())
+        np.testing.assert_allclose(told["position"][:, 2], [-4, -20], atol=1e-8)
+        self.assertEqual("area", scene.name_of(int(told["thing"][0])))
+
 
 class Refusals(unittest.TestCase):
     def test_errors_have_the_librarys_sentence(self):

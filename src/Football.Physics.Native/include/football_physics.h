@@ -71,9 +71,9 @@ typedef enum {
     /* Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces
        it, and what it hits is not told one by one. The ball is then Squeezed. */
     FP_EVENT_SQUEEZED = 7,
-    /* The ball entered a zone. */
+    /* The ball entered a Zone. */
     FP_EVENT_ENTER_ZONE = 8,
-    /* The ball left a zone. */
+    /* The ball left a Zone. */
     FP_EVENT_EXIT_ZONE = 9
 } fp_event_kind;
 

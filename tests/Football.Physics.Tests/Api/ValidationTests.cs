@@ -10,7 +10,7 @@ public sealed class ValidationTests
     [InlineData("ball.mass", -0.43)]
     [InlineData("ball.mass", 0.00099)]
     [InlineData("ball.mass", 100.1)]
-    [InlineData("ball.radius", 0.019)]
+    [InlineData("ball.radius", 0.0049)]
     [InlineData("ball.inertiaFactor", 0.099)]
     [InlineData("air.density", 101)]
     [InlineData("air.kinematicViscosity", 9e-8)]

@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Motion;
 
 /// <summary>Balls of 5 mm and of table football: they bounce, roll and rest as large ones do.</summary>

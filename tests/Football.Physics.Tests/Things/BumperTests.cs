@@ -116,7 +116,7 @@ public sealed class BumperTests
 
         }
 
-        Assert.True(bumps > 30, $"{bumps} bumps");
+        Assert.True(bumps > 15, $"{bumps} bumps");
     }
 
     [Fact]

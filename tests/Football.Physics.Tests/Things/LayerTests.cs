@@ -1,4 +1,3 @@
-using Football.Physics.Prediction;
 using Football.Physics.Tests.Batch;
 
 namespace Football.Physics.Tests.Things;

@@ -1,6 +1,3 @@
-using Football.Physics.Prediction;
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>Zones report the ball, and change nothing else.</summary>
@@ -160,7 +157,7 @@ public sealed class ZoneTests
             simulator.Step(ref s, 0.01, log);
         }
 
-        BallEvent told = Assert.Single(log.Events.Span.ToArray().Where(IsOfZone));
+        BallEvent told = Assert.Single(log.Events.Span.ToArray(), IsOfZone);
         Assert.Equal((BallEventKind.EnterZone, 0.01), (told.Kind, told.Time));
         Assert.Equal(-0.2, told.Position.Z, 9);
         Assert.True(scene.Zones[0].Holds(s.Position, Radius));
