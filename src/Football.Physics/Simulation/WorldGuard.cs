@@ -245,6 +245,12 @@ internal sealed class WorldGuard
             return true;
         }
 
+        // Closed all along, by less than what counts as touching: there is no root, and the ball meets it where it begins to come closer.
+        if (!dips && sweep.Length < ShortestPiece * tau)
+        {
+            sweep.Step(tau);
+        }
+
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
 
         // A step that ends inside has touched it, even where its own velocity is zero there (a semi-implicit hop).
