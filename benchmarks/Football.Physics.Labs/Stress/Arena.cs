@@ -107,6 +107,9 @@ internal sealed class Arena
     /// <summary>Whether the wind is steady: a ball comes to rest then.</summary>
     public bool MustRest => Scene.Air.WindField is null;
 
+    /// <summary>Whether the wind along a direction drives a ball on grass for minutes at a few centimetres a second, which is no fault.</summary>
+    public bool Drives(Vector3d direction) => Vector3d.Dot(Scene.Air.Wind, direction) is > 4 and < 9;
+
     public double Time => Balls[0].Time;
 
     /// <summary>The distance of a point from what never moves, in closed form.</summary>
@@ -234,7 +237,7 @@ internal sealed class Arena
 
     private Scene AnyAir()
     {
-        // Between 4 and 9 m/s the wind drives a ball on grass for minutes at a few centimetres a second, which is no fault.
+        // A wind between 4 and 9 m/s drives a ball: see Drives.
         double speed = _random.Any(0, 0, _random.Uniform(0, 4), _random.Uniform(9, 12));
         Vector3d along = _random.Any(_random.Heading(), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1));
         bool gusts = speed > 0 && _random.Chance(0.2);

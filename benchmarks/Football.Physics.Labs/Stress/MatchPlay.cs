@@ -19,8 +19,11 @@ internal sealed class MatchPlay
     /// <summary>A goal and its event differ by less, s, and the time in which the ball moves as far as its path may be off.</summary>
     private const double Closeness = 1e-6;
 
-    /// <summary>A ball that hangs in a net is slower, m/s.</summary>
+    /// <summary>A ball that hangs in a net, or that a player stands on, is slower, m/s and rad/s.</summary>
     private const double Hanging = 1e-6;
+
+    /// <summary>A ball that the wind drives along a board or a net is faster, m/s.</summary>
+    private const double Driven = 1e-3;
 
     /// <summary>The length of the frames after the match, s, and the time for all balls to come to rest, s.</summary>
     private const double RestFrame = 1 / 30.0;
@@ -119,16 +122,23 @@ internal sealed class MatchPlay
             return;
         }
 
-        _outcome.Resting += _arena.Balls.Length;
         _outcome.LatestRest = _arena.Time - end;
         for (int ball = 0; ball < _arena.Balls.Length; ball++)
         {
             BallState state = _arena.Balls[ball];
+            if (state.Motion == MotionState.Rolling && state.Velocity.Length > Driven && _arena.Drives(state.Velocity.Normalized()))
+            {
+                continue;
+            }
+
+            _outcome.Resting++;
             _outcome.See(MatchClaim.Rests, 0, IsAtRest(state), $"ball {ball} of {_arena.Balls.Length}, wind {_arena.Scene.Air.Wind}: {state.ToString("R", null)}");
         }
     }
 
-    private static bool IsAtRest(BallState ball) => ball.Motion == MotionState.Stopped || (ball.Nets != 0 && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
+    /// <summary>True for a ball that is at rest, lies still in a net, or lies still in a corner where a player who stands still overlaps it.</summary>
+    private static bool IsAtRest(BallState ball) =>
+        ball.Motion == MotionState.Stopped || ((ball.Nets != 0 || ball.Motion == MotionState.Squeezed) && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
 
     private void Step(double frame)
     {

@@ -382,6 +382,48 @@ internal static unsafe class ContactModes
             && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= SurfaceForces.Least;
     }
 
+    /// <summary>True if contacts hold a ball at the velocity of its carrier, without spin; none of them may move otherwise (contacts.md, Rest).</summary>
+    /// <param name="around">The scene.</param>
+    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="set">The contacts.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="gained">The acceleration by which the carrier's velocity has jumped, m/s².</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    public static bool HoldAtRest(
+        Surroundings around, DragJumpGuard jump, scoped Span<Contact> set, in BallState s, in Vector3d gained, ref int evaluations)
+    {
+        World world = around.World;
+        Vector3d velocity = world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
+        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        for (int i = 0; i < set.Length; i++)
+        {
+            Collider collider = world.Colliders[set[i].Collider];
+            if (collider.Velocity != velocity || collider.Spin != Vector3d.Zero)
+            {
+                return false;
+            }
+
+            contacts[i].Prepare(in set[i], collider, world.Ball);
+            contacts[i].Look(world, s.Time, in still);
+        }
+
+        var system = new ContactSystem
+        {
+            Around = around,
+            World = world,
+            Contacts = contacts,
+            Count = set.Length,
+            Bearer = -1,
+            Nets = s.Nets,
+            NetSides = s.NetSides,
+            Branch = jump.OnSurface(DragBranch.Unknown, in still),
+        };
+        evaluations++;
+        return Hold(in system, system.PushAtRest(s.Time, in still) - gained)
+            || (gained == Vector3d.Zero && Grip(in system, s.Time, in still, (int)s.Carrier - world.FirstCollider, ref evaluations));
+    }
+
     private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
         left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + SurfaceForces.Least;
 

@@ -236,7 +236,7 @@ internal static class ContactSet
                 {
                     if (contact.Moves == (pass == 0))
                     {
-                        moved |= Put(world, ref s, in contact);
+                        moved |= Put(world, ref s, in contact, closes: round == 0);
                     }
                 }
             }
@@ -322,7 +322,7 @@ internal static class ContactSet
         }
     }
 
-    private static bool Put(World world, ref BallState s, in Contact contact)
+    private static bool Put(World world, ref BallState s, in Contact contact, bool closes)
     {
         Collider collider = world.Colliders[contact.Collider];
         ShapePoint at = collider.At(s.Position, s.Time);
@@ -336,9 +336,9 @@ internal static class ContactSet
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
-        // What bears keeps the ball on itself, with no speed off it; all else only keeps it out.
+        // What bears keeps the ball on itself, with no speed off it; all else only keeps it out. A gap that is left of a contact closes, unless that leads into another one.
         s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
-        gap = bears ? gap : Math.Min(0, gap);
+        gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;
         KeepLevel(world, ref s, collider, bears);
         return Math.Abs(gap) > Closed;
@@ -399,6 +399,9 @@ internal struct Contact
 
     /// <summary>Distance from the ball, m; negative where it overlaps.</summary>
     public readonly double Gap;
+
+    /// <summary>True if it touches the ball; one that moves and has touched it lately may be a small gap away.</summary>
+    public readonly bool Touches => Gap <= ContactSearch.Touching;
 
     /// <summary>Material of the surface.</summary>
     public readonly ContactMaterial Material;

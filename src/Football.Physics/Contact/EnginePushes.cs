@@ -5,14 +5,19 @@ namespace Football.Physics;
 /// <summary>The colliders of an engine that the ball has pushed since the engine placed them, and how they were when that was remembered.</summary>
 internal sealed class EnginePushes
 {
-    /// <summary>What is remembered within a step, and within a look ahead, which takes steps itself.</summary>
-    public const int OfSteps = 0;
-    public const int OfLooks = 1;
+    /// <summary>
+    /// One memory for each of those that put pushes back: a look-ahead takes steps, a step of a group tries paths, and a push there is compared with the motions before it.
+    /// </summary>
+    public const int OfLook = 0;
+    public const int OfStep = 1;
+    public const int OfTry = 2;
+    public const int BeforePush = 3;
+    public const int AfterPush = 4;
 
     private static readonly ConditionalWeakTable<IEngineColliders, EnginePushes> s_all = new();
 
     private readonly List<EngineCollider> _pushed = [];
-    private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], []];
+    private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], [], [], [], []];
 
     /// <summary>Those of an engine. Several simulators may have it, as those of a match and of its look-aheads do, and its colliders are one thing to all of them.</summary>
     public static EnginePushes Of(IEngineColliders engine) => s_all.GetValue(engine, _ => new EnginePushes());
@@ -38,18 +43,18 @@ internal sealed class EnginePushes
         _pushed.Add(collider);
     }
 
-    /// <summary>Remembers how they are.</summary>
-    public void Keep(int level)
+    /// <summary>Remembers their motions.</summary>
+    public void Keep(int memory)
     {
-        _kept[level].Clear();
+        _kept[memory].Clear();
         for (int i = 0; i < _pushed.Count; i++)
         {
-            _kept[level].Add((_pushed[i], _pushed[i].PushSoFar));
+            _kept[memory].Add((_pushed[i], _pushed[i].PushSoFar));
         }
     }
 
     /// <summary>Puts them back to how they were; those that were pushed since for the first time are not pushed.</summary>
-    public void PutBack(int level)
+    public void PutBack(int memory)
     {
         for (int i = 0; i < _pushed.Count; i++)
         {
@@ -57,7 +62,7 @@ internal sealed class EnginePushes
         }
 
         _pushed.Clear();
-        List<(EngineCollider Collider, EnginePush Push)> kept = _kept[level];
+        List<(EngineCollider Collider, EnginePush Push)> kept = _kept[memory];
         for (int i = 0; i < kept.Count; i++)
         {
             kept[i].Collider.PushSoFar = kept[i].Push;
@@ -65,7 +70,7 @@ internal sealed class EnginePushes
         }
 
         // A look ahead is over; a step may be tried again.
-        if (level == OfLooks)
+        if (memory == OfLook)
         {
             kept.Clear();
         }
@@ -105,9 +110,9 @@ internal sealed class EnginePushes
     private bool IsKept(EngineCollider collider)
     {
         // Of a match that goes on after a look ahead at later times.
-        for (int i = 0; i < _kept[OfLooks].Count; i++)
+        for (int i = 0; i < _kept[OfLook].Count; i++)
         {
-            if (_kept[OfLooks][i].Collider == collider)
+            if (_kept[OfLook][i].Collider == collider)
             {
                 return true;
             }

@@ -172,23 +172,13 @@ internal sealed class EngineThings
         return nearest;
     }
 
-    /// <summary>Remembers what the ball has pushed in the steps so far, for a step that is taken again or a look at what would come.</summary>
-    public void KeepPushes() => Pushes.Keep(EnginePushes.OfSteps);
+    /// <summary>Remembers what the ball has pushed so far, in one of the memories of <see cref="EnginePushes"/>.</summary>
+    public void KeepPushes(int memory) => Pushes.Keep(memory);
 
     /// <summary>Puts that back.</summary>
-    public void PutPushesBack()
+    public void PutPushesBack(int memory)
     {
-        Pushes.PutBack(EnginePushes.OfSteps);
-        _isKnown = false;
-    }
-
-    /// <summary>Remembers what the ball has pushed in the match, for a look ahead, which takes steps.</summary>
-    public void KeepForLook() => Pushes.Keep(EnginePushes.OfLooks);
-
-    /// <summary>Puts that back.</summary>
-    public void PutBackAfterLook()
-    {
-        Pushes.PutBack(EnginePushes.OfLooks);
+        Pushes.PutBack(memory);
         _isKnown = false;
     }
 

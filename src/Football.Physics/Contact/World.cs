@@ -205,7 +205,7 @@ internal sealed class World
     {
         Bodies?.Keep();
         Obstacles.Keep();
-        Engine?.KeepForLook();
+        Engine?.KeepPushes(EnginePushes.OfLook);
     }
 
     /// <summary>Puts all back to where it was when that was remembered.</summary>
@@ -213,7 +213,7 @@ internal sealed class World
     {
         Bodies?.PutBack();
         Obstacles.PutBack();
-        Engine?.PutBackAfterLook();
+        Engine?.PutPushesBack(EnginePushes.OfLook);
     }
 
     /// <summary>A box that is around one of what is moved at a time, and stays around it for a duration if the box moves along with its velocity.</summary>

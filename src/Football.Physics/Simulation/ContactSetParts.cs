@@ -26,6 +26,7 @@ internal sealed partial class ContactSetParts
 
     private readonly Surroundings _around;
     private readonly World _world;
+    private readonly DragJumpGuard _jump;
     private readonly WorldGuard _guard;
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
@@ -33,10 +34,11 @@ internal sealed partial class ContactSetParts
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
 
-    public ContactSetParts(Surroundings around, WorldGuard guard, Displacement displacement, WorldContact contact)
+    public ContactSetParts(Surroundings around, DragJumpGuard jump, WorldGuard guard, Displacement displacement, WorldContact contact)
     {
         _around = around;
         _world = around.World;
+        _jump = jump;
         _guard = guard;
         _displacement = displacement;
         _contact = contact;
@@ -92,7 +94,7 @@ internal sealed partial class ContactSetParts
             }
 
             taken = true;
-            if (Rests(ref s, set, in start, ref run))
+            if (Rests(ref s, set, bearer, in start, ref run))
             {
                 return true;
             }
@@ -230,25 +232,34 @@ internal sealed partial class ContactSetParts
         return true;
     }
 
-    /// <summary>A ball with no more energy than one at rest rests, where all that touches it stands still and holds it.</summary>
+    /// <summary>A ball with no more energy than one at rest rests, if all that touches it stands still, or moves along with its carrier, and holds it.</summary>
     [SkipLocalsInit]
-    private bool Rests(ref BallState s, scoped Span<Contact> set, in MotionRates free, ref StepRun run)
+    private bool Rests(ref BallState s, scoped Span<Contact> set, int bearer, in MotionRates free, ref StepRun run)
     {
-        // Not among what moves: only what stands still holds a ball for good.
-        foreach (ref readonly Contact contact in set)
-        {
-            if (contact.Moves || contact.Velocity != Vector3d.Zero)
-            {
-                return false;
-            }
-        }
-
-        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in s), s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
+        BallState still = s;
+        still.Carrier = bearer < 0 ? s.Carrier : set[bearer].Collider + _world.FirstCollider;
+        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in still), s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
         {
             return false;
         }
 
-        // Released from a standstill: where the contacts take away all that the forces give in a part, they hold it.
+        int evaluations = 0;
+        bool rests = set.Length > ContactSystem.Most ? StayReleased(set, in free)
+            : ContactModes.HoldAtRest(_around, _jump, set, in still, Vector3d.Zero, ref evaluations);
+        run.Log.Evaluations += evaluations;
+        if (rests)
+        {
+            s.Carrier = still.Carrier;
+            _contact.Rest(ref s, ref run);
+        }
+
+        return rests;
+    }
+
+    /// <summary>True if more contacts than one solves as forces hold a ball: released from a standstill, it gets nothing of what the forces give in a part.</summary>
+    [SkipLocalsInit]
+    private bool StayReleased(scoped Span<Contact> set, in MotionRates free)
+    {
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> held = _world.Room.Of(set.Length, room).Slice(0, set.Length);
         set.CopyTo(held);
@@ -257,13 +268,7 @@ internal sealed partial class ContactSetParts
         Vector3d w = Part * free.SpinAcceleration;
         double most = 1e-9 * Part * (free.Acceleration.Length + (_around.Radius * free.SpinAcceleration.Length));
         ContactSolver.Solve(held, _world.Ball, Part, ref v, ref w);
-        bool rests = v.Length + (_around.Radius * w.Length) <= most + Still;
-        if (rests)
-        {
-            _contact.Rest(ref s, ref run);
-        }
-
-        return rests;
+        return !Moves(set) && v.Length + (_around.Radius * w.Length) <= most + Still;
     }
 
     /// <summary>Moves the ball, and the clock.</summary>

@@ -189,34 +189,7 @@ internal sealed unsafe class RestPhase
             return false;
         }
 
-        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
-        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
-        for (int i = 0; i < set.Length; i++)
-        {
-            Collider collider = _world.Colliders[set[i].Collider];
-            if (collider.Velocity != velocity || collider.Spin != Vector3d.Zero)
-            {
-                return false;
-            }
-
-            contacts[i].Prepare(in set[i], collider, _world.Ball);
-            contacts[i].Look(_world, s.Time, in still);
-        }
-
-        var system = new ContactSystem
-        {
-            Around = _around,
-            World = _world,
-            Contacts = contacts,
-            Count = set.Length,
-            Bearer = -1,
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-            Branch = _jump.OnSurface(DragBranch.Unknown, in still),
-        };
-        evaluations++;
-        return ContactModes.Hold(in system, system.PushAtRest(s.Time, in still) - gained)
-            || (gained == Vector3d.Zero && ContactModes.Grip(in system, s.Time, in still, (int)s.Carrier - _world.FirstCollider, ref evaluations));
+        return ContactModes.HoldAtRest(_around, _jump, set, in moved, in gained, ref evaluations);
     }
 
     /// <summary>The ball moves again: with the velocity and the spin that it has, which what carries it may have left behind.</summary>

@@ -61,7 +61,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         // Friction may speed a ball up faster than gravity does.
         double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
-        _parts = new ContactSetParts(around, guard, _displacement, _contact);
+        _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);

@@ -45,6 +45,17 @@ internal struct StepBudget
     /// <summary>The time of the last of them, s.</summary>
     public double LastHit;
 
+    /// <summary>After so many events a step of up to a quarter of a second reports only rest, goals and squeezes one by one, which are few; it counts the others.</summary>
+    private const int MostEvents = 20;
+    private const double UsualStep = 0.25;
+
+    /// <summary>True if an event is reported one by one.</summary>
+    /// <param name="kind">The kind of the event.</param>
+    /// <param name="before">The number of events of the step before it.</param>
+    /// <param name="length">Length of the step, s.</param>
+    public static bool Reports(BallEventKind kind, int before, double length) =>
+        before < MostEvents * Math.Max(1.0, length / UsualStep) || kind is BallEventKind.Rest or BallEventKind.Goal or BallEventKind.Squeezed;
+
     /// <summary>The counters at the start of a step.</summary>
     public static StepBudget New => new() { LastHit = double.NegativeInfinity };
 }

@@ -27,6 +27,7 @@ public sealed partial class StepLog
     /// <summary>
     /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after its fourteenth event,
     /// are taken together; and after that event those slower than the slowest bounce, as of a ball that trembles in a corner. While the ball is <see cref="MotionState.Squeezed"/> there are none.
+    /// After the 20th event of a step (of a step longer than 0.25 s: of each 0.25 s), all kinds but rest, goals and squeezes are counted here.
     /// </summary>
     public long Untold { get; internal set; }
 
@@ -135,6 +136,20 @@ public sealed partial class StepLog
     {
         Continues = false;
         Zones = null;
+    }
+
+    /// <summary>Reports an event of a ball between two calls of its step, or only counts it if the step has reported too many.</summary>
+    internal void Report(in BallEvent item)
+    {
+        if (StepBudget.Reports(item.Kind, Spent.Events, 0))
+        {
+            Spent.Events++;
+            Events.Add(in item);
+        }
+        else
+        {
+            Untold++;
+        }
     }
 
     /// <summary>Adds the events and counts of another log.</summary>

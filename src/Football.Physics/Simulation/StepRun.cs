@@ -195,6 +195,19 @@ internal ref struct StepRun
         return _hits > MostHits;
     }
 
+    /// <summary>Reports an event, or only counts it if the step has reported too many.</summary>
+    public readonly void Report(in BallEvent item)
+    {
+        if (StepBudget.Reports(item.Kind, Told, Length))
+        {
+            Log.Events.Add(in item);
+        }
+        else
+        {
+            Log.Untold++;
+        }
+    }
+
     /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
     public void Advance(ref BallState s, double h)
     {

@@ -103,7 +103,7 @@ internal sealed class WorldContact
         }
         else
         {
-            run.Log.Events.Add(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin) { AddedEnergy = added });
+            run.Report(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin) { AddedEnergy = added });
         }
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
@@ -187,13 +187,13 @@ internal sealed class WorldContact
         s.SetGroundSpin(in spin);
         s.Motion = MotionState.Squeezed;
         s.Branch = DragBranch.Unknown;
-        run.Log.Events.Add(new BallEvent(BallEventKind.Squeezed, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
+        run.Report(new BallEvent(BallEventKind.Squeezed, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
     }
 
     /// <summary>The ball has room again.</summary>
     public void EndSqueeze(ref BallState s, ref StepRun run)
     {
-        run.Log.Events.Add(new BallEvent(BallEventKind.Squeezed, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(new BallEvent(BallEventKind.Squeezed, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         Fly(ref s, s.Velocity, s.Spin);
     }
 
@@ -258,7 +258,7 @@ internal sealed class WorldContact
             return;
         }
 
-        run.Log.Events.Add(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
+        run.Report(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
     }
 
     /// <summary>The velocity of the carrier may have jumped since the last step: the ball keeps its own, and slips (world.md, On a carrier).</summary>
@@ -307,13 +307,13 @@ internal sealed class WorldContact
     {
         Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
         s.Motion = MotionState.Sliding;
-        run.Log.Events.Add(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
     }
 
     /// <summary>The ball leaves what carries it: the step is divided anew.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        run.Log.Events.Add(new BallEvent(BallEventKind.Leave, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
+        run.Report(new BallEvent(BallEventKind.Leave, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
         run.Part = 0;
         Fly(ref s, in velocity, in spin);
     }
@@ -335,7 +335,7 @@ internal sealed class WorldContact
 
     private static void Rest(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        run.Log.Events.Add(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(new BallEvent(BallEventKind.Rest, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         run.Log.Halted |= run.Log.StopAt == StopAt.Rest;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);

@@ -215,7 +215,7 @@ internal sealed class WorldGuard
     private bool IsLevelGround(in Separation met) => met.What == SeparationKind.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
-        run.Log.Events.Add(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
     /// <summary>True when what is found is what the piece ends at already, which touches by so much before.</summary>
     private static bool IsAgain<TSweep>(ref TSweep sweep, in Separation met, in Separation found, double time, double before)
@@ -243,6 +243,12 @@ internal sealed class WorldGuard
         if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips)
         {
             return true;
+        }
+
+        // Closed all along, by less than what counts as touching: there is no root, and the ball meets it where it begins to come closer.
+        if (!dips && sweep.Length < ShortestPiece * tau)
+        {
+            sweep.Step(tau);
         }
 
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);

@@ -22,6 +22,30 @@ public sealed class StressLabTests
         Assert.Equal(0, done.ExitCode);
     }
 
+    /// <summary>
+    /// Matches that the lab found: two movers of which one drew the ball into the other (764, 1138), a collider pushed twice (185), a ball at a board in
+    /// the wind (787) and at a player who stands still (83).
+    /// </summary>
+    [Theory]
+    [InlineData(83)]
+    [InlineData(185)]
+    [InlineData(764)]
+    [InlineData(787)]
+    [InlineData(1138)]
+    public void Matches_that_did_not_hold_a_claim_hold_it(long match)
+    {
+        MatchOutcome played = MatchPlay.Play(1, match, 12);
+        Assert.All(Enum.GetValues<MatchClaim>(), claim => Assert.True(played.Broken(claim) == 0, $"{claim}: {played.At(claim)}"));
+    }
+
+    /// <summary>The path of a pile that bodies press against a board leads nowhere into the board; and no step reports more events than it may.</summary>
+    [Fact]
+    public void The_path_of_a_pile_enters_no_board()
+    {
+        MatchOutcome played = MatchPlay.Play(1, 220, 12);
+        Assert.Equal((0, 0), (played.Broken(MatchClaim.Inside), played.Broken(MatchClaim.Events)));
+    }
+
     [Fact]
     public void One_match_is_played_alone_and_two_runs_are_refused()
     {

@@ -64,6 +64,30 @@ public sealed class QueriesAreReadsTests
         }
     }
 
+    /// <summary>A look-ahead of a group plays a step more than once; each time the ball hits the crate as the engine moves it, not as the last play has left it.</summary>
+    [Theory]
+    [InlineData("engine")]
+    [InlineData("obstacle")]
+    [InlineData("body")]
+    public void A_look_ahead_of_a_step_of_a_group_pushes_an_object_once(string crate)
+    {
+        Simulator simulator = Hall(crate, out Crate engine);
+        var group = new BallGroup(simulator, 2);
+        BallState[] balls =
+        [
+            simulator.Launch(new Vector3d(0, 0.4, -5), new Vector3d(0.3, 1, -15), new Vector3d(0, 3, 0)),
+            simulator.Launch(new Vector3d(5, 0.4, -5), new Vector3d(0.3, 1, -15), Vector3d.Zero),
+        ];
+        Trajectory[] paths = [new Trajectory(), new Trajectory()];
+        engine.Time = 0;
+        group.LookAhead(balls, new LookAheadRequest { TimeStep = 0.2, Duration = 0.2, StopAt = StopAt.Time }, paths);
+        var log = new StepLog();
+        group.Step(balls, 0.2, log);
+        Assert.True(log.Events.Impacts > 0);
+        Assert.True(Snapshot.Same(paths[0].Final, in balls[0]));
+        Assert.True(Snapshot.Same(paths[1].Final, in balls[1]));
+    }
+
     [Theory]
     [ProfileData]
     public void Neither_state_nor_events_tell_in_what_order_an_engine_s_colliders_were_found(Profile profile)
@@ -125,7 +149,7 @@ public sealed class QueriesAreReadsTests
         return bytes;
     }
 
-    private static ulong Play(string crate, string look, bool queries)
+    private static Simulator Hall(string crate, out Crate engine)
     {
         var bodies = new Bodies();
         bodies.Add("far player", BodyKind.Player.Shape, SurfaceMaterial.Boot, 75).MoveTo(new Vector3d(60, 0, 0), Vector3d.Zero, 0);
@@ -135,15 +159,19 @@ public sealed class QueriesAreReadsTests
             bodies.Add("crate", box, SurfaceMaterial.Wood, 4).MoveTo(new Vector3d(0, 0.35, -7), Vector3d.Zero, 0);
         }
 
-        var engine = new Crate(-7);
-        var scene = new Scene
+        engine = new Crate(-7);
+        return new Simulator(new Scene
         {
             Bodies = bodies,
             EngineColliders = crate == "engine" ? engine : null,
             Obstacles = crate == "obstacle" ? [new Obstacle { Name = "crate", Shape = new BoxShape(new Vector3d(0, 0.35, -7), new Vector3d(0.35, 0.35, 0.35)), Surface = SurfaceMaterial.Wood, Mass = 4 }] : [],
-        };
-        var simulator = new Simulator(scene);
-        var other = look == "other simulator" ? new Simulator(scene, s_rk4) : simulator;
+        });
+    }
+
+    private static ulong Play(string crate, string look, bool queries)
+    {
+        Simulator simulator = Hall(crate, out Crate engine);
+        var other = look == "other simulator" ? new Simulator(simulator.Scene, s_rk4) : simulator;
         BallState[] states = new BallState[look == "group" ? 2 : 1];
         for (int i = 0; i < states.Length; i++)
         {

@@ -284,7 +284,7 @@ internal sealed partial class BallPile
 
         for (int i = 0; i < Count; i++)
         {
-            _solver.Members[i].From = states[_solver.Members[i].Ball].Position;
+            _solver.Members[i].From = states[_solver.Members[i].Ball];
         }
 
         if (IsWhole)
@@ -305,17 +305,21 @@ internal sealed partial class BallPile
         {
             ref readonly PileMember member = ref _solver.Members[i];
             ref BallState s = ref states[member.Ball];
-            StepLog log = logs[member.Ball];
-            BallState before = s;
             Vector3d v = share < 1 ? member.StartV + (share * (member.V - member.StartV)) : member.V;
             Vector3d w = share < 1 ? member.StartW + (share * (member.W - member.StartW)) : member.W;
-            _simulators[member.Ball].Pile.Move(ref s, duration, in member.Way, in v, in w, member.Free.AirSpeed, log);
+            _simulators[member.Ball].Pile.Move(ref s, duration, in member.Way, in v, in w, member.Free.AirSpeed, logs[member.Ball]);
             s.Time = time;
-            Show(in before, in s, log);
         }
 
         Time = time;
         _overlaps.PutApart(states, duration);
+
+        // The path leads to where there is room for the ball, not into the objects that it was put out of.
+        for (int i = 0; i < Count; i++)
+        {
+            ref readonly PileMember member = ref _solver.Members[i];
+            Show(in member.From, in states[member.Ball], logs[member.Ball]);
+        }
     }
 
     /// <summary>Every ball goes on by itself; or all of them rest.</summary>

@@ -14,7 +14,7 @@ internal sealed class MotionsBefore(World world)
     public void Begin()
     {
         _isRead = false;
-        world.Engine?.KeepPushes();
+        world.Engine?.KeepPushes(EnginePushes.OfStep);
     }
 
     /// <summary>Reads the motions, if nothing was pushed before.</summary>
@@ -31,7 +31,7 @@ internal sealed class MotionsBefore(World world)
     /// <summary>Puts all objects back to their motions before the step.</summary>
     public void PutBack()
     {
-        world.Engine?.PutPushesBack();
+        world.Engine?.PutPushesBack(EnginePushes.OfStep);
         if (_isRead && _motions.Length > 0)
         {
             world.WriteMotions(_motions);

@@ -91,8 +91,8 @@ internal sealed class PileBounces
             ref BallState its = ref states[other];
             BallContact.Impact(
                 simulator.Scene.Ball, _simulators[other].Scene.Ball, in _material, in contact.Normal, in s, in its, out Motion first, out Motion second);
-            logs[ball].Events.Add(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
-            logs[other].Events.Add(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
+            logs[ball].Report(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
+            logs[other].Report(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
             Set(ref s, in first.Velocity, in first.Spin);
             Set(ref its, in second.Velocity, in second.Spin);
             return;
@@ -104,7 +104,7 @@ internal sealed class PileBounces
         Collider hit = simulator.World.Colliders[contact.Collider];
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         CoulombImpact.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
-        logs[ball].Events.Add(new BallEvent(
+        logs[ball].Report(new BallEvent(
             BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
         {
             AddedEnergy = CoulombImpact.Added(

@@ -101,7 +101,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 
         if (IsInside(ContactSet.Near(world, in s, 0, room, world.Room)))
         {
-            s.Position = member.From;
+            s.Position = member.From.Position;
             s.Velocity = Vector3d.Zero;
         }
     }

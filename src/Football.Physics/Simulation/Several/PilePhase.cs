@@ -198,7 +198,7 @@ internal sealed class PilePhase
     {
         if (tells)
         {
-            log.Events.Add(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
+            log.Report(new BallEvent(kind, thing, in n, s.Time, s.Position, s.Velocity, in w, s.Velocity, s.Spin));
         }
     }
 }

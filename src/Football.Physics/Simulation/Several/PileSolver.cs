@@ -319,8 +319,8 @@ internal struct PileMember
     /// <summary>Mean velocity in the part, m/s.</summary>
     public Vector3d Way;
 
-    /// <summary>Position at the start of the part, m: there it is in nothing that stands still.</summary>
-    public Vector3d From;
+    /// <summary>The ball at the start of the part.</summary>
+    public BallState From;
 
     /// <summary>Its contacts with all but balls: the first of them, and how many there are.</summary>
     public int FirstContact;

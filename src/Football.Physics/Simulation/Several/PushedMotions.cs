@@ -11,34 +11,44 @@ internal sealed class PushedMotions(World world)
     private int _next;
 
     /// <summary>Remembers how all moves before a push.</summary>
-    public void ReadBefore() => Read(_before);
+    public void ReadBefore()
+    {
+        Read(_before);
+        world.Engine?.KeepPushes(EnginePushes.BeforePush);
+    }
 
     /// <summary>Remembers how all moves after it, and puts it back to how it moved before.</summary>
     public void ReadAfter()
     {
         Read(_after);
         Restore(_before);
+        world.Engine?.KeepPushes(EnginePushes.AfterPush);
+        world.Engine?.PutPushesBack(EnginePushes.BeforePush);
     }
 
     /// <summary>Puts all to how it moves after the push.</summary>
-    public void PutAfter() => Restore(_after);
+    public void PutAfter()
+    {
+        Restore(_after);
+        world.Engine?.PutPushesBack(EnginePushes.AfterPush);
+    }
 
     /// <summary>Remembers how all moves before one only looks.</summary>
     public void Keep()
     {
         Read(_kept);
-        world.Engine?.KeepPushes();
+        world.Engine?.KeepPushes(EnginePushes.OfTry);
     }
 
     /// <summary>... and puts it back.</summary>
     public void PutBack()
     {
-        world.Engine?.PutPushesBack();
+        world.Engine?.PutPushesBack(EnginePushes.OfTry);
         Restore(_kept);
     }
 
     /// <summary>Puts all to how it moved at some time.</summary>
-    public void Restore(RigidMotion[] motions)
+    private void Restore(RigidMotion[] motions)
     {
         if (motions.Length > 0)
         {
