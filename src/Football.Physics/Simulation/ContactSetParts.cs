@@ -244,8 +244,9 @@ internal sealed partial class ContactSetParts
         }
 
         int evaluations = 0;
+        var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
         bool rests = set.Length > ContactSystem.Most ? !Moves(set) && ContactSolver.Holds(set, _world, in free, Part, Still)
-            : ContactModes.HoldAtRest(_around, _jump, set, in still, Vector3d.Zero, ref evaluations);
+            : ContactModes.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
         {
