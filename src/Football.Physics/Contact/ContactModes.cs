@@ -384,22 +384,21 @@ internal static unsafe class ContactModes
 
     /// <summary>True if contacts hold a ball at the velocity of its carrier, without spin; none of them may move otherwise (contacts.md, Rest).</summary>
     /// <param name="around">The scene.</param>
-    /// <param name="jump">The jump of the drag law.</param>
     /// <param name="set">The contacts.</param>
     /// <param name="s">The ball.</param>
+    /// <param name="still">The ball at that velocity.</param>
+    /// <param name="branch">The branch of the drag law there.</param>
     /// <param name="gained">The acceleration by which the carrier's velocity has jumped, m/s².</param>
     /// <param name="evaluations">Counts the evaluations.</param>
     public static bool HoldAtRest(
-        Surroundings around, DragJumpGuard jump, scoped Span<Contact> set, in BallState s, in Vector3d gained, ref int evaluations)
+        Surroundings around, scoped Span<Contact> set, in BallState s, in Motion still, DragBranch branch, in Vector3d gained, ref int evaluations)
     {
         World world = around.World;
-        Vector3d velocity = world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
-        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int i = 0; i < set.Length; i++)
         {
             Collider collider = world.Colliders[set[i].Collider];
-            if (collider.Velocity != velocity || collider.Spin != Vector3d.Zero)
+            if (collider.Velocity != still.Velocity || collider.Spin != Vector3d.Zero)
             {
                 return false;
             }
@@ -417,7 +416,7 @@ internal static unsafe class ContactModes
             Bearer = -1,
             Nets = s.Nets,
             NetSides = s.NetSides,
-            Branch = jump.OnSurface(DragBranch.Unknown, in still),
+            Branch = branch,
         };
         evaluations++;
         return Hold(in system, system.PushAtRest(s.Time, in still) - gained)

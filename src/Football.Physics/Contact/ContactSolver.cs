@@ -62,6 +62,26 @@ internal static class ContactSolver
         return found;
     }
 
+    /// <summary>True if more contacts than one solves as forces hold a ball: released from a standstill, it gets nothing of what the forces give it in a time.</summary>
+    /// <param name="set">The contacts.</param>
+    /// <param name="world">The world.</param>
+    /// <param name="free">The rates without contacts.</param>
+    /// <param name="duration">The time, s.</param>
+    /// <param name="still">A ball that is so slow, m/s and rad/s times its radius, stands still.</param>
+    [SkipLocalsInit]
+    public static bool Holds(scoped Span<Contact> set, World world, in MotionRates free, double duration, double still)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> held = world.Room.Of(set.Length, room).Slice(0, set.Length);
+        set.CopyTo(held);
+        ContactSet.Forget(held);
+        Vector3d v = duration * free.Acceleration;
+        Vector3d w = duration * free.SpinAcceleration;
+        double most = 1e-9 * (v.Length + (world.Ball.Radius * w.Length));
+        Solve(held, world.Ball, duration, ref v, ref w);
+        return v.Length + (world.Ball.Radius * w.Length) <= most + still;
+    }
+
     /// <summary>Rounds and steps of Newton's method until the impulses change no more.</summary>
     private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
     {

@@ -244,8 +244,9 @@ internal sealed partial class ContactSetParts
         }
 
         int evaluations = 0;
-        bool rests = set.Length > ContactSystem.Most ? StayReleased(set, in free)
-            : ContactModes.HoldAtRest(_around, _jump, set, in still, Vector3d.Zero, ref evaluations);
+        var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
+        bool rests = set.Length > ContactSystem.Most ? !Moves(set) && ContactSolver.Holds(set, _world, in free, Part, Still)
+            : ContactModes.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
         {
@@ -254,21 +255,6 @@ internal sealed partial class ContactSetParts
         }
 
         return rests;
-    }
-
-    /// <summary>True if more contacts than one solves as forces hold a ball: released from a standstill, it gets nothing of what the forces give in a part.</summary>
-    [SkipLocalsInit]
-    private bool StayReleased(scoped Span<Contact> set, in MotionRates free)
-    {
-        Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        Span<Contact> held = _world.Room.Of(set.Length, room).Slice(0, set.Length);
-        set.CopyTo(held);
-        ContactSet.Forget(held);
-        Vector3d v = Part * free.Acceleration;
-        Vector3d w = Part * free.SpinAcceleration;
-        double most = 1e-9 * Part * (free.Acceleration.Length + (_around.Radius * free.SpinAcceleration.Length));
-        ContactSolver.Solve(held, _world.Ball, Part, ref v, ref w);
-        return !Moves(set) && v.Length + (_around.Radius * w.Length) <= most + Still;
     }
 
     /// <summary>Moves the ball, and the clock.</summary>

@@ -189,7 +189,8 @@ internal sealed unsafe class RestPhase
             return false;
         }
 
-        return ContactModes.HoldAtRest(_around, _jump, set, in moved, in gained, ref evaluations);
+        var still = new Motion(s.Position, in velocity, Vector3d.Zero);
+        return ContactModes.HoldAtRest(_around, set, in moved, in still, _jump.OnSurface(DragBranch.Unknown, in still), in gained, ref evaluations);
     }
 
     /// <summary>The ball moves again: with the velocity and the spin that it has, which what carries it may have left behind.</summary>
