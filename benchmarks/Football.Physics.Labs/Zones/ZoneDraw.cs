@@ -1,5 +1,3 @@
-using Football.Physics.Shapes;
-
 namespace Football.Physics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>

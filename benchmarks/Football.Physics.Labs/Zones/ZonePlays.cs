@@ -1,5 +1,3 @@
-using Football.Physics.Prediction;
-
 namespace Football.Physics.Labs.Zones;
 
 /// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>

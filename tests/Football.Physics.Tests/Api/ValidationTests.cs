@@ -58,7 +58,7 @@ public sealed class ValidationTests
     [Theory]
     [InlineData("ball.mass", 0.001)]
     [InlineData("ball.mass", 100)]
-    [InlineData("ball.radius", 0.02)]
+    [InlineData("ball.radius", 0.005)]
     [InlineData("ball.radius", 0.3)]
     [InlineData("ball.inertiaFactor", 0.1)]
     [InlineData("air.density", 100)]
