@@ -43,7 +43,7 @@ public partial class FootballCurve : Control
         if (Preset is not null && Preset.Stamp != _drawn)
         {
             _drawn = Preset.Stamp;
-            _notes.Text = Note("BallProperties", Preset.Ball.ToString()) + Note("Ground", GroundName());
+            _notes.Text = Note("BallProperties", Preset.Ball == FootballPreset.BallChoice.Generic ? nameof(BallProperties.Tunnel) : Preset.Ball.ToString()) + Note("SurfaceMaterial", GroundName());
             _notes.Size = new Vector2(Size.X, 120);
             QueueRedraw();
         }

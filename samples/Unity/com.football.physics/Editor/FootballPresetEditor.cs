@@ -44,8 +44,8 @@ namespace Football.Physics.Unity.Editor
                 AirCurve.Drag(simulator, 10),
                 AirCurve.Drag(simulator, 20),
                 AirCurve.Drag(simulator, 30)));
-            Note("BallProperties", preset.ball.ToString(), preset.ball == FootballPreset.BallChoice.Custom);
-            Note("Ground", preset.ground == FootballPreset.GroundChoice.OfProfile ? OfProfile(preset) : preset.ground.ToString(), preset.ground == FootballPreset.GroundChoice.Custom);
+            Note("BallProperties", preset.ball == FootballPreset.BallChoice.Generic ? nameof(BallProperties.Tunnel) : preset.ball.ToString(), preset.ball == FootballPreset.BallChoice.Custom);
+            Note("SurfaceMaterial", preset.ground == FootballPreset.GroundChoice.OfProfile ? OfProfile(preset) : preset.ground.ToString(), preset.ground == FootballPreset.GroundChoice.Custom);
         }
 
         private static string OfProfile(FootballPreset preset)
