@@ -6,6 +6,9 @@ namespace Football.Physics.Labs;
 /// <summary>football lab kicks: kicks that somebody measured, filmed or told of, by both profiles.</summary>
 internal static class KicksLab
 {
+    /// <summary>The kicks were flown by balls of the tunnels' time: the generic ball on dry turf, by the measured laws.</summary>
+    private static readonly Scene Tunnel = Scene.Measured with { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf) };
+
     private const double Radius = 0.11;
     private const double Degree = Math.PI / 180;
     private const double RevolutionsPerSecond = 2 * Math.PI;
@@ -53,7 +56,7 @@ internal static class KicksLab
         var report = new LabReport { Name = "kicks", Seed = seed, Tables = { table } };
         foreach (ToldKick kick in Kicks)
         {
-            double measured = kick.Of(Scene.Measured);
+            double measured = kick.Of(Tunnel);
             double published = kick.Of(Scene.Published);
             table.Add(kick.Name, kick.Number, kick.Told, kick.Told is null ? null : kick.Within, measured, kick.Verdict(measured), published, kick.Verdict(published), kick.WhyNot);
         }

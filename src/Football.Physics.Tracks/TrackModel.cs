@@ -6,6 +6,10 @@ internal sealed class TrackModel
     /// <summary>Numbers of the launch: position, velocity, spin.</summary>
     public const int Launch = 9;
 
+    /// <summary>The fastest ball, m/s, and the largest spin, rad/s, that a search tries.</summary>
+    private const double MostSpeed = 300;
+    private const double MostSpin = 1000;
+
     /// <summary>The first number of which something was known before: the spin, then the factors.</summary>
     public const int FirstKnown = 6;
 
@@ -115,8 +119,15 @@ internal sealed class TrackModel
     }
 
     /// <summary>The ball at its launch.</summary>
-    public static BallState Ball(Simulator simulator, double[] v) =>
-        simulator.Launch(new Vector3d(v[0], v[1], v[2]), new Vector3d(v[3], v[4], v[5]), new Vector3d(v[6], v[7], v[8]));
+    public static BallState Ball(Simulator simulator, double[] v)
+    {
+        // A step of the search may leave what a ball can have, where the track says little about a number.
+        var velocity = new Vector3d(v[3], v[4], v[5]);
+        var spin = new Vector3d(v[6], v[7], v[8]);
+        velocity *= Math.Min(1, MostSpeed / velocity.Length);
+        spin *= Math.Min(1, MostSpin / spin.Length);
+        return simulator.Launch(new Vector3d(v[0], v[1], v[2]), velocity, spin);
+    }
 
     private double Likely(int number) =>
         number == FirstKnown ? _request.Spin.X : number == FirstKnown + 1 ? _request.Spin.Y : number == FirstKnown + 2 ? _request.Spin.Z : 1;

@@ -24,11 +24,11 @@ public sealed class MeasuredScenarioTests
     }
 
     [Fact]
-    public void The_profile_is_measured_by_default_with_the_generic_ball_on_dry_turf()
+    public void The_profile_is_measured_by_default_with_the_modern_ball_on_match_turf()
     {
         Assert.Equal(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"measured\"}}"));
         Assert.NotEqual(Landing($"{{{L}}}"), Landing($"{{{L},\"profile\":\"published\"}}"));
-        Assert.Equal(Landing($"{{{L},\"profile\":\"measured\"}}"), Landing($"{{{L},\"profile\":\"measured\",\"ball\":{{\"type\":\"generic\"}},\"ground\":{{\"surface\":\"dryTurf\"}},\"forces\":{{\"knuckleSeed\":null}}}}"));
+        Assert.Equal(Landing($"{{{L},\"profile\":\"measured\"}}"), Landing($"{{{L},\"profile\":\"measured\",\"ball\":{{\"type\":\"modern\"}},\"ground\":{{\"surface\":\"matchTurf\"}},\"forces\":{{\"knuckleSeed\":null}}}}"));
     }
 
     [Theory]
@@ -48,7 +48,7 @@ public sealed class MeasuredScenarioTests
 
     [Theory]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
-    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | modern | youthFootball | futsal | beachBall | medicineBall")]
+    [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: modern | generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | youthFootball | futsal | beachBall | medicineBall")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]
     [InlineData("\"ground\":{\"surface\":\"none\",\"height\":2}", "ground.height is 2; allowed: a surface other than none")]
     [InlineData("\"ground\":{\"surface\":\"none\",\"normal\":[0,1,1]}", "ground.normal is [0,1,1]; allowed: a surface other than none")]

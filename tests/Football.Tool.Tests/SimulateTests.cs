@@ -9,13 +9,13 @@ public sealed class SimulateTests
 
     private const string AllMeasured = """
         {"profile": "measured",
-         "ball": {"type": "generic", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.5},
+         "ball": {"type": "modern", "mass": 0.43, "radius": 0.11, "inertiaFactor": 0.6666666666666666, "knuckleForce": 1.5},
          "air": {"density": 1.2, "kinematicViscosity": 1.5e-5, "wind": [0, 0, 0]},
          "gravity": 9.81,
          "forces": {"buoyancy": true, "drag": "empirical", "magnus": "empirical", "spinDecay": "empirical", "coefficients": "measured",
                     "dragCoefficient": 0.25, "magnusCoefficient": 0.25, "spinDecayCoefficient": 0.0, "knuckleSeed": null},
-         "ground": {"surface": "dryTurf", "normalRestitution": 0.622, "restitutionSpeed": 30, "tangentialRestitution": [0.2, 0.2], "spinRestitution": 1,
-                    "impactFriction": 1.2, "slidingFriction": 0.5, "rollingFriction": 0.07, "rollingFrictionBySpeed": 0.006, "spinDamping": 0,
+         "ground": {"surface": "matchTurf", "normalRestitution": 0.67, "restitutionSpeed": 20, "restitutionRise": 0.45, "tangentialRestitution": [-0.15, -0.15], "spinRestitution": 1,
+                    "impactFriction": 0.42, "slidingFriction": 0.45, "rollingFriction": 0.064, "rollingFrictionBySpeed": 0.003, "spinDamping": 0,
                     "drillingLength": 0.02, "minimumBounceSpeed": 0.2, "restEnergy": 1e-4, "height": 0, "aerodynamics": "full"},
          "launch": {"position": [0, 0.11, 0], "velocity": [22, 9, 0], "spin": [0, 0, 0], "orientation": [0, 0, 0, 1]},
          "solver": {"integrator": "rk4", "timeStep": 0.01, "collisionTiming": "exact", "collisionTolerance": 1e-6, "rollingTransition": "exact"},
@@ -97,7 +97,7 @@ public sealed class SimulateTests
     [InlineData("samples=true")]
     public void Every_member_counts(string set)
     {
-        string scenario = "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[12,5,1],\"spin\":[3,30,-40]},\"stop\":{\"at\":\"rest\"}}";
+        string scenario = "{\"launch\":{\"position\":[0,0.11,0],\"velocity\":[12,5,1],\"spin\":[3,120,-40]},\"stop\":{\"at\":\"rest\"}}";
         Assert.NotEqual(FootballCommand.Play(scenario).GetRawText(), FootballCommand.Play(scenario, "--set", set).GetRawText());
     }
 
@@ -146,7 +146,11 @@ public sealed class SimulateTests
         }
 
         double approach = -impact.GetProperty("velocityBefore")[1].GetDouble();
-        double restitution = 0.622 * Math.Sqrt((1 + (36.0 / 900)) / (1 + (approach * approach / 900)));
+        double restitution = 0.67 * Math.Sqrt((1 + (36.0 / 400)) / (1 + (approach * approach / 400)));
+        JsonElement before = impact.GetProperty("velocityBefore");
+        double steep = 2.8 * approach;
+        double oblique = Math.Pow(((before[0].GetDouble() * before[0].GetDouble()) + (before[2].GetDouble() * before[2].GetDouble())) / (steep * steep), 2);
+        restitution += 0.45 * (1 - restitution) * oblique / (1 + oblique);
         Assert.Equal(restitution * approach, final.GetProperty("velocity")[1].GetDouble(), 1e-12);
         Assert.Equal(1, result.GetProperty("bounces").GetInt32());
         Assert.Equal(1.0, result.GetProperty("apex").GetDouble());

@@ -67,18 +67,22 @@ internal static class HostileGenerator
     private static Ground AnyGround(HostileRandom random, BallProperties ball)
     {
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
-        return Ground.PublishedTurf with
-        {
-            Material = SurfaceMaterial.PublishedTurf with
+        SurfaceMaterial material = SurfaceMaterial.PublishedTurf with
         {
             NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),
-            SpinRestitution = random.Any(0.0, 1.0, 0.8),
-            SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
-            RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
-            SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
             TangentialRestitution = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
-        },
+        };
+        return Ground.PublishedTurf with
+        {
             Height = height,
+            TangentialRestitutionZ = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
+            Material = material with
+            {
+                SpinRestitution = random.Any(0.0, 1.0, 0.8),
+                SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
+                RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
+                SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
+            },
             MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
             RestEnergy = random.Any(1e-4, 1e-12, 100, random.Log(1e-12, 100)),
             Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),

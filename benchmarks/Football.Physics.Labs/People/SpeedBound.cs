@@ -41,8 +41,11 @@ internal sealed class SpeedBound(double gravity)
         _highest = Math.Max(_highest, Math.Max(touch.Highest, Math.Max(before.Position.Y, after.Position.Y)));
         return double.IsInfinity(_touched)
             ? double.PositiveInfinity
-            : Math.Sqrt((_most * _most) + (2 * gravity * (_highest - Math.Min(before.Position.Y, after.Position.Y))));
+            : Math.Sqrt((_most * _most) + (2 * gravity * (_highest - Math.Min(before.Position.Y, after.Position.Y))) + SpinEnergy(before.Spin));
     }
+
+    /// <summary>2 E/m of the spin, m²/s²: a contact with friction may turn it into speed.</summary>
+    private static double SpinEnergy(in Vector3d spin) => BallProperties.Modern.InertiaFactor * BallProperties.Modern.Radius * BallProperties.Modern.Radius * spin.LengthSquared;
 
     /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), that of the slowest hits.</summary>
     private static double Restitution(SurfaceMaterial surface) => double.IsInfinity(surface.RestitutionSpeed)

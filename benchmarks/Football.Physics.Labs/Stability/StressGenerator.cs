@@ -140,17 +140,29 @@ internal static class StressGenerator
     {
         bool rests = kind == StressKind.ComesToRest;
         double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
-        return Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with
+        double height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20);
+        SurfaceMaterial material = SurfaceMaterial.PublishedTurf with
         {
             NormalRestitution = rests ? random.Uniform(0, 0.95)
-            : kind == StressKind.BounceTrain ? random.Any(1, 1, 0.99999, 0.999, 0.95)
-            : random.Any(0, 1, random.Next()),
-            SpinRestitution = random.Any(0, 1, random.Next()),
-            SlidingFriction = Friction(),
-            RollingFriction = Friction(),
-            SpinDamping = rests ? random.Log(1e-4, 0.1) : random.Chance(0.2) ? 0 : random.Log(1e-5, 1),
+                : kind == StressKind.BounceTrain ? random.Any(1, 1, 0.99999, 0.999, 0.95)
+                : random.Any(0, 1, random.Next()),
             TangentialRestitution = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
-        }, Height = random.Chance(0.5) ? 0 : random.Uniform(-20, 20), MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)), RestEnergy = rests ? random.Log(1e-6, 1e-2) : random.Log(1e-9, 1e-1), Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None) };
+        };
+        return Ground.PublishedTurf with
+        {
+            Height = height,
+            TangentialRestitutionZ = random.Any(-1, 0, 1, random.Uniform(-1, 1)),
+            Material = material with
+            {
+                SpinRestitution = random.Any(0, 1, random.Next()),
+                SlidingFriction = Friction(),
+                RollingFriction = Friction(),
+                SpinDamping = rests ? random.Log(1e-4, 0.1) : random.Chance(0.2) ? 0 : random.Log(1e-5, 1),
+            },
+            MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)),
+            RestEnergy = rests ? random.Log(1e-6, 1e-2) : random.Log(1e-9, 1e-1),
+            Aerodynamics = random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None),
+        };
     }
 
     private static ForceSet Forces(LabRandom random, StressKind kind)

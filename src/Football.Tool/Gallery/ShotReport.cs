@@ -10,7 +10,7 @@ namespace Football.Tool.Gallery;
 internal sealed class ShotReport
 {
     /// <summary>Events that are listed; of more only the first.</summary>
-    private const int MostEvents = 12;
+    private const int MostEvents = 24;
 
     /// <summary>Width of a sketch: with its labels it fits into 80 columns.</summary>
     private const int Columns = 66;

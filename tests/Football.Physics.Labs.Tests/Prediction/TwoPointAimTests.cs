@@ -17,7 +17,7 @@ public sealed class TwoPointAimTests
             ThroughTolerance = 0.01,
             MaximumIterations = 1,
         };
-        var aimer = new Aimer(new Simulator(Scene.Default));
+        var aimer = new Aimer(new Simulator(new Scene { Ball = BallProperties.Tunnel }));
         AimResult unmeasured = aimer.Find(request, measure: false);
         AimResult measured = aimer.Find(request);
         Assert.NotEqual(AimStatus.Hit, unmeasured.Status);

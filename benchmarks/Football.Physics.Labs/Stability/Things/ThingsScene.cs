@@ -141,7 +141,7 @@ internal sealed class ThingsScene
         return flat with { Heights = new HeightField(-13, -13, 2, values) };
     }
 
-    private SurfaceMaterial DrawSurface() => new()
+    private SurfaceMaterial DrawSurface() => SurfaceMaterial.GoalFrame with
     {
         NormalRestitution = _random.Any(0, 1, _random.Next()),
         TangentialRestitution = _random.Uniform(-1, 1),
