@@ -55,13 +55,13 @@ internal sealed class Carriers : SceneKind
         double rolling = random.Chance(0.6) ? 0 : random.Log(0.005, 0.1);
         BallProperties ball = BallProperties.Tunnel with { Radius = radius, InertiaFactor = inertia };
         SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
-    {
-        NormalRestitution = 0.5,
-        SlidingFriction = random.Chance(0.3) ? 5 : random.Uniform(0.15, 1),
-        RollingFriction = rolling,
-        RollingFrictionBySpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
-        SpinDamping = damping * ball.MomentOfInertia,
-    };
+        {
+            NormalRestitution = 0.5,
+            SlidingFriction = random.Chance(0.3) ? 5 : random.Uniform(0.15, 1),
+            RollingFriction = rolling,
+            RollingFrictionBySpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
+            SpinDamping = damping * ball.MomentOfInertia,
+        };
         Vector3d place = form == Form.Drum ? ((curve + radius) * normal) + (random.Uniform(-1, 1) * axis) : (radius * normal) + Along(random.Uniform(0, 2) * random.Direction(), normal);
         Vector3d beneath = velocity + Vector3d.Cross(spin, place - (radius * normal));
         Vector3d moves = beneath + Along(random.Log(0.3, form == Form.Drum ? 1 : 4) * random.Direction(), normal);

@@ -8,14 +8,14 @@ internal sealed class Kerbs : SceneKind
     private const double Edge = 1;
 
     private static readonly SurfaceMaterial s_dead = SurfaceMaterial.GoalFrame with
-{
-    NormalRestitution = 0,
-    RestitutionSpeed = double.PositiveInfinity,
-    TangentialRestitution = 0,
-    ImpactFriction = 100,
-    SlidingFriction = 10,
-    RollingFriction = 0,
-};
+    {
+        NormalRestitution = 0,
+        RestitutionSpeed = double.PositiveInfinity,
+        TangentialRestitution = 0,
+        ImpactFriction = 100,
+        SlidingFriction = 10,
+        RollingFriction = 0,
+    };
 
     public override string Name => "kerbs";
 
@@ -48,13 +48,13 @@ internal sealed class Kerbs : SceneKind
             Ground = new Ground
             {
                 Material = SurfaceMaterial.DryTurf with
-            {
-                ImpactFriction = 10,
-                SlidingFriction = 10,
-                RollingFriction = 0,
-                RollingFrictionBySpeed = 0,
-                DrillingLength = 0,
-            },
+                {
+                    ImpactFriction = 10,
+                    SlidingFriction = 10,
+                    RollingFriction = 0,
+                    RollingFrictionBySpeed = 0,
+                    DrillingLength = 0,
+                },
                 RestEnergy = 1e-12,
             },
         };

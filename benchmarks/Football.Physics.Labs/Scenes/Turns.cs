@@ -13,12 +13,12 @@ internal sealed class Turns : SceneKind
     private const double Slow = 0.01;
 
     private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
-{
-    NormalRestitution = 0.5,
-    RestitutionSpeed = double.PositiveInfinity,
-    ImpactFriction = 0,
-    SlidingFriction = 0,
-};
+    {
+        NormalRestitution = 0.5,
+        RestitutionSpeed = double.PositiveInfinity,
+        ImpactFriction = 0,
+        SlidingFriction = 0,
+    };
 
     public override string Name => "turns";
 

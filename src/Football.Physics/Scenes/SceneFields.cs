@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics;
 
 /// <summary>The numbers of a scene, each with its name, unit, range and access. Validation, JSON in both directions, the scene hash and the tables of the docs use these lists.</summary>

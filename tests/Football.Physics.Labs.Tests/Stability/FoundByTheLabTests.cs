@@ -249,11 +249,15 @@ public sealed class FoundByTheLabTests
             Ball = new BallProperties { Mass = 0.1, Radius = 0.2 },
             Air = new Air { Wind = new Vector3d(0, 0.02, 0.05) },
             Gravity = 0,
-            Ground = profile.Ground() with { Material = profile.Ground().Material with
+            Ground = profile.Ground() with
+            {
+                Material = profile.Ground().Material with
                 {
                     NormalRestitution = 0,
                     SlidingFriction = 1,
-                }, Aerodynamics = GroundAerodynamics.None },
+                },
+                Aerodynamics = GroundAerodynamics.None
+            },
         };
         foreach (Integrator integrator in Flight.Integrators)
         {

@@ -92,12 +92,15 @@ public sealed class StressTests
             Scene = profile.Scene() with
             {
                 Ball = Ball,
-                Ground = profile.Ground() with { Material = profile.Ground().Material with
+                Ground = profile.Ground() with
+                {
+                    Material = profile.Ground().Material with
                     {
                         NormalRestitution = 0.01 * Restitution,
                         SlidingFriction = 0.1 * Friction,
                         RollingFriction = 0.01 * Friction,
-                    } },
+                    }
+                },
             },
             Settings = new SolverSettings { Integrator = Method },
             Position = new Vector3d(0, Ball.Radius + (0.01 * Height), 0),

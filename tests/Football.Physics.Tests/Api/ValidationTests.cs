@@ -223,7 +223,7 @@ public sealed class ValidationTests
             "forces.spinDecayCoefficient" => new Simulator(s_scene with { Forces = forces with { SpinDecayCoefficient = value } }),
             "ground.normalRestitution" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { NormalRestitution = value } } }),
             "ground.tangentialRestitution[0]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { TangentialRestitution = value }, TangentialRestitutionZ = 0.2 } }),
-            "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with {  }, TangentialRestitutionZ = value } }),
+            "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { }, TangentialRestitutionZ = value } }),
             "ground.spinRestitution" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SpinRestitution = value } } }),
             "ground.slidingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SlidingFriction = value } } }),
             "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { RollingFriction = value } } }),

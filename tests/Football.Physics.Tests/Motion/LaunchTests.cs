@@ -13,7 +13,8 @@ public sealed class LaunchTests
         {
             Material = profile.Ground().Material with
             {
-                RestitutionRise = 0, NormalRestitution = 0.6,
+                RestitutionRise = 0,
+                NormalRestitution = 0.6,
                 RestitutionSpeed = double.PositiveInfinity,
             },
             Height = 1.5,
@@ -88,15 +89,19 @@ public sealed class LaunchTests
     [ProfileData(0.3999, MotionState.Sliding, "Impact Slide")]
     public void After_an_impact_a_ball_slower_than_the_minimum_bounce_speed_stays_down(Profile profile, double speed, MotionState motion, string events)
     {
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with
+        var simulator = new Simulator(profile.Scene() with
         {
-            Material = profile.Ground().Material with
+            Ground = profile.Ground() with
             {
-                RestitutionRise = 0, NormalRestitution = 0.5,
-                RestitutionSpeed = double.PositiveInfinity,
-            },
-            MinimumBounceSpeed = 0.2,
-        } });
+                Material = profile.Ground().Material with
+                {
+                    RestitutionRise = 0,
+                    NormalRestitution = 0.5,
+                    RestitutionSpeed = double.PositiveInfinity,
+                },
+                MinimumBounceSpeed = 0.2,
+            }
+        });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(2, -speed, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.01, 1, StopAt.Impact, log);

@@ -17,12 +17,17 @@ public sealed class MarbleTests
     public void A_roll_ends_where_rolling_friction_says(bool marble)
     {
         BallProperties ball = Of(marble);
-        Ground ground = new Ground { Material = SurfaceMaterial.Concrete with
+        Ground ground = new Ground
+        {
+            Material = SurfaceMaterial.Concrete with
             {
                 RollingFriction = 0.02,
                 RollingFrictionBySpeed = 0,
                 SpinDamping = 0,
-            }, Aerodynamics = GroundAerodynamics.None, RestEnergy = 1e-9 };
+            },
+            Aerodynamics = GroundAerodynamics.None,
+            RestEnergy = 1e-9
+        };
         var simulator = new Simulator(new Scene { Ball = ball, Ground = ground, Forces = new ForceSet { Buoyancy = false } });
         const double Speed = 1.5;
         BallState s = simulator.Launch(new Vector3d(0, ball.Radius, 0), new Vector3d(0, 0, -Speed), new Vector3d(-Speed / ball.Radius, 0, 0));
@@ -55,13 +60,17 @@ public sealed class MarbleTests
     public void A_ball_that_falls_bounces_to_e_squared_of_its_height_and_rests(bool marble)
     {
         BallProperties ball = Of(marble);
-        Ground ground = new Ground { Material = SurfaceMaterial.Concrete with
+        Ground ground = new Ground
+        {
+            Material = SurfaceMaterial.Concrete with
             {
                 NormalRestitution = 0.8,
                 RestitutionSpeed = double.PositiveInfinity,
                 RestitutionRise = 0,
                 SpinDamping = 0,
-            }, MinimumBounceSpeed = 0.01 };
+            },
+            MinimumBounceSpeed = 0.01
+        };
         var simulator = new Simulator(new Scene { Ball = ball, Ground = ground, Forces = ForceSet.None });
         BallState s = simulator.Launch(new Vector3d(0, 0.3 + ball.Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();

@@ -85,14 +85,14 @@ internal sealed class ReferenceCase
             Ground = Ground.PublishedTurf with
             {
                 Material = SurfaceMaterial.PublishedTurf with
-            {
-                NormalRestitution = Number(ground, "normalRestitution"),
-                SpinRestitution = Number(ground, "spinRestitution"),
-                SlidingFriction = Number(ground, "slidingFriction"),
-                RollingFriction = Number(ground, "rollingFriction"),
-                SpinDamping = Number(ground, "spinDamping"),
-                TangentialRestitution = ground.GetProperty("tangentialRestitution")[0].GetDouble(),
-            },
+                {
+                    NormalRestitution = Number(ground, "normalRestitution"),
+                    SpinRestitution = Number(ground, "spinRestitution"),
+                    SlidingFriction = Number(ground, "slidingFriction"),
+                    RollingFriction = Number(ground, "rollingFriction"),
+                    SpinDamping = Number(ground, "spinDamping"),
+                    TangentialRestitution = ground.GetProperty("tangentialRestitution")[0].GetDouble(),
+                },
                 MinimumBounceSpeed = Number(ground, "minimumBounceSpeed"),
                 RestEnergy = Number(ground, "restEnergy"),
                 Height = Number(ground, "height"),

@@ -33,15 +33,15 @@ public sealed class BallContactTests
     {
         var random = new Random(seed);
         SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
-    {
-        NormalRestitution = 0.6,
-        RestitutionRise = seed % 2 == 0 ? 0 : 0.5,
-        TangentialRestitution = 0.2,
-        SpinRestitution = seed % 3 == 0 ? 0.7 : -0.7,
-        ImpactFriction = seed < 6 ? 0.15 : 5,
-        SlidingFriction = 0.3,
-        DrillingLength = seed % 4 < 2 ? 0 : 0.002,
-    };
+        {
+            NormalRestitution = 0.6,
+            RestitutionRise = seed % 2 == 0 ? 0 : 0.5,
+            TangentialRestitution = 0.2,
+            SpinRestitution = seed % 3 == 0 ? 0.7 : -0.7,
+            ImpactFriction = seed < 6 ? 0.15 : 5,
+            SlidingFriction = 0.3,
+            DrillingLength = seed % 4 < 2 ? 0 : 0.002,
+        };
         var material = new ContactMaterial(surface);
         Vector3d n = Draw(random).Normalized();
         BallState a = State((Small.Radius * n) + new Vector3d(1, 1, 1), (-4.0 * n) + (seed % 5 * Draw(random)), 30 * Draw(random));

@@ -119,13 +119,13 @@ public sealed class ClusterTests
             Ground = new Ground
             {
                 Material = SurfaceMaterial.DryTurf with
-            {
-                SlidingFriction = 0,
-                RollingFriction = 0,
-                RollingFrictionBySpeed = 0,
-                SpinDamping = 0,
-                DrillingLength = 0,
-            },
+                {
+                    SlidingFriction = 0,
+                    RollingFriction = 0,
+                    RollingFrictionBySpeed = 0,
+                    SpinDamping = 0,
+                    DrillingLength = 0,
+                },
                 Normal = s_normal,
             },
             Obstacles = [new Obstacle { Name = "board", Shape = new PlaneShape(r * s_down, -s_down), Surface = smooth }],

@@ -7,16 +7,16 @@ internal sealed class Heap
     public static readonly Ground Turf = Ground.Of(SurfaceMaterial.DryTurf);
 
     public static readonly SurfaceMaterial Board = SurfaceMaterial.GoalFrame with
-{
-    NormalRestitution = 0.5,
-    RestitutionSpeed = 1e9,
-    TangentialRestitution = 0.3,
-    SpinRestitution = 0.8,
-    ImpactFriction = 0.35,
-    SlidingFriction = 0.35,
-    RollingFriction = 0.03,
-    SpinDamping = 0.002,
-};
+    {
+        NormalRestitution = 0.5,
+        RestitutionSpeed = 1e9,
+        TangentialRestitution = 0.3,
+        SpinRestitution = 0.8,
+        ImpactFriction = 0.35,
+        SlidingFriction = 0.35,
+        RollingFriction = 0.03,
+        SpinDamping = 0.002,
+    };
 
     private readonly Scene _scene;
     private readonly BallProperties[] _kinds;

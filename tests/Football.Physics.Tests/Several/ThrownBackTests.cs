@@ -37,12 +37,12 @@ public sealed class ThrownBackTests
         for (int i = 0; i < 1500; i++)
         {
             SurfaceMaterial body = SurfaceMaterial.GoalFrame with
-        {
-            NormalRestitution = random.Uniform(0.3, 0.95),
-            RestitutionSpeed = random.Uniform(15, 60),
-            TangentialRestitution = random.Uniform(-0.5, 0.5),
-            ImpactFriction = random.Uniform(0.1, 1),
-        };
+            {
+                NormalRestitution = random.Uniform(0.3, 0.95),
+                RestitutionSpeed = random.Uniform(15, 60),
+                TangentialRestitution = random.Uniform(-0.5, 0.5),
+                ImpactFriction = random.Uniform(0.1, 1),
+            };
             SurfaceMaterial balls = SurfaceMaterial.Ball with { NormalRestitution = random.Uniform(0.5, 0.95), TangentialRestitution = random.Uniform(-0.5, 0.5), ImpactFriction = random.Uniform(0.1, 0.8) };
             var at = new Vector3d(0, 6, 0);
             Vector3d speed = random.Uniform(2, 9) * new Vector3d(random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1), 1);

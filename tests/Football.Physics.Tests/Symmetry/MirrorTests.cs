@@ -81,10 +81,10 @@ public sealed class MirrorTests
             Ground = Ground.PublishedTurf with
             {
                 Material = SurfaceMaterial.PublishedTurf with
-            {
-                RollingFriction = 0.1,
-                TangentialRestitution = 0.7,
-            },
+                {
+                    RollingFriction = 0.1,
+                    TangentialRestitution = 0.7,
+                },
                 TangentialRestitutionZ = -0.2,
             },
         };

@@ -8,15 +8,15 @@ public sealed class CarrierTests
 
     /// <summary>Grips whatever the ball does, and brakes no roll.</summary>
     private static readonly SurfaceMaterial s_rough = SurfaceMaterial.GoalFrame with
-{
-    NormalRestitution = 0.5,
-    ImpactFriction = 5,
-    SlidingFriction = 5,
-    RollingFriction = 0,
-    RollingFrictionBySpeed = 0,
-    DrillingLength = 0,
-    SpinDamping = 0,
-};
+    {
+        NormalRestitution = 0.5,
+        ImpactFriction = 5,
+        SlidingFriction = 5,
+        RollingFriction = 0,
+        RollingFrictionBySpeed = 0,
+        DrillingLength = 0,
+        SpinDamping = 0,
+    };
 
     private static readonly IShape s_slab = new BoxShape(new Vector3d(0, -0.5, 0), new Vector3d(60, 0.5, 60));
 

@@ -23,13 +23,13 @@ internal static class ContactScenes
                 Shape = new SphereShape(place - ((Radius + 0.5 + free) * n), 0.5),
                 Velocity = moves ? Any(2) : Vector3d.Zero,
                 Surface = SurfaceMaterial.GoalFrame with
-            {
-                SlidingFriction = 0.1 + random.NextDouble(),
-                RollingFriction = resists ? 0.05 : 0,
-                RollingFrictionBySpeed = resists ? 0.01 : 0,
-                SpinDamping = resists ? 0.01 : 0,
-                DrillingLength = resists ? 0.02 : 0,
-            },
+                {
+                    SlidingFriction = 0.1 + random.NextDouble(),
+                    RollingFriction = resists ? 0.05 : 0,
+                    RollingFrictionBySpeed = resists ? 0.01 : 0,
+                    SpinDamping = resists ? 0.01 : 0,
+                    DrillingLength = resists ? 0.02 : 0,
+                },
             });
         }
 

@@ -14,9 +14,9 @@ public sealed class CoulombImpactTests
             Ground ground = Ground.PublishedTurf with
             {
                 Material = SurfaceMaterial.PublishedTurf with
-            {
-                TangentialRestitution = random.NextDouble(),
-            },
+                {
+                    TangentialRestitution = random.NextDouble(),
+                },
                 TangentialRestitutionZ = -random.NextDouble(),
             };
             (Vector3d v, Vector3d w) = Draw(random);
@@ -52,13 +52,13 @@ public sealed class CoulombImpactTests
         for (int i = 0; i < 20_000; i++)
         {
             SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
-        {
-            NormalRestitution = random.NextDouble(),
-            TangentialRestitution = (2 * random.NextDouble()) - 1,
-            SpinRestitution = 1,
-            ImpactFriction = i % 3 == 0 ? double.PositiveInfinity : 1.5 * random.NextDouble(),
-            DrillingLength = i % 2 == 0 ? 0.02 : 0,
-        };
+            {
+                NormalRestitution = random.NextDouble(),
+                TangentialRestitution = (2 * random.NextDouble()) - 1,
+                SpinRestitution = 1,
+                ImpactFriction = i % 3 == 0 ? double.PositiveInfinity : 1.5 * random.NextDouble(),
+                DrillingLength = i % 2 == 0 ? 0.02 : 0,
+            };
             Vector3d n = Direction(random);
             (Vector3d v, Vector3d w) = Draw(random);
             v -= (Vector3d.Dot(v, n) + (20 * random.NextDouble())) * n;

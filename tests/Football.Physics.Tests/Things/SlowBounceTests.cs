@@ -86,18 +86,22 @@ public sealed class SlowBounceTests
     [InlineData(true)]
     public void On_ice_it_comes_back_off_a_board(bool isEngine)
     {
-        Scene scene = s_space with { Gravity = Gravity, Ground = new Ground
+        Scene scene = s_space with
         {
-            Material = SurfaceMaterial.DryTurf with
-        {
-            ImpactFriction = 0,
-            SlidingFriction = 0,
-            RollingFriction = 0,
-            RollingFrictionBySpeed = 0,
-            DrillingLength = 0,
-        },
-            RestEnergy = 1e-9,
-        } };
+            Gravity = Gravity,
+            Ground = new Ground
+            {
+                Material = SurfaceMaterial.DryTurf with
+                {
+                    ImpactFriction = 0,
+                    SlidingFriction = 0,
+                    RollingFriction = 0,
+                    RollingFrictionBySpeed = 0,
+                    DrillingLength = 0,
+                },
+                RestEnergy = 1e-9,
+            }
+        };
         var board = PosedCollider.In(ref scene, new BoxShape(new Vector3d(1.05, 0.5, 0), new Vector3d(0.05, 0.5, 3)), s_elastic with { NormalRestitution = 0.8 }, isEngine);
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(0.5, Radius, 0), new Vector3d(0.15, 0, 0), default);
@@ -153,13 +157,13 @@ public sealed class SlowBounceTests
             Ground = new Ground
             {
                 Material = SurfaceMaterial.DryTurf with
-            {
-                ImpactFriction = 10,
-                SlidingFriction = 10,
-                RollingFriction = 0,
-                RollingFrictionBySpeed = 0,
-                DrillingLength = 0,
-            },
+                {
+                    ImpactFriction = 10,
+                    SlidingFriction = 10,
+                    RollingFriction = 0,
+                    RollingFrictionBySpeed = 0,
+                    DrillingLength = 0,
+                },
                 RestEnergy = 1e-9,
             },
         };

@@ -8,12 +8,12 @@ public sealed class TurningBodyTests
 
     /// <summary>Rubber without friction.</summary>
     private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
-{
-    NormalRestitution = 0.5,
-    RestitutionSpeed = double.PositiveInfinity,
-    ImpactFriction = 0,
-    SlidingFriction = 0,
-};
+    {
+        NormalRestitution = 0.5,
+        RestitutionSpeed = double.PositiveInfinity,
+        ImpactFriction = 0,
+        SlidingFriction = 0,
+    };
 
     private static readonly Scene s_void = new() { Ball = BallProperties.Tunnel, Gravity = 0, Ground = Ground.None, Forces = ForceSet.None };
 

@@ -15,12 +15,12 @@ public sealed class WorldContactTests
         Ground = new Ground
         {
             Material = SurfaceMaterial.DryTurf with
-        {
-            NormalRestitution = 0.5,
-            RestitutionSpeed = 1e9,
-            ImpactFriction = 0,
-            DrillingLength = 0,
-        },
+            {
+                NormalRestitution = 0.5,
+                RestitutionSpeed = 1e9,
+                ImpactFriction = 0,
+                DrillingLength = 0,
+            },
             MinimumBounceSpeed = Slowest,
         },
         Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },

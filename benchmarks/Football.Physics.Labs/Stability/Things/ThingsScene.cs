@@ -113,13 +113,13 @@ internal sealed class ThingsScene
         Ground flat = Ground.PublishedTurf with
         {
             Material = SurfaceMaterial.PublishedTurf with
-        {
-            ImpactFriction = _random.Any(double.PositiveInfinity, 1.2, _random.Uniform(0, 1)),
-            NormalRestitution = _random.Uniform(0, 0.95),
-            SlidingFriction = _random.Uniform(0.05, 1),
-            RollingFriction = _random.Log(0.003, 0.2),
-            DrillingLength = _random.Any(0, 0.02),
-        },
+            {
+                ImpactFriction = _random.Any(double.PositiveInfinity, 1.2, _random.Uniform(0, 1)),
+                NormalRestitution = _random.Uniform(0, 0.95),
+                SlidingFriction = _random.Uniform(0.05, 1),
+                RollingFriction = _random.Log(0.003, 0.2),
+                DrillingLength = _random.Any(0, 0.02),
+            },
             Aerodynamics = _random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None, GroundAerodynamics.Full),
         };
         if (Kind == ThingsKind.Slopes)

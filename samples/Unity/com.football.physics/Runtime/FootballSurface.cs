@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 
 namespace Football.Physics.Unity
