@@ -36,7 +36,7 @@ int main(void)
     EXPECT(FP_SCENE, "the input", create("{\"gravity\"", &none));
     EXPECT(FP_SCENE, "gravity is -1; allowed: ", create("{\"gravity\": -1}", &none));
     EXPECT(FP_SCENE, "did you mean gravity", create("{\"gravty\": 9}", &none));
-    EXPECT(FP_SCENE, "ground.surface is \"ice\"; allowed: dryTurf", create("{\"ground\": {\"surface\": \"ice\"}}", &none));
+    EXPECT(FP_SCENE, "ground.surface is \"ice\"; allowed: matchTurf", create("{\"ground\": {\"surface\": \"ice\"}}", &none));
     EXPECT(FP_ARGUMENT, "json is null", fp_scene_create(NULL, 0, &none));
     EXPECT(FP_ARGUMENT, "json_bytes is -1", fp_scene_create("{}", -1, &none));
     EXPECT(FP_ARGUMENT, "scene is null", fp_scene_create("{}", 2, NULL));
