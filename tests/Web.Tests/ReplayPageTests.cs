@@ -31,7 +31,7 @@ public sealed class ReplayPageTests(Browser browser, ITestOutputHelper told)
               look();
             })
             """);
-        Assert.InRange(seen.Max(), goal + 1, Math.Min(goal + 3, rest - 1));
+        Assert.InRange(seen.Max(), goal + 1, Math.Min(goal + 3, rest - 0.2));
         Assert.Equal("Pause", await window.Page.GetAttributeAsync("#play", "aria-label"));
         Assert.Empty(window.Errors);
         told.WriteLine(FormattableString.Invariant($"a goal after {goal:F2} s, at rest after {rest:F2} s: the story ends at {seen.Max():F2} s and begins again; {seen.Length} frames"));

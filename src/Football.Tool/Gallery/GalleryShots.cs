@@ -159,7 +159,7 @@ internal static class GalleryShots
             About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. On the ground the wind is off here: it would roll the ball on for ever.",
             Scenario = kick with
             {
-                Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Aerodynamics = GroundAerodynamics.None } },
+                Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
             },
             Comparison = kick,
             ComparisonName = "in still air",

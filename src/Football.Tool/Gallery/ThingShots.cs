@@ -107,10 +107,10 @@ internal static class ThingShots
             Name = "Down a slope into a board",
             About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a board that stands askew, and from there up and to the side until it rests.",
             SceneFields = ["ground.normal=[0,1,-0.1]"],
-            SceneCode = "Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, -0.1) } }",
+            SceneCode = "Scene.Measured with { Ground = new Ground { Normal = new Vector3d(0, 1, -0.1) } }",
             Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with
             {
-                Scene = Scene.Measured with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Normal = new Vector3d(0, 1, -0.1) }, Obstacles = [wall] },
+                Scene = Scene.Measured with { Ground = new Ground { Normal = new Vector3d(0, 1, -0.1) }, Obstacles = [wall] },
             },
         };
     }
