@@ -109,7 +109,7 @@ public static class SceneInput
         // One tangential restitution, or one along x and one along z.
         double along = defaults.Material.TangentialRestitution;
         double[] tangential = ground.OneOrTwo("tangentialRestitution", "a number, or [x, z]", [along, along]);
-        SurfaceMaterial material = ground.Numbers([.. SceneFields.Material.Where(field => field.Name != "tangentialRestitution")], defaults.Material);
+        SurfaceMaterial material = ground.Numbers(SceneFields.GroundMaterial, defaults.Material);
         return ground.Numbers(SceneFields.Ground, defaults) with
         {
             Material = tangential[0] == along ? material : material with { TangentialRestitution = tangential[0] },

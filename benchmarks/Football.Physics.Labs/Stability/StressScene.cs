@@ -48,7 +48,7 @@ internal sealed record StressScene
         string profile = Measured ? "\"profile\":\"measured\"," : "";
         string ofBall = Measured ? $"\"type\":\"{type}\"," : "";
         string ofGround = string.Concat(
-            SceneFields.Material.Where(field => field.Name != "tangentialRestitution").Select(field => $"\"{field.Name}\":{Limit(field.Get(g.Material))},")
+            SceneFields.GroundMaterial.Select(field => $"\"{field.Name}\":{Limit(field.Get(g.Material))},")
                 .Concat(SceneFields.Ground.Select(field => $"\"{field.Name}\":{N(field.Get(g))},")));
         double along = g.Material.TangentialRestitution;
         return $"{{{profile}\"ball\":{{{ofBall}\"mass\":{N(Scene.Ball.Mass)},\"radius\":{N(Scene.Ball.Radius)},\"inertiaFactor\":{N(Scene.Ball.InertiaFactor)}}},"

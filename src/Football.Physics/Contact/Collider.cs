@@ -366,6 +366,18 @@ internal readonly struct ContactMaterial
         return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
+    /// <summary>The largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
+    public static double LargestOn(Ground ground)
+    {
+        double largest = new ContactMaterial(ground.Material).LargestRestitutionAt(0);
+        for (int i = 0; i < (ground.Pattern?.Surfaces.Count ?? 0); i++)
+        {
+            largest = Math.Max(largest, new ContactMaterial(ground.Pattern!.Surfaces[i]).LargestRestitutionAt(0));
+        }
+
+        return largest;
+    }
+
     /// <summary>The speed off a bumper after an impact, m/s: e v_n or more. It is never faster than 1000 m/s, unless it came so fast.</summary>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>

@@ -130,7 +130,7 @@ internal sealed class SceneText
 
         // Level ground may have two tangential restitutions, which the scenario writes as [x, z].
         double along = ground.Material.TangentialRestitution;
-        Numbers([.. SceneFields.Material.Where(field => field.Name != "tangentialRestitution")], ground.Material).Numbers(SceneFields.Ground, ground)
+        Numbers(SceneFields.GroundMaterial, ground.Material).Numbers(SceneFields.Ground, ground)
             .Numbers("tangentialRestitution", along, ground.TangentialRestitutionZ ?? along);
 
         // JSON has no number for the height of no ground: the name of the preset stands for it, and nothing else says where it is.

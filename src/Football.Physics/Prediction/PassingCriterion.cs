@@ -42,7 +42,7 @@ internal sealed class PassingCriterion
         _upward = Weight.UpwardAcceleration(scene);
         _spinRate = from.Spin.Length;
         _closest = double.PositiveInfinity;
-        _restitution = scene.Ground.Material.LargestRestitution;
+        _restitution = ContactMaterial.LargestOn(scene.Ground);
         _untilImpact = request.StopAt == StopAt.Impact;
         _hasGround = !scene.Ground.IsNone;
 

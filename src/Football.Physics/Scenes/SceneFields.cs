@@ -20,6 +20,9 @@ internal static class SceneFields
         new("minimumExitSpeed", "m/s", 0, Limits.Speed, m => m.MinimumExitSpeed, (m, v) => m with { MinimumExitSpeed = v }),
     ];
 
+    /// <summary>The numbers of the ground's material, without the tangential restitution: the ground has one along x and one along z.</summary>
+    public static NumberField<SurfaceMaterial>[] GroundMaterial { get; } = [.. Material.Where(field => field.Name != "tangentialRestitution")];
+
     /// <summary>The numbers of the ground besides its material; its height and shape are not in the list.</summary>
     public static NumberField<Ground>[] Ground { get; } =
     [

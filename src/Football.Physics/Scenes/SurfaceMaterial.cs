@@ -45,9 +45,6 @@ public sealed partial record SurfaceMaterial
     /// <remarks>A ball that lands on top of the object with less than <see cref="Ground.MinimumBounceSpeed"/> stays down.</remarks>
     public double MinimumExitSpeed { get; init; }
 
-    /// <summary>The largest restitution at 6 m/s, over all directions.</summary>
-    internal double LargestRestitution => NormalRestitution + (RestitutionRise * (1.0 - NormalRestitution));
-
     /// <summary>Checks every number.</summary>
     /// <param name="field">Name of the surface in messages.</param>
     /// <param name="mostDamping">The largest damping of a spin of the ball, N m s.</param>

@@ -63,7 +63,7 @@ internal readonly struct StabilityLimit
         RateBound bound = WithFall(in ofAir, upward);
 
         // A hop has at least 3e/(1 − e) pieces, with the restitution of the slowest and most oblique impacts; without weight there are no hops.
-        double restitution = -upward > SurfaceForces.Least ? Math.Min(new ContactMaterial(scene.Ground).LargestRestitutionAt(0), MostElastic) : 0;
+        double restitution = -upward > SurfaceForces.Least ? Math.Min(ContactMaterial.LargestOn(scene.Ground), MostElastic) : 0;
 
         // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);

@@ -131,6 +131,18 @@ public sealed class SurfacePatternTests
         },
     };
 
+    /// <summary>Explicit Euler comes down from a hop faster than it went up: its pieces follow the most elastic part of the ground.</summary>
+    [Theory]
+    [InlineData("concrete")]
+    [InlineData("matchTurf")]
+    public void A_ball_with_Euler_s_method_comes_to_rest_on_an_elastic_part(string material)
+    {
+        var part = new SurfaceRectangles((new Vector3d(-200, 0, -200), new Vector3d(200, 0, 200), SurfaceMaterial.Presets[material]));
+        var scene = new Scene { Ground = new Ground { Material = SurfaceMaterial.Snow, Pattern = part } };
+        BallState end = Flight.Play(scene, Flight.With(Integrator.Euler), 1.0 / 60, 60, StopAt.Rest, new Vector3d(0, 1, 0), new Vector3d(6, 2, 3), Vector3d.Zero, out _);
+        Assert.Equal(MotionState.Stopped, end.Motion);
+    }
+
     private sealed class Stripes : ISurfacePattern
     {
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.PublishedTurf with { RollingFriction = 0.3, SlidingFriction = 0.9 }];
