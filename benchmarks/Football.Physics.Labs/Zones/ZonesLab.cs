@@ -14,7 +14,7 @@ internal static class ZonesLab
         return LabOptions.Create(
             "zones",
             "Random kicks through zones of every shape: what is reported against the path, sampled densely. No crossing may be missed, none be 1e-6 s off, and no zone may change the path.",
-            ["football lab zones", "football lab zones --paths 2000 --seed 7"],
+            ["football lab zones", "football lab zones --paths 300 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(paths), progress),
             paths);
