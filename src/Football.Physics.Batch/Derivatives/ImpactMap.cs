@@ -16,7 +16,7 @@ internal sealed class ImpactMap
     public ImpactMap(Scene scene, Surroundings around)
     {
         _world = around.World;
-        _contact = new WorldContact(around);
+        _contact = new WorldContact(around, gainsByHops: false);
     }
 
     /// <summary>How the motion changes with time itself, were the impact later: where what is hit moves.</summary>

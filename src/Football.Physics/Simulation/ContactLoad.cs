@@ -54,6 +54,22 @@ internal sealed class ContactLoad
         return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
     }
 
+    /// <summary>By how much explicit Euler comes down faster from a hop than it went up, m/s, where the hop has too few steps for its bounces to become lower; else 0.</summary>
+    /// <param name="s">The ball before.</param>
+    /// <param name="off">w, m/s.</param>
+    /// <param name="velocity">Its velocity along the surface, m/s.</param>
+    /// <param name="spin">Its spin after, rad/s.</param>
+    /// <param name="collider">The surface.</param>
+    /// <param name="at">Its place, normal and curvature under the ball.</param>
+    /// <param name="h">Length of a step, s.</param>
+    public double GainOfHop(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at, double h)
+    {
+        // A hop lasts 2 w/a and gains a h.
+        double load = Load(in s, in velocity, in spin, collider, in at);
+        double pieces = StabilityLimit.PiecesOfHop(collider.MaterialAt(s.Position).LargestRestitutionAt(0));
+        return load > SurfaceForces.Least && 2.0 * off < pieces * h * load ? h * load : 0;
+    }
+
     private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
         s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
 

@@ -53,7 +53,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
-        _contact = new WorldContact(around);
+        _contact = new WorldContact(around, _integrator.GainsByHops);
         var guard = new WorldGuard(world, _contact, settings);
         _displacement = new Displacement(world, guard);
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;

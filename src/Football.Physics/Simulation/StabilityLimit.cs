@@ -29,7 +29,7 @@ internal readonly struct StabilityLimit
     /// <summary>Up to this length, s, no step that the fastest form of the laws covers must be divided.</summary>
     private readonly double _wholeUpTo;
 
-    /// <summary>Into how many pieces a hop is divided at least by a method that gains by hops, 3e/(1 − e).</summary>
+    /// <summary>Into how many pieces a hop is divided at least, see <see cref="PiecesOfHop"/>.</summary>
     private readonly double _piecesOfHop;
 
     /// <summary>True when nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
@@ -62,12 +62,19 @@ internal readonly struct StabilityLimit
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // A hop has at least 3e/(1 − e) pieces, with the restitution of the slowest and most oblique impacts; without weight there are no hops.
-        double restitution = -upward > SurfaceForces.Least ? Math.Min(ContactMaterial.LargestOn(scene.Ground), MostElastic) : 0;
+        // The restitution of the slowest and most oblique impacts decides; without weight there are no hops.
+        double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground)) : 0;
 
         // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
-        return new StabilityLimit(in bound, upward, wholeUpTo, 3.0 * restitution / (1.0 - restitution), spirals, order);
+        return new StabilityLimit(in bound, upward, wholeUpTo, pieces, spirals, order);
+    }
+
+    /// <summary>Into how many pieces a hop is divided at least by a method that gains by hops, 3e/(1 − e): then every bounce is lower than the one before.</summary>
+    public static double PiecesOfHop(double restitution)
+    {
+        double e = Math.Min(restitution, MostElastic);
+        return 3.0 * e / (1.0 - e);
     }
 
     /// <summary>How fast the air and gravity can change the motion: a ball that falls from rest is soon as fast as drag lets it, 1/√(P a) is how soon.</summary>

@@ -14,12 +14,16 @@ internal sealed class WorldContact
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly ContactLoad _load;
+    private readonly bool _gainsByHops;
 
-    public WorldContact(Surroundings around)
+    /// <param name="around">What acts on the ball.</param>
+    /// <param name="gainsByHops">Whether the method comes down from a hop faster than it went up.</param>
+    public WorldContact(Surroundings around, bool gainsByHops)
     {
         _around = around;
         _world = around.World;
         _load = new ContactLoad(around);
+        _gainsByHops = gainsByHops;
     }
 
     /// <summary>What presses the ball on what it touches.</summary>
@@ -72,6 +76,14 @@ internal sealed class WorldContact
         // w = (v' − V')·n, the speed off the surface, decides what becomes of the ball. What gives way goes on with V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
+        if (_gainsByHops && off > 0 && !(_world.IsLevel && hit == _world.Ground))
+        {
+            // What the method would add in the hop is taken away first. On level ground the pieces of a hop are short enough.
+            double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
+            off -= gain;
+            velocity -= gain / (1.0 + way.Ratio) * n;
+        }
+
         bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
         if (!bounces && hit.GivesWay)
         {

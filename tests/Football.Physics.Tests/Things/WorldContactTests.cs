@@ -402,7 +402,7 @@ public sealed class WorldContactTests
             Simulator = new Simulator(scene);
             var around = new Surroundings(scene, SceneAir.Of(scene));
             World = around.World;
-            Contact = new WorldContact(around);
+            Contact = new WorldContact(around, gainsByHops: false);
         }
 
         public Simulator Simulator { get; }
