@@ -29,7 +29,7 @@ internal sealed class BatchWorker
         _settings = settings;
         _simulator = new Simulator(scene, new SolverSettings { Integrator = settings.Integrator });
         _upward = Weight.UpwardAcceleration(scene);
-        _ground = new ContactMaterial(scene.Ground);
+        _ground = new ContactMaterial(scene.Ground, scene.Ball.Bounce);
         _standsStill = !_simulator.World.Moves && scene.HasThings;
         Scene open = _standsStill ? scene with { Obstacles = [], Nets = [], Goals = [] } : scene;
         _domain = new LaneDomain(scene, settings.TimeStep);

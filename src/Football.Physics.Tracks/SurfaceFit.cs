@@ -139,12 +139,12 @@ internal sealed class SurfaceFit
 
         double[] changed = new double[Numbers];
         var materials = new ContactMaterial[Numbers];
-        var at = new ContactMaterial(With(values));
+        var at = new ContactMaterial(With(values), _ball.Bounce);
         for (int k = 0; k < Numbers; k++)
         {
             Array.Copy(values, changed, Numbers);
             changed[k] += Steps[k];
-            materials[k] = new ContactMaterial(With(changed));
+            materials[k] = new ContactMaterial(With(changed), _ball.Bounce);
         }
 
         foreach (MatchPiece impact in _impacts)

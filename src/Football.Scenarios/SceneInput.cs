@@ -14,10 +14,11 @@ public static class SceneInput
         double gravity = Gravity(root);
         InputObject forces = root.Object("forces");
         InputObject ground = root.Object("ground");
+        InputObject dials = root.Object("dials");
         Profile profile = root.Choice("profile", Profile.Measured);
         Scene scene = profile == Profile.Measured ? Physics.Scene.Measured : Physics.Scene.Published;
         SurfaceMaterial frame = profile == Profile.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame;
-        return new Scene
+        var given = new Scene
         {
             Ball = Ball(ball, profile),
             Gravity = gravity,
@@ -29,6 +30,8 @@ public static class SceneInput
             Goals = WorldInput.Goals(root, frame),
             Zones = WorldInput.Zones(root),
         };
+        Dials set = dials.Numbers(SceneFields.Dials, new Dials());
+        return root.Make(() => set.Apply(given)) ?? given;
     }
 
     /// <summary>A number, or a vector straight down.</summary>

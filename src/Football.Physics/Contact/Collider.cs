@@ -15,6 +15,9 @@ internal sealed class Collider
     private readonly ISurfacePattern? _pattern;
     private readonly ContactMaterial[] _patches = [];
 
+    /// <summary>The ball's factor on every restitution.</summary>
+    private readonly double _bounce = 1;
+
     public Collider(string name, IShape shape, in ContactMaterial material)
     {
         Name = name;
@@ -24,15 +27,15 @@ internal sealed class Collider
         _material = material;
     }
 
-    public Collider(Ground ground, IShape shape)
-        : this("ground", shape, new ContactMaterial(ground))
+    public Collider(Ground ground, IShape shape, BallProperties ball)
+        : this("ground", shape, new ContactMaterial(ground, ball.Bounce))
     {
         _pattern = ground.Pattern;
-        _patches = _pattern is null ? [] : PatchesOf(_pattern);
+        _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface, ball.Bounce))];
     }
 
-    public Collider(Obstacle obstacle, ObstacleMotions? all = null, Placement? placement = null)
-        : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface))
+    public Collider(Obstacle obstacle, BallProperties ball, ObstacleMotions? all = null, Placement? placement = null)
+        : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface, ball.Bounce))
     {
         Mass = obstacle.Mass;
         Layer = obstacle.Layer;
@@ -43,8 +46,8 @@ internal sealed class Collider
         _motion.Pivot = obstacle.Pivot;
     }
 
-    public Collider(Body body)
-        : this(body.Name, body.Shape, new ContactMaterial(body.Surface))
+    public Collider(Body body, BallProperties ball)
+        : this(body.Name, body.Shape, new ContactMaterial(body.Surface, ball.Bounce))
     {
         Mass = body.Mass;
         Layer = body.Layer;
@@ -53,8 +56,9 @@ internal sealed class Collider
     }
 
     /// <summary>A place for one that an engine finds.</summary>
-    public Collider(Placement none, EnginePushes pushes)
+    public Collider(Placement none, EnginePushes pushes, BallProperties ball)
     {
+        _bounce = ball.Bounce;
         _enginePushes = pushes;
         Name = "";
         _shape = new TangentShape();
@@ -163,7 +167,7 @@ internal sealed class Collider
         _shape = collider.Shape;
         _plane = _shape as PlaneShape;
         _bounds = _shape.Bounds;
-        _material = new ContactMaterial(collider.Surface);
+        _material = new ContactMaterial(collider.Surface, _bounce);
         _placement = collider.Placement;
         Mass = collider.Mass;
     }
@@ -186,8 +190,6 @@ internal sealed class Collider
             _obstacles?.Push(_placement!, in velocity, time);
         }
     }
-
-    private static ContactMaterial[] PatchesOf(ISurfacePattern pattern) => [.. pattern.Surfaces.Select(surface => new ContactMaterial(surface))];
 
     /// <summary>Which of its materials is under a place; −1 for its own.</summary>
     public int PatchAt(in Vector3d position)
@@ -300,14 +302,16 @@ internal readonly struct ContactMaterial
     /// <summary>b, m.</summary>
     public readonly double DrillingLength;
 
-    public ContactMaterial(Ground ground)
-        : this(ground.Material) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
+    public ContactMaterial(Ground ground, double bounce = 1)
+        : this(ground.Material, bounce) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
 
-    public ContactMaterial(SurfaceMaterial surface)
+    /// <param name="surface">The surface.</param>
+    /// <param name="bounce">The ball's factor on its restitution.</param>
+    public ContactMaterial(SurfaceMaterial surface, double bounce = 1)
     {
         PerRestitutionSpeed = 1.0 / surface.RestitutionSpeed;
-        SlowRestitution = AtRest(surface.NormalRestitution, PerRestitutionSpeed);
-        _most = Math.Max(1.0, surface.NormalRestitution);
+        SlowRestitution = bounce * AtRest(surface.NormalRestitution, PerRestitutionSpeed);
+        _most = surface.NormalRestitution > 1 ? Math.Max(1.0, bounce * surface.NormalRestitution) : 1.0;
         MinimumExitSpeed = surface.MinimumExitSpeed;
         RestitutionRise = surface.RestitutionRise;
         TangentialX = surface.TangentialRestitution;
@@ -367,12 +371,12 @@ internal readonly struct ContactMaterial
     }
 
     /// <summary>The largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
-    public static double LargestOn(Ground ground)
+    public static double LargestOn(Ground ground, BallProperties ball)
     {
-        double largest = new ContactMaterial(ground.Material).LargestRestitutionAt(0);
+        double largest = new ContactMaterial(ground.Material, ball.Bounce).LargestRestitutionAt(0);
         for (int i = 0; i < (ground.Pattern?.Surfaces.Count ?? 0); i++)
         {
-            largest = Math.Max(largest, new ContactMaterial(ground.Pattern!.Surfaces[i]).LargestRestitutionAt(0));
+            largest = Math.Max(largest, new ContactMaterial(ground.Pattern!.Surfaces[i], ball.Bounce).LargestRestitutionAt(0));
         }
 
         return largest;

@@ -337,7 +337,7 @@ internal sealed class EngineThings
         Array.Resize(ref _colliders, count);
         for (int i = before; i < count; i++)
         {
-            _colliders[i] = new Collider(_nowhere, Pushes);
+            _colliders[i] = new Collider(_nowhere, Pushes, _world.Ball);
         }
 
         if (before > 0)

@@ -32,7 +32,7 @@ internal sealed class World
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider(scene.Ground, ground));
+            colliders.Add(new Collider(scene.Ground, ground, Ball));
             Ground = colliders[0];
         }
 
@@ -310,9 +310,9 @@ internal sealed class World
     // What a bare pitch does not need stands by itself: its first use costs a game nothing.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
-        colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, motions, placement) : new Collider(obstacle)));
-        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle) { Layer = -1 }));
-        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body)));
+        colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle, scene.Ball) { Layer = -1 }));
+        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body, scene.Ball)));
     }
 
     private static NetSheet[] NetsOf(Scene scene) =>

@@ -42,7 +42,7 @@ internal sealed class PassingCriterion
         _upward = Weight.UpwardAcceleration(scene);
         _spinRate = from.Spin.Length;
         _closest = double.PositiveInfinity;
-        _restitution = ContactMaterial.LargestOn(scene.Ground);
+        _restitution = ContactMaterial.LargestOn(scene.Ground, scene.Ball);
         _untilImpact = request.StopAt == StopAt.Impact;
         _hasGround = !scene.Ground.IsNone;
 

@@ -16,6 +16,9 @@ public sealed record BallProperties
     /// <summary>Inertia factor α in I = α m r². 0.1 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</summary>
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
+    /// <summary>Factor on the restitution of every surface: a soft ball bounces less. 0 … 1.2; default 1. No surface gets more than 1 by it, except a bumper.</summary>
+    public double Bounce { get; init; } = 1;
+
     /// <summary>Drag coefficient without spin, for <see cref="CoefficientForm.Measured"/> alone. Default <see cref="DragCurve.Modern"/>.</summary>
     public DragCurve DragCurve { get; init; } = DragCurve.Modern with { };
 

@@ -36,6 +36,7 @@ internal static class SceneFields
         new("mass", "kg", 0.001, 100, b => b.Mass, (b, v) => b with { Mass = v }),
         new("radius", "m", 0.005, 5, b => b.Radius, (b, v) => b with { Radius = v }),
         new("inertiaFactor", "", 0.1, 1, b => b.InertiaFactor, (b, v) => b with { InertiaFactor = v }),
+        new("bounce", "", 0, 1.2, b => b.Bounce, (b, v) => b with { Bounce = v }),
         new("knuckleForce", "N", 0, 100, b => b.KnuckleForce, (b, v) => b with { KnuckleForce = v }),
     ];
 
@@ -49,6 +50,15 @@ internal static class SceneFields
         new("risen", "", 0.01, 4, c => c.Risen, (c, v) => c with { Risen = v }),
         new("riseFrom", "", DragCurve.LeastCriticalReynolds, DragCurve.MostReynolds, c => c.RiseFrom, (c, v) => c with { RiseFrom = v }),
         new("riseTo", "", 0, double.MaxValue, c => c.RiseTo, (c, v) => c with { RiseTo = v }),
+    ];
+
+    /// <summary>The dials of a designer.</summary>
+    public static NumberField<Dials>[] Dials { get; } =
+    [
+        new("pressure", "bar", 0.6, 1.1, d => d.Pressure, (d, v) => d with { Pressure = v }),
+        new("wetness", "", 0, 1, d => d.Wetness, (d, v) => d with { Wetness = v }),
+        new("wear", "", 0, 1, d => d.Wear, (d, v) => d with { Wear = v }),
+        new("mud", "", 0, 1, d => d.Mud, (d, v) => d with { Mud = v }),
     ];
 
     /// <summary>The numbers of the air.</summary>

@@ -53,7 +53,7 @@ internal static class SceneHash
     public static ulong Of(SurfaceMaterial surface)
     {
         var key = new SceneKey();
-        AddMaterial(ref key, new ContactMaterial(surface));
+        AddMaterial(ref key, new ContactMaterial(surface, 1));
         return key.Value;
     }
 
@@ -73,6 +73,11 @@ internal static class SceneHash
         key.Add(scene.Ball.InertiaFactor);
         key.Add(scene.Ball.KnuckleForce);
         key.Add(Weight.UpwardAcceleration(scene));
+        if (scene.Ball.Bounce != 1)
+        {
+            key.Add(scene.Ball.Bounce);
+        }
+
         if (scene.Ball.Ignores != 0)
         {
             AddLayers(ref key, scene);

@@ -63,7 +63,7 @@ internal readonly struct StabilityLimit
         RateBound bound = WithFall(in ofAir, upward);
 
         // The restitution of the slowest and most oblique impacts decides; without weight there are no hops.
-        double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground)) : 0;
+        double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
         // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);

@@ -137,6 +137,22 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.None, "suffix:m/s")]
     public Vector3 Wind { get; set; }
 
+    /// <summary>Pressure of the ball, bar; the Laws allow 0.6 to 1.1. A soft ball bounces less.</summary>
+    [Export(PropertyHint.Range, "0.6,1.1,0.01,suffix:bar")]
+    public float BallPressure { get; set; } = 0.8f;
+
+    /// <summary>Water on the pitch and in the ball: 0 as the surface says, 1 soaked.</summary>
+    [Export(PropertyHint.Range, "0,1,0.01")]
+    public float Wetness { get; set; }
+
+    /// <summary>Wear of the ball: 0 new, 1 worn. A worn ball flies a little farther.</summary>
+    [Export(PropertyHint.Range, "0,1,0.01")]
+    public float BallWear { get; set; }
+
+    /// <summary>Mud on the pitch and on the ball: 0 none, 1 deep.</summary>
+    [Export(PropertyHint.Range, "0,1,0.01")]
+    public float Mud { get; set; }
+
     /// <summary>How the scene is integrated.</summary>
     public SolverSettings Settings => new() { Integrator = Integrator };
 
@@ -144,6 +160,7 @@ public partial class FootballPreset : Resource
     internal int Stamp => HashCode.Combine(
         HashCode.Combine((int)Profile, (int)Ball, CustomMass, CustomRadius, (int)Surface, CustomRestitution, CustomSlidingFriction, CustomRollingFriction),
         HashCode.Combine((int)Laws, (int)Integrator, GroundHeight, AirDensity, AirViscosity, DragScale, BendScale),
+        HashCode.Combine(BallPressure, Wetness, BallWear, Mud),
         Gravity,
         Wind);
 
@@ -168,14 +185,15 @@ public partial class FootballPreset : Resource
                 RollingFriction = Typed(CustomRollingFriction),
             },
         };
-        Scene scene = own with
+        var dials = new Dials { Pressure = Typed(BallPressure), Wetness = Typed(Wetness), Wear = Typed(BallWear), Mud = Typed(Mud) };
+        Scene scene = dials.Apply(own with
         {
             Ball = BallOf(),
             Ground = AtHeight(ground, Typed(GroundHeight)),
             Forces = ForcesOf(own.Forces),
             Gravity = Typed(Gravity),
             Air = new Air { Density = Typed(AirDensity), KinematicViscosity = Typed(AirViscosity) / 1e6, Wind = GodotFrame.FromGodot(Wind) },
-        };
+        });
         return DragScale == 1 && BendScale == 1
             ? scene
             : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };

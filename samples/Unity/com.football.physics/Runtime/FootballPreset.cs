@@ -75,6 +75,22 @@ namespace Football.Physics.Unity
         [Range(0f, 30f), Tooltip("Gravity, m/s².")]
         public float gravity = 9.81f;
 
+        /// <summary>Pressure of the ball, bar.</summary>
+        [Header("Condition"), Range(0.6f, 1.1f), Tooltip("Pressure of the ball, bar. The Laws allow 0.6 to 1.1; a soft ball bounces less.")]
+        public float ballPressure = 0.8f;
+
+        /// <summary>Water on the pitch and in the ball.</summary>
+        [Range(0f, 1f), Tooltip("Water on the pitch and in the ball: 0 as the ground above, 1 soaked.")]
+        public float wetness;
+
+        /// <summary>Wear of the ball.</summary>
+        [Range(0f, 1f), Tooltip("Wear of the ball: 0 new, 1 worn. A worn ball flies a little farther.")]
+        public float ballWear;
+
+        /// <summary>Mud on the pitch and on the ball.</summary>
+        [Range(0f, 1f), Tooltip("Mud on the pitch and on the ball: 0 none, 1 deep.")]
+        public float mud;
+
         /// <summary>The one-step method.</summary>
         [Header("Steps")]
         public Integrator integrator = Integrator.Rk4;
@@ -168,6 +184,10 @@ namespace Football.Physics.Unity
                 stamp.Add(bendScale);
                 stamp.Add(wind);
                 stamp.Add(gravity);
+                stamp.Add(ballPressure);
+                stamp.Add(wetness);
+                stamp.Add(ballWear);
+                stamp.Add(mud);
                 stamp.Add((int)integrator);
                 stamp.Add(timeStep);
                 return stamp.ToHashCode();
@@ -189,14 +209,15 @@ namespace Football.Physics.Unity
                 ProfileChoice.Published => Scene.Published,
                 _ => throw new InvalidOperationException("There is no profile " + profile + "."),
             };
-            Scene scene = own with
+            var dials = new Dials { Pressure = Typed(ballPressure), Wetness = Typed(wetness), Wear = Typed(ballWear), Mud = Typed(mud) };
+            Scene scene = dials.Apply(own with
             {
                 Ball = BallOf(),
                 Air = new Air { Density = Typed(airDensity), KinematicViscosity = Typed(airViscosity) / 1e6, Wind = WindAsTyped() },
                 Gravity = Typed(gravity),
                 Forces = Forces(own.Forces),
                 Ground = AtHeight(Ground(own.Ground), Typed(groundHeight)),
-            };
+            });
             return dragScale == 1f && bendScale == 1f
                 ? scene
                 : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
@@ -243,6 +264,10 @@ namespace Football.Physics.Unity
             dragScale = Mathf.Clamp(dragScale, 0f, 3f);
             bendScale = Mathf.Clamp(bendScale, 0f, 3f);
             gravity = Mathf.Clamp(gravity, 0f, 30f);
+            ballPressure = Mathf.Clamp(ballPressure, 0.6f, 1.1f);
+            wetness = Mathf.Clamp(wetness, 0f, 1f);
+            ballWear = Mathf.Clamp(ballWear, 0f, 1f);
+            mud = Mathf.Clamp(mud, 0f, 1f);
         }
 
         /// <summary>The ball that is chosen.</summary>

@@ -75,7 +75,7 @@ public sealed partial class BallGroup
 
         _motions = new MotionsBefore(world);
         _flown.Motions = _motions;
-        _cluster = new BallCluster(simulators, new ContactMaterial(Contact), Contact.ImpactFriction, _before, _reaches, _logs);
+        _cluster = new BallCluster(simulators, new ContactMaterial(Contact, simulators.Min(simulator => simulator.Scene.Ball.Bounce)), Contact.ImpactFriction, _before, _reaches, _logs);
     }
 
     /// <summary>How many balls there are.</summary>
