@@ -11,7 +11,7 @@ public static class SceneInput
         // In the order in which a refusal names them.
         InputObject ball = root.Object("ball");
         InputObject air = root.Object("air");
-        double gravity = Gravity(root);
+        Vector3d gravity = Gravity(root);
         InputObject forces = root.Object("forces");
         InputObject ground = root.Object("ground");
         InputObject dials = root.Object("dials");
@@ -21,7 +21,7 @@ public static class SceneInput
         var given = new Scene
         {
             Ball = Ball(ball, profile),
-            Gravity = gravity,
+            GravityVector = gravity,
             Forces = Forces(forces, scene.Forces),
             Ground = Ground(ground, Physics.Ground.Presets[ground.Preset("surface", Physics.Ground.Presets, profile == Profile.Measured ? "matchTurf" : "publishedTurf")]),
             Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
@@ -34,17 +34,17 @@ public static class SceneInput
         return root.Make(() => set.Apply(given)) ?? given;
     }
 
-    /// <summary>A number, or a vector straight down.</summary>
-    private static double Gravity(InputObject root)
+    /// <summary>A number, straight down, or a vector.</summary>
+    private static Vector3d Gravity(InputObject root)
     {
         if (!root.IsArray("gravity"))
         {
-            return root.Number("gravity", Physics.Scene.Default.Gravity);
+            return new Vector3d(0, -root.Number("gravity", Physics.Scene.Default.Gravity), 0);
         }
 
         Vector3d gravity = root.Vector("gravity", Vector3d.Zero);
-        root.Demand("gravity", gravity.X == 0 && gravity.Z == 0 && gravity.Y <= 0, "a number, or [0, −g, 0]: straight down (tilt the ground for a slope)");
-        return gravity.Y < 0 ? -gravity.Y : 0;
+        root.Demand("gravity", gravity.Y <= 0, "a number, or [x, y, z] with y at most 0");
+        return gravity;
     }
 
     /// <summary>The solver of a single ball, and its step in seconds.</summary>

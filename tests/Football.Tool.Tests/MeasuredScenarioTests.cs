@@ -46,7 +46,22 @@ public sealed class MeasuredScenarioTests
         Assert.Equal(0, kicked.GetProperty("events").GetArrayLength());
     }
 
+    /// <summary>A gravity vector that is not straight down, and dials, reach the scene.</summary>
+    [Fact]
+    public void Gravity_may_be_a_vector_and_dials_change_the_ball()
+    {
+        const string Fall = "\"launch\":{\"position\":[0,9,0],\"velocity\":[0,0,0]},\"stop\":{\"at\":\"time\",\"time\":1},\"air\":{\"density\":0}";
+        JsonElement fallen = FootballCommand.Play($"{{{Fall},\"gravity\":[2,-9,1]}}").GetProperty("final").GetProperty("position");
+        Assert.Equal([1, 4.5, 0.5], fallen.EnumerateArray().Select(number => Math.Round(number.GetDouble(), 9)));
+        double soft = FootballCommand.Play($"{{{Fall},\"ground\":{{\"surface\":\"concrete\",\"height\":8}},\"dials\":{{\"pressure\":0.6}}}}").GetProperty("final").GetProperty("position")[1].GetDouble();
+        double hard = FootballCommand.Play($"{{{Fall},\"ground\":{{\"surface\":\"concrete\",\"height\":8}}}}").GetProperty("final").GetProperty("position")[1].GetDouble();
+        Assert.True(soft < hard - 0.005, $"{soft} {hard}");
+    }
+
     [Theory]
+    [InlineData("\"gravity\":[0,1,0]", "gravity is [0,1,0]; allowed: a number, or [x, y, z] with y at most 0")]
+    [InlineData("\"gravity\":[2000,-1,0]", "gravity[0] is 2000; allowed: -1000 … 1000")]
+    [InlineData("\"dials\":{\"pressure\":2}", "dials.pressure is 2; allowed: 0.6 … 1.1")]
     [InlineData("\"profile\":\"thesis\"", "profile is \"thesis\"; allowed: measured | published")]
     [InlineData("\"ball\":{\"type\":\"beach\"}", "ball.type is \"beach\"; allowed: modern | generic | tango12 | teamgeist | jabulani | brazuca | telstar18 | flight2020 | alRihla | fussballliebe | trionda | youthFootball | futsal | beachBall | medicineBall")]
     [InlineData("\"ball\":{\"knuckleForce\":-1}", "ball.knuckleForce is -1; allowed: 0 … 100")]

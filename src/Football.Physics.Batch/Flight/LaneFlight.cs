@@ -23,7 +23,7 @@ internal abstract class LaneFlight
     /// knuckle force, and nothing to hit but level ground.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
-    public static bool Covers(Scene scene) => scene.Forces.Custom.Count == 0 && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null
+    public static bool Covers(Scene scene) => !scene.HasOwnForces && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null
         && scene.Ground.IsLevel && scene.Ground.Pattern is null && !scene.HasThings;
 
     /// <summary>Compiles a scene.</summary>

@@ -51,7 +51,7 @@ public sealed class ScaledAir : IForce
 
     /// <summary>The one own force of a scene, where it scales the scene's own laws: then it is taken as laws, and the axis of the spin stays constant.</summary>
     internal static ScaledAir? AloneIn(Scene scene) =>
-        scene.Forces.Custom.Count == 1 && scene.Forces.Custom[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
+        scene.Forces.Custom.Count == 1 && scene.Sideways == Vector3d.Zero && scene.Forces.Custom[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
     /// <summary>True when a scene has the ball, the air and the laws that this was made for.</summary>
     private bool IsMadeFor(Scene scene) =>

@@ -79,10 +79,10 @@ internal struct SceneAir : IFlightAir
     /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
     public static SceneAir Of(Scene scene) => ScaledAir.AloneIn(scene) is { } scaled
         ? new SceneAir(scene, AirLaws.Of(scene, scaled.Drag, scaled.Lift), false)
-        : new SceneAir(scene, AirLaws.Of(scene), scene.Forces.Custom.Count > 0);
+        : new SceneAir(scene, AirLaws.Of(scene), scene.HasOwnForces);
 
     /// <summary>True when nothing but laws acts in a scene.</summary>
-    public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (scene.Forces.Custom.Count == 0 || ScaledAir.AloneIn(scene) is not null);
+    public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (!scene.HasOwnForces || ScaledAir.AloneIn(scene) is not null);
 
     /// <summary>True when the wind of a scene depends on place or time, or a knuckle force acts.</summary>
     public static bool HasFieldIn(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;

@@ -103,7 +103,7 @@ internal unsafe struct ContactSystem : IMotionSystem
             spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);
         }
 
-        acceleration = push + new Vector3d(0, Around.Upward, 0);
+        acceleration = push + Around.Weight;
         if (Nets != 0)
         {
             MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
@@ -124,6 +124,6 @@ internal unsafe struct ContactSystem : IMotionSystem
         Vector3d u = still.Velocity - Around.Wind;
         Around.Air.Evaluate(new ForceInput(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
         Vector3d nets = Nets == 0 ? Vector3d.Zero : World.PushOfNets(Nets, NetSides, in still).Acceleration;
-        return air.Acceleration + new Vector3d(0, Around.Upward, 0) + nets;
+        return air.Acceleration + Around.Weight + nets;
     }
 }

@@ -115,7 +115,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d n = on.Normal;
 
         // N/m = −(a_b − A_s)·n − qᵀHq: what the surface must give so that the ball follows it.
-        var body = new Vector3d(0, Around.Upward, 0);
+        Vector3d body = Around.Weight;
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 

@@ -12,7 +12,10 @@ internal sealed class Surroundings
     /// <summary>Wind, m/s.</summary>
     public readonly Vector3d Wind;
 
-    /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
+    /// <summary>Acceleration by gravity and buoyancy, m/s²; straight down, but in a tilted world.</summary>
+    public readonly Vector3d Weight;
+
+    /// <summary>Its upward part, m/s².</summary>
     public readonly double Upward;
 
     /// <summary>Ball radius, m.</summary>
@@ -30,7 +33,8 @@ internal sealed class Surroundings
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Wind = scene.Air.Wind;
         World = new World(scene);
-        Upward = Weight.UpwardAcceleration(scene);
+        Weight = Physics.Weight.Of(scene);
+        Upward = Weight.Y;
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;
     }

@@ -66,7 +66,7 @@ internal sealed class SceneText
         Text("profile", "measured");
         Object("ball", () => Numbers(SceneFields.Ball, scene.Ball).Curve(scene.Ball.DragCurve).Ignores(scene.Ball.Ignores));
         Object("air", () => AddAir(scene.Air, scene.Ground));
-        Number("gravity", scene.Gravity);
+        _ = scene.Sideways == Vector3d.Zero ? Number("gravity", scene.Gravity) : Vector("gravity", scene.GravityVector);
         Object("forces", () => AddForces(scene.Forces));
         Object("ground", () => AddGround(scene.Ground));
         List("obstacles", scene.Obstacles, item => Text("name", item.Name).Shape("obstacles", item.Shape).Material(item.Surface).Vector("velocity", item.Velocity)

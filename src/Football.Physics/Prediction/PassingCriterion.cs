@@ -47,7 +47,7 @@ internal sealed class PassingCriterion
         _hasGround = !scene.Ground.IsNone;
 
         // Things throw a ball back, and what a game's own forces and winds that change may do is not known.
-        _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.Forces.Custom.Count > 0 || SceneAir.HasFieldIn(scene);
+        _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.HasOwnForces || SceneAir.HasFieldIn(scene);
     }
 
     /// <summary>True when the ball comes no closer after a piece.</summary>

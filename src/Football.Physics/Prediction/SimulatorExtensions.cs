@@ -68,7 +68,7 @@ public static class SimulatorExtensions
         request.CheckClock(in from[0]);
 
         // All balls of a group have one step: where forces of a game's own act, the longest that is taken as it is.
-        double step = group.SimulatorOf(0).Scene.Forces.Custom.Count > 0 ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
+        double step = group.SimulatorOf(0).Scene.HasOwnForces ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
         BallState[] states = [.. from];
         for (int i = 0; i < into.Length; i++)
         {
@@ -149,10 +149,10 @@ public static class SimulatorExtensions
             // Bodies are moved between steps that are known before, short ones where forces of a game's own act; else stiff forces may divide a step.
             if (into.OnStep is { } move)
             {
-                double longest = simulator.Scene.Forces.Custom.Count > 0 ? LongestOwnStep : request.TimeStep;
+                double longest = simulator.Scene.HasOwnForces ? LongestOwnStep : request.TimeStep;
                 simulator.RunChecked(ref state, Math.Min(request.TimeStep, longest), request.Duration, request.StopAt, into.Log, move);
             }
-            else if (simulator.Scene.Forces.Custom.Count > 0 && request.TimeStep > LongestOwnStep)
+            else if (simulator.Scene.HasOwnForces && request.TimeStep > LongestOwnStep)
             {
                 OwnForceSteps.Run(simulator, ref state, request, into.Log, into.Trial);
             }

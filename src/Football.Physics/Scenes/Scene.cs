@@ -22,8 +22,24 @@ public sealed record Scene
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Gravitational acceleration g, m/s². 0 … 1000; default 9.81.</summary>
+    /// <summary>Downward part of the gravitational acceleration, g, m/s². 0 … 1000; default 9.81.</summary>
     public double Gravity { get; init; } = 9.81;
+
+    /// <summary>
+    /// Gravitational acceleration as a vector, m/s²: y within −1000 … 0, x and z within ±1000; default (0, −9.81, 0). A vector that is not straight down tilts the world: level ground
+    /// becomes a slope. Sets <see cref="Gravity"/> too.
+    /// </summary>
+    public Vector3d GravityVector
+    {
+        get => new(Sideways.X, -Gravity, Sideways.Z);
+        init => (Gravity, Sideways) = (value.Y == 0 ? 0 : -value.Y, new Vector3d(value.X, 0, value.Z));
+    }
+
+    /// <summary>The horizontal part of gravity, m/s².</summary>
+    internal Vector3d Sideways { get; init; }
+
+    /// <summary>True if forces act that no law of the air gives: the game's own, or a gravity that is not straight down.</summary>
+    internal bool HasOwnForces => Forces.Custom.Count > 0 || Sideways != Vector3d.Zero;
 
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
@@ -93,6 +109,8 @@ public sealed record Scene
         Ball.Validate();
         Air.Validate();
         Check.Within("gravity", Gravity, 0, 1000);
+        Check.Within("gravity[0]", Sideways.X, -1000, 1000);
+        Check.Within("gravity[2]", Sideways.Z, -1000, 1000);
         Forces.Validate();
         ValidateLightness();
         ValidateGround();

@@ -5,6 +5,13 @@ internal static class Weight
 {
     /// <summary>Upward acceleration, m/s²; negative for what is heavier than air.</summary>
     public static double UpwardAcceleration(Scene scene) => Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
+
+    /// <summary>Acceleration, m/s². Buoyancy is opposite to gravity, also where that is not straight down.</summary>
+    public static Vector3d Of(Scene scene)
+    {
+        double share = 1.0 - (scene.Forces.Buoyancy ? Buoyancy.DisplacedMass(scene.Ball, scene.Air) / scene.Ball.Mass : 0);
+        return new Vector3d(share * scene.Sideways.X, UpwardAcceleration(scene), share * scene.Sideways.Z);
+    }
 }
 
 /// <summary>Gravity, F_G = −m g ŷ.</summary>

@@ -40,14 +40,14 @@ internal sealed class ClearFlight
     /// <param name="limit">How fast the air can change the motion.</param>
     /// <param name="ordinary">The same up to <see cref="AirLaws.OrdinarySpeed"/>.</param>
     /// <param name="wind">Wind, m/s.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="weight">Size of the acceleration by gravity and buoyancy, m/s².</param>
     /// <param name="shareInPath">c of the method's path p + h (v + c h a).</param>
-    public ClearFlight(World world, in StabilityLimit limit, in RateBound ordinary, in Vector3d wind, double upward, double shareInPath)
+    public ClearFlight(World world, in StabilityLimit limit, in RateBound ordinary, in Vector3d wind, double weight, double shareInPath)
     {
         _world = world;
         _limit = limit;
         _ordinary = ordinary;
-        _weight = Math.Abs(upward);
+        _weight = weight;
         _shareInPath = Math.Max(0.5, shareInPath);
         _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
@@ -58,7 +58,7 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
-        key.Add(upward);
+        key.Add(weight);
         key.Add(_shareInPath);
         key.Add(in wind);
         key.Add(_friction);

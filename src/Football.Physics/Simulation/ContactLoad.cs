@@ -11,12 +11,14 @@ internal sealed class ContactLoad
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly RateBound _ofAir;
+    private readonly double _weight;
 
     public ContactLoad(Surroundings around)
     {
         _around = around;
         _world = around.World;
         _ofAir = around.Air.Bound;
+        _weight = around.Weight.Length;
     }
 
     /// <summary>True when a ball that leaves a surface with a speed stays on it: something presses it back at once (world.md, After the impact).</summary>
@@ -29,7 +31,7 @@ internal sealed class ContactLoad
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
-        bool byWeight = -2.0 * _around.Upward * at.Normal.Y >= Math.Abs(_around.Upward) && _around.Upward != 0;
+        bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
         if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
         {
@@ -41,7 +43,7 @@ internal sealed class ContactLoad
             // Few are: what the air can do at most says so without asking it.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
-            double most = Math.Abs(_around.Upward) + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
+            double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
                 + MostOfRotation(collider, in s, in along);
             if (s.Nets == 0 && off >= 0.5 * hop * most)
             {
@@ -128,7 +130,7 @@ internal sealed class ContactLoad
     {
         // Where the air does not count, a load by weight alone says enough.
         Vector3d along = velocity - collider.Velocity;
-        double byWeight = _world.AirLoads || collider.Rotates ? 0 : (-_around.Upward * at.Normal.Y) - Vector3d.Dot(in along, at.Curvature * along);
+        double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin)).FreeLoad;
     }
 

@@ -200,7 +200,7 @@ internal sealed partial class ContactSetParts
     private Vector3d Working(in MotionRates free, in Motion at)
     {
         // a − (a·m) m/|m|², m = ω × u; where all of the air counts the weight is left out of this.
-        var weight = new Vector3d(0, _world.SharesAir ? _around.Upward : 0, 0);
+        Vector3d weight = _world.SharesAir ? _around.Weight : Vector3d.Zero;
         Vector3d other = free.Acceleration - weight;
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
         double square = magnus.LengthSquared;

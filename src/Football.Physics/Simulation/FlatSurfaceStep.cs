@@ -83,7 +83,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _clear = clear;
         _limit = limit;
         _locatesJump = locatesJump;
-        _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && scene.Forces.Custom.Count == 0;
+        _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && !scene.HasOwnForces;
         _slides = settings.RollingTransition == RollingTransition.Exact;
         (_offsets, _weights, _order) = settings.Integrator switch
         {

@@ -50,8 +50,8 @@ internal struct FlightSystem : IMotionSystem
         around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + g ŷ,  ω̇ = −decay ω
-        Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + new Vector3d(0, around.Upward, 0);
+        // a = L (ω × u) − D u + g,  ω̇ = −decay ω
+        Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + around.Weight;
         Vector3d spinAcceleration = -air.Decay * at.Spin;
         if (around.Air.Varies)
         {

@@ -73,6 +73,11 @@ internal static class SceneHash
         key.Add(scene.Ball.InertiaFactor);
         key.Add(scene.Ball.KnuckleForce);
         key.Add(Weight.UpwardAcceleration(scene));
+        if (scene.Sideways != Vector3d.Zero)
+        {
+            key.Add(scene.Sideways);
+        }
+
         if (scene.Ball.Bounce != 1)
         {
             key.Add(scene.Ball.Bounce);

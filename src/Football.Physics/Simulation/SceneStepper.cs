@@ -49,7 +49,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
         World world = around.World;
-        _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, _upward), in _wind, _upward, _integrator.ShareInPath);
+        double weight = around.Weight.Length;
+        _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, weight), in _wind, weight, _integrator.ShareInPath);
 
         // Where there are bodies, no answer is good for longer than a step.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
@@ -59,7 +60,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;
 
         // Friction may speed a ball up faster than gravity does.
-        double pull = Math.Abs(_upward) * Math.Max(1.0, world.LargestFriction);
+        double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
         _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);

@@ -36,7 +36,7 @@ public sealed class Simulator
         _contact = Scene.Ground.Height + Scene.Ball.Radius;
         _world = _stepper.World;
         _mayWake = _stepper.MayWake;
-        _hasOwnForces = Scene.Forces.Custom.Count > 0;
+        _hasOwnForces = Scene.HasOwnForces;
         Zones = ZoneWatch.Of(Scene, _world.ThingOfZone(0));
         _isPlain = !_hasOwnForces && Zones is null;
     }

@@ -29,7 +29,7 @@ internal static class StepperFactory
         }
 
         ForceSet forces = scene.Forces;
-        bool mixes = forces.Custom.Count > 0 || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
+        bool mixes = scene.HasOwnForces || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
 
         // The measured law in a field, any mixture point by point, and the airs of one law each.
         return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch

@@ -77,7 +77,7 @@ internal sealed class PilePhase
         }
 
         Vector3d spinAcceleration = (-air.Decay * w) + air.SpinAcceleration;
-        acceleration += new Vector3d(0, _around.Upward, 0);
+        acceleration += _around.Weight;
         return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed), h);
     }
 
