@@ -330,12 +330,13 @@ public sealed class SimulateTests
     }
 
     [Fact]
-    public void Gravity_is_a_number_or_a_vector_straight_down()
+    public void Gravity_is_a_number_or_a_vector_that_does_not_point_up()
     {
         string Play(string gravity) => FootballCommand.Play($$$"""{"gravity": {{{gravity}}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""").GetRawText();
         Assert.Equal(Play("3.7"), Play("[0, -3.7, 0]"));
         Assert.NotEqual(Play("3.7"), Play("[0, -9.81, 0]"));
-        foreach (string wrong in new[] { "[1, -9.81, 0]", "[0, 9.81, 0]", "[0, -9.81]" })
+        Assert.NotEqual(Play("3.7"), Play("[1, -3.7, 0]"));
+        foreach (string wrong in new[] { "[0, 9.81, 0]", "[0, -9.81]" })
         {
             FootballCommand done = FootballCommand.Simulate($$$"""{"gravity": {{{wrong}}}, "launch": {"position": [0, 1, 0], "velocity": [0, 2, -5]}}""");
             Assert.Equal(1, done.ExitCode);
