@@ -56,6 +56,38 @@ public sealed partial class OneDefaultTests
         Assert.Equal(new Simulator().Settings, new GodotPreset().Compile().Settings);
     }
 
+    /// <summary>Whatever a slider of an inspector allows makes a scene; a large ball is not lighter than a twentieth of its air.</summary>
+    [Fact]
+    public void The_ends_of_every_slider_are_in_range()
+    {
+        int sliders = 0;
+        foreach (FieldInfo field in typeof(UnityPreset).GetFields().Where(field => field.FieldType == typeof(float)))
+        {
+            UnityEngine.RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>()!;
+            foreach (float end in new[] { range.min, range.max })
+            {
+                var preset = new UnityPreset { ball = UnityPreset.BallChoice.Custom, customMass = 20, ground = UnityPreset.GroundChoice.Custom };
+                field.SetValue(preset, end);
+                preset.Compile();
+                sliders++;
+            }
+        }
+
+        foreach (PropertyInfo property in typeof(GodotPreset).GetProperties().Where(property => property.PropertyType == typeof(float)))
+        {
+            string[] range = property.GetCustomAttribute<Godot.ExportAttribute>()!.HintString.Split(',');
+            foreach (string end in range[..2])
+            {
+                var preset = new GodotPreset { Ball = GodotPreset.BallChoice.Custom, CustomMass = 20, Surface = GodotPreset.GroundChoice.Custom };
+                property.SetValue(preset, float.Parse(end, CultureInfo.InvariantCulture));
+                preset.Compile();
+                sliders++;
+            }
+        }
+
+        Assert.Equal(60, sliders);
+    }
+
     [Fact]
     public void Every_ground_has_one_name_everywhere()
     {

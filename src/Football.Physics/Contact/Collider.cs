@@ -31,12 +31,14 @@ internal sealed class Collider
         : this("ground", shape, new ContactMaterial(ground, ball.Bounce))
     {
         _pattern = ground.Pattern;
+        Surfaces = [ground.Material, .. _pattern?.Surfaces ?? []];
         _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface, ball.Bounce))];
     }
 
     public Collider(Obstacle obstacle, BallProperties ball, ObstacleMotions? all = null, Placement? placement = null)
         : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface, ball.Bounce))
     {
+        Surfaces = [obstacle.Surface];
         Mass = obstacle.Mass;
         Layer = obstacle.Layer;
         _obstacles = all;
@@ -49,6 +51,7 @@ internal sealed class Collider
     public Collider(Body body, BallProperties ball)
         : this(body.Name, body.Shape, new ContactMaterial(body.Surface, ball.Bounce))
     {
+        Surfaces = [body.Surface];
         Mass = body.Mass;
         Layer = body.Layer;
         _body = body;
@@ -197,6 +200,9 @@ internal sealed class Collider
         int patch = _pattern is null ? -1 : _pattern.At(position.X, position.Z);
         return (uint)patch < (uint)_patches.Length ? patch : -1;
     }
+
+    /// <summary>The given materials: its own, then those of its parts. Empty for an engine's.</summary>
+    public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [];
 
     /// <summary>Materials: its own, then those of its parts.</summary>
     public ContactMaterial[] Materials

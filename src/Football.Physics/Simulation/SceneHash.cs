@@ -53,7 +53,7 @@ internal static class SceneHash
     public static ulong Of(SurfaceMaterial surface)
     {
         var key = new SceneKey();
-        AddMaterial(ref key, new ContactMaterial(surface, 1));
+        Add(ref key, SceneFields.Material, surface);
         return key.Value;
     }
 
@@ -68,21 +68,8 @@ internal static class SceneHash
 
     private static void AddBall(ref SceneKey key, Scene scene)
     {
-        key.Add(scene.Ball.Mass);
-        key.Add(scene.Ball.Radius);
-        key.Add(scene.Ball.InertiaFactor);
-        key.Add(scene.Ball.KnuckleForce);
-        key.Add(Weight.UpwardAcceleration(scene));
-        if (scene.Sideways != Vector3d.Zero)
-        {
-            key.Add(scene.Sideways);
-        }
-
-        if (scene.Ball.Bounce != 1)
-        {
-            key.Add(scene.Ball.Bounce);
-        }
-
+        Add(ref key, SceneFields.Ball, scene.Ball);
+        key.Add(Weight.Of(scene));
         if (scene.Ball.Ignores != 0)
         {
             AddLayers(ref key, scene);
@@ -101,8 +88,7 @@ internal static class SceneHash
 
     private static void AddAir(ref SceneKey key, Scene scene, Simulator simulator)
     {
-        key.Add(scene.Air.Density);
-        key.Add(scene.Air.KinematicViscosity);
+        Add(ref key, SceneFields.Air, scene.Air);
         key.Add(scene.Air.Wind);
 
         // A wind field is code: what it answers stands for it.
@@ -134,8 +120,8 @@ internal static class SceneHash
 
     private static void AddGround(ref SceneKey key, Ground ground)
     {
-        key.Add(ground.MinimumBounceSpeed);
-        key.Add(ground.RestEnergy);
+        Add(ref key, SceneFields.Ground, ground);
+        key.Add(ground.TangentialRestitutionZ ?? ground.Material.TangentialRestitution);
         key.Add((double)(int)ground.Aerodynamics);
         key.Add(ground.IsNone ? 1 : 0);
     }
@@ -160,9 +146,9 @@ internal static class SceneHash
                 key.Add(collider.PatchAt(in place));
             }
 
-            foreach (ContactMaterial material in collider.Materials)
+            foreach (SurfaceMaterial surface in collider.Surfaces)
             {
-                AddMaterial(ref key, in material);
+                Add(ref key, SceneFields.Material, surface);
             }
         }
     }
@@ -179,23 +165,12 @@ internal static class SceneHash
         }
     }
 
-    private static void AddMaterial(ref SceneKey key, in ContactMaterial material)
+    /// <summary>Adds the numbers of a part of the scene.</summary>
+    private static void Add<T>(ref SceneKey key, NumberField<T>[] fields, T part)
     {
-        key.Add(material.SlowRestitution);
-        key.Add(material.PerRestitutionSpeed);
-        key.Add(material.RestitutionRise);
-        key.Add(material.TangentialX);
-        key.Add(material.TangentialZ);
-        key.Add(material.Spin);
-        key.Add(material.ImpactFriction);
-        key.Add(material.SlidingFriction);
-        key.Add(material.RollingFriction);
-        key.Add(material.RollingFrictionBySpeed);
-        key.Add(material.SpinDamping);
-        key.Add(material.DrillingLength);
-        if (material.MinimumExitSpeed > 0)
+        foreach (NumberField<T> field in fields)
         {
-            key.Add(material.MinimumExitSpeed);
+            key.Add(field.Get(part));
         }
     }
 

@@ -42,6 +42,11 @@ public sealed class ProfileTests
         RepositoryFiles.AssertBetween(Page, "<!-- presets, from the code -->\n", "<!-- /presets -->", PresetTable.Markdown());
     }
 
+    /// <summary>The page of scenarios lists every number of a scene as the code does.</summary>
+    [Fact]
+    public void Every_number_of_a_scene_stands_in_the_page_of_scenarios() =>
+        RepositoryFiles.AssertBetween("docs/command-line.md", "<!-- fields, from the code -->\n", "<!-- /fields -->", FieldTable.Markdown());
+
     /// <summary>Table 2 of the measured numbers.</summary>
     [Theory]
     [InlineData("dryTurf", .622, .20, 1.20, .50, .070, .006, .020)]
