@@ -54,7 +54,7 @@ internal static unsafe partial class Exports
     }
 
     /// <summary>Reads, checks and compiles a scene.</summary>
-    /// <param name="json">An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, solver; {} is the default scene.</param>
+    /// <param name="json">An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, zones, dials, solver; {} is the default scene.</param>
     /// <param name="jsonBytes">Its length in bytes, without a zero at its end; at most 1 048 576.</param>
     /// <param name="scene">Where the handle goes; null there where the call fails.</param>
     /// <returns>FP_OK, FP_SCENE where the text is refused, or FP_ARGUMENT.</returns>
@@ -114,6 +114,41 @@ internal static unsafe partial class Exports
         catch (Exception e)
         {
             return Guard.Fail(e);
+        }
+    }
+
+    /// <summary>The energy that an impact with a bumper added to the ball: an obstacle whose restitution is above 1, or that has a least exit speed.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="event">An event of a step in that scene.</param>
+    /// <returns>the energy, J; 0 for any other event, and where a pointer is refused.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_added_energy")]
+    public static double AddedEnergy([In] NativeScene* scene, [In] NativeEvent* @event)
+    {
+        try
+        {
+            CompiledScene compiled = Guard.SceneOf(scene);
+            Guard.Given(@event, "event");
+            Scene made = compiled.Simulator.Scene;
+            if (@event->Kind != (int)BallEventKind.Impact || @event->Thing < 1 || @event->Thing > made.Obstacles.Count)
+            {
+                return 0;
+            }
+
+            // Things are the ground and then the obstacles. Their motion is constant, and nothing of a scene here has a mass.
+            Obstacle hit = made.Obstacles[@event->Thing - 1];
+            Vector3d n = Guard.Vector(@event->Normal, "event");
+            Vector3d contact = Guard.Vector(@event->Position, "event") - (made.Ball.Radius * n);
+            Vector3d surface = hit.Velocity + Vector3d.Cross(hit.Spin, contact - (hit.Pivot + (@event->Time * hit.Velocity)));
+            double before = Vector3d.Dot(Guard.Vector(@event->VelocityBefore, "event") - surface, in n);
+            double after = Vector3d.Dot(Guard.Vector(@event->Velocity, "event") - surface, in n);
+            bool adds = hit.Surface.NormalRestitution > 1 || hit.Surface.MinimumExitSpeed > 0;
+            double added = adds ? Math.Max(0, 0.5 * made.Ball.Mass * ((after * after) - (before * before))) : 0;
+            return double.IsFinite(added) ? added : 0;
+        }
+        catch (Exception e)
+        {
+            Guard.Fail(e);
+            return 0;
         }
     }
 

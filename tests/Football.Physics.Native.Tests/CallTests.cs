@@ -24,6 +24,7 @@ public sealed unsafe class CallTests
     private static readonly delegate* unmanaged<int, int, int, int, NativeStatus> s_check = &Exports.CheckAbi;
     private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
     private static readonly delegate* unmanaged<byte*> s_version = &Exports.Version;
+    private static readonly delegate* unmanaged<NativeScene*, NativeEvent*, double> s_added = &Exports.AddedEnergy;
     private static readonly delegate* unmanaged<NativeState*, ulong> s_hash = &Exports.Hash;
 
     [Theory]
@@ -144,6 +145,37 @@ public sealed unsafe class CallTests
         Assert.Equal(NativeStatus.Ok, s_step(scene, &state, 0.5, events, 8, &count));
         Assert.Equal((1, (int)BallEventKind.EnterZone), (count, events[0].Kind));
         Assert.Equal(-3, events[0].Position[2], 1e-9);
+    }
+
+    /// <summary>What C computes from the event is what C# reports, at a bumper that moves and turns.</summary>
+    [Fact]
+    public void A_bumper_s_energy_is_that_of_the_event()
+    {
+        const string Json = "{\"gravity\": 0, \"obstacles\": [{\"name\": \"wall\", \"shape\": \"box\", \"center\": [0, 0, 9], \"halfSize\": [9, 9, 1]}, {\"name\": \"bumper\", \"shape\": \"box\", "
+            + "\"center\": [0, 1, -4], \"halfSize\": [3, 3, 0.5], \"velocity\": [0, 0, 1], \"spin\": [0, 0.4, 0], \"pivot\": [0, 1, -4], \"surface\": {\"normalRestitution\": 1.4}}]}";
+        NativeScene* scene = Scene(Json);
+        double* position = stackalloc double[3] { 0.5, 1, 0 };
+        double* velocity = stackalloc double[3] { 0, 1, -6 };
+        double* spin = stackalloc double[3] { 0, 5, 0 };
+        NativeState state;
+        NativeEvent* events = stackalloc NativeEvent[8];
+        int count;
+        Assert.Equal(NativeStatus.Ok, s_launch(scene, position, velocity, spin, &state));
+        Assert.Equal(NativeStatus.Ok, s_step(scene, &state, 1, events, 8, &count));
+
+        var simulator = new Simulator(Requests.Scene(System.Text.Encoding.UTF8.GetBytes(Json)).Simulator.Scene);
+        BallState same = simulator.Launch(new Vector3d(0.5, 1, 0), new Vector3d(0, 1, -6), new Vector3d(0, 5, 0));
+        var log = new StepLog();
+        simulator.Step(ref same, 1, log);
+        Assert.Equal(1, count);
+        Assert.True(log.Events[0].AddedEnergy > 5);
+        Assert.Equal(log.Events[0].AddedEnergy, s_added(scene, events), 1e-9 * log.Events[0].AddedEnergy);
+        events[0].Thing = 1;
+        Assert.Equal(0, s_added(scene, events));
+        events[0].Thing = 7;
+        Assert.Equal(0, s_added(scene, events));
+        Assert.Equal(0, s_added(scene, null));
+        Assert.Equal("event is null; allowed: a pointer.", Error());
     }
 
     [Fact]

@@ -150,6 +150,9 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 3: return fp_derivatives_run(scene(seed), state, 0.01 + number(seed, 0.01), number(seed, 3), below(seed, 5) - 1, seldom(seed) ? NULL : &b->derivatives, seldom(seed) ? NULL : b->numbers);
     case 4: return fp_check_abi(below(seed, 3), below(seed, 300), (int32_t)next(seed), below(seed, 300));
     case 5: return fp_name(scene(seed), (int32_t)next(seed) >> below(seed, 32), seldom(seed) ? NULL : b->name, (int32_t)count(seed, (int64_t)sizeof b->name, INT32_MAX));
+    case 20:
+        fp_added_energy(scene(seed), seldom(seed) ? NULL : b->events);
+        return FP_OK;
     case 6: return fp_snapshot_write(state, seldom(seed) ? NULL : b->snapshot);
     case 7:
         if (seldom(seed)) b->snapshot[below(seed, FP_SNAPSHOT_BYTES)] ^= (unsigned char)next(seed);

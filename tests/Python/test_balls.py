@@ -143,6 +143,17 @@ class Arrays(unittest.TestCase):
         goal = told[told["kind"] == fp.EventKind.GOAL]
         self.assertEqual(([1], "goal"), (goal["ball"].tolist(), scene.name_of(int(goal["thing"][0]))))
 
+    def test_a_bumper_adds_energy(self):
+        bumper = {"name": "bumper", "shape": "sphere", "center": [0, 1, -3], "radius": 0.3, "surface": {"normalRestitution": 1.5}}
+        scene = fp.Scene({"gravity": 0, "air": {"density": 0}, "obstacles": [bumper]})
+        balls = fp.Balls(scene, 1)
+        balls.place([True], [[0, 1, 0]], [[0, 0, -4]])
+        events = [event for _ in range(100) for event in balls.step_events(0.02)]
+        self.assertEqual(["bumper"], [scene.name_of(int(event["thing"])) for event in events])
+        speed = np.linalg.norm(events[0]["velocity"])
+        self.assertGreater(speed, 4.5)
+        self.assertAlmostEqual(0.5 * 0.43 * (speed**2 - 16), scene.added_energy(events[0]), 9)
+
     def test_zones_and_layers(self):
         zone = {"name": "area", "shape": "box", "center": [0, 2, -12], "halfSize": [20, 4, 8], "of": "centre"}
         wall = {"shape": "box", "center": [0, 1, -2], "halfSize": [3, 3, 0.1], "layer": 3}

@@ -184,8 +184,8 @@ FP_API const char* fp_version(void);
 FP_API const char* fp_last_error(void);
 
 /* Reads, checks and compiles a scene.
-   json: An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, solver; {} is
-     the default scene.
+   json: An object in UTF-8 with members of a scenario: profile, ball, air, gravity, forces, ground, goals, obstacles, nets, zones, dials,
+     solver; {} is the default scene.
    json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
    scene: Where the handle goes; null there where the call fails.
    Returns FP_OK, FP_SCENE where the text is refused, or FP_ARGUMENT. */
@@ -203,6 +203,12 @@ FP_API fp_status fp_scene_free(fp_scene* scene);
    capacity: Bytes there, at least 1; where they are too few, the name is cut, and the call returns FP_BUFFER.
    Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_name(const fp_scene* scene, int32_t thing, char* name, int32_t capacity);
+
+/* The energy that an impact with a bumper added to the ball: an obstacle whose restitution is above 1, or that has a least exit speed.
+   scene: The scene.
+   event: An event of a step in that scene.
+   Returns the energy, J; 0 for any other event, and where a pointer is refused. */
+FP_API double fp_added_energy(const fp_scene* scene, const fp_event* event);
 
 /* A hash of a state, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
    state: The state.

@@ -7,6 +7,8 @@ import json as _json
 import weakref
 from typing import Any, Mapping, Union
 
+import numpy as np
+
 from . import _native
 
 
@@ -15,8 +17,8 @@ class Scene:
 
     Parameters
     ----------
-    scenario: JSON text, or a dict of it: ``profile``, ``ball``, ``air``, ``gravity``, ``forces``, ``ground``, ``goals``, ``obstacles``, ``nets``, ``solver``.
-        Default the default scene, which is measured footballs on dry turf.
+    scenario: JSON text, or a dict of it: ``profile``, ``ball``, ``air``, ``gravity``, ``forces``, ``ground``, ``goals``, ``obstacles``, ``nets``, ``zones``, ``dials``, ``solver``.
+        Default the default scene, the modern ball on match turf.
 
     Raises
     ------
@@ -37,6 +39,13 @@ class Scene:
         room = ctypes.create_string_buffer(256)
         _native.check(_native.name(self.handle, thing, room, len(room)))
         return room.value.decode()
+
+    def added_energy(self, event: Any) -> float:
+        """The energy that an impact with a bumper added to the ball, J; 0 for any other event. event: one of :meth:`Balls.step_events`."""
+        room = np.zeros(1, [item for item in event.dtype.descr if item[0] != "ball"])
+        for name in room.dtype.names or ():
+            room[name] = event[name]
+        return float(_native.added_energy(self.handle, room.ctypes.data))
 
     def __reduce__(self) -> Any:
         return Scene, (self.json,)

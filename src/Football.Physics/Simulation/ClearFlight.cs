@@ -58,7 +58,7 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
-        key.Add(weight);
+        key.Add(-weight);
         key.Add(_shareInPath);
         key.Add(in wind);
         key.Add(_friction);

@@ -93,7 +93,7 @@ internal sealed class WorldContact
             off = 0;
         }
 
-        double added = CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), off);
+        double added = bounces ? CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (way.Ratio * (velocity - v)), in n)) : 0;
 
         // The event reports the velocity by the impulse; a ball that stays loses what is left of it off the surface.
         Vector3d reported = velocity;
