@@ -16,7 +16,7 @@ ball.Kick(speed: 27, direction: new Vector3d(0.25, 0.3, -1), topSpin: -10, sideS
 
 // Look ahead before it happens: a path that can be asked where it crosses the goal line, 22 m away.
 var path = new Trajectory();
-ball.Simulator.LookAhead(ball.State, new LookAheadRequest { Duration = 5 }, path);
+ball.LookAhead(new LookAheadRequest { Duration = 5 }, path);
 var goalLine = new Plane3d(point: new Vector3d(0, 0, -22), normal: new Vector3d(0, 0, -1));
 if (path.TryGetCrossing(goalLine, out PathPoint crossing))
 {

@@ -106,6 +106,23 @@ public sealed class Ball
         _log.Clear();
     }
 
+    /// <summary>Puts the ball somewhere as it moves, at time 0. Bodies stay where they are now, and go on from there.</summary>
+    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
+    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
+    public void Launch(Vector3d position, Vector3d velocity, Vector3d spin)
+    {
+        BallState launched = Simulator.Launch(position, velocity, spin);
+        Simulator.World.Bodies?.MoveClock(_state.Time, 0, isNew: true);
+        _state = launched;
+        _log.Clear();
+    }
+
+    /// <summary>The name of what an event reports: "ground", "left post", an obstacle's; null for an event that has none.</summary>
+    /// <param name="happened">One of <see cref="Events"/>.</param>
+    public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.Thing);
+
     /// <summary>Kicks the ball where it is with a kick that was found for it.</summary>
     /// <param name="kick">The kick.</param>
     public void Kick(in AimResult kick) => Kick(kick.Velocity, kick.Spin);

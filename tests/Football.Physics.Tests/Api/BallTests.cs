@@ -25,6 +25,31 @@ public sealed class BallTests
         Assert.Equal(0, ball.Events.Count);
     }
 
+    /// <summary>A launch is a place and a kick at once; the ball's own look-ahead and names are its simulator's.</summary>
+    [Fact]
+    public void A_ball_answers_for_its_scene()
+    {
+        Scene scene = Scene.Default with { Obstacles = [new Obstacle { Name = "wall", Shape = new PlaneShape(new Vector3d(0, 0, -8), new Vector3d(0, 0, 1)) }] };
+        var ball = new Ball(scene);
+        ball.Step(0.5);
+        ball.Launch(new Vector3d(1, 2, 3), new Vector3d(0, 4, -20), new Vector3d(5, 30, 0));
+        Assert.Equal(0, ball.Time);
+        Assert.Equal(ball.Simulator.Launch(new Vector3d(1, 2, 3), new Vector3d(0, 4, -20), new Vector3d(5, 30, 0)), ball.State);
+        var path = new Trajectory();
+        var same = new Trajectory();
+        ball.LookAhead(new LookAheadRequest { Duration = 1 }, path);
+        ball.Simulator.LookAhead(ball.State, new LookAheadRequest { Duration = 1 }, same);
+        Assert.Equal(same.Final, path.Final);
+        Assert.True(path.EndTime > 0.9);
+        ball.Step(1);
+        BallEvent hit = Assert.Single(ball.Events.Span.ToArray(), happened => happened.Thing == 1);
+        Assert.Equal("wall", ball.NameOf(hit));
+        Assert.Null(ball.NameOf(new BallEvent(BallEventKind.Rest, -1, default, 0, default, default, default, default, default)));
+        Assert.Contains("launch.velocity", Assert.Throws<ArgumentOutOfRangeException>(() => ball.Launch(default, new Vector3d(2000, 0, 0), default)).Message, StringComparison.Ordinal);
+        Assert.True(ball.Time > 0);
+        Assert.Throws<ArgumentNullException>(() => SimulatorExtensions.LookAhead(null!, new LookAheadRequest(), path));
+    }
+
     [Fact]
     public void Side_spin_bends_to_the_left_when_positive_and_to_the_right_when_negative()
     {
