@@ -41,17 +41,19 @@ internal static unsafe class ContactModes
             likely = contact.Collider == carrier ? i : likely;
         }
 
-        system.Bearer = likely;
-        system.Pinned = false;
-        system.HoldsSpin = false;
-        system.Along = default;
         LetIdle(ref system, time, in at, ref evaluations);
-        if (likely >= 0 && system.Contacts[likely].Bears)
+        likely = likely >= 0 && system.Contacts[likely].Bears ? likely : -1;
+        Forget(ref system);
+        if (likely >= 0)
         {
             // From a standstill the load is not known yet: then the bearer is looked for.
+            system.Bearer = likely;
             Roll(ref system, in at, default);
-            system.Bearer = system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling ? -1 : likely;
             system.Pinned = false;
+            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling)
+            {
+                Forget(ref system);
+            }
         }
 
         for (int change = 0; change < MostChanges; change++)
@@ -84,9 +86,8 @@ internal static unsafe class ContactModes
             return;
         }
 
-        ContactSystem alone = system;
-        alone.Bearer = -1;
-        alone.Free(time, in at, out Vector3d push, out _, out _);
+        system.Bearer = -1;
+        system.Free(time, in at, out Vector3d push, out _, out _);
         evaluations++;
         PushProjection free = PushProjection.Of(normals, 3, in push);
         for (int i = 0; i < 3; i++)
@@ -167,12 +168,13 @@ internal static unsafe class ContactModes
             }
 
             before = system.Bearer;
-            system.Bearer = bearer;
             if (bearer < 0)
             {
+                Forget(ref system);
                 return;
             }
 
+            system.Bearer = bearer;
             Roll(ref system, in at, in free);
         }
     }
@@ -261,6 +263,15 @@ internal static unsafe class ContactModes
         return bearer;
     }
 
+    /// <summary>Forgets the bearer, and how it holds the ball: nothing is pinned without one.</summary>
+    private static void Forget(ref ContactSystem system)
+    {
+        system.Bearer = -1;
+        system.Pinned = false;
+        system.HoldsSpin = false;
+        system.Along = default;
+    }
+
     /// <summary>Changes one mode that cannot be.</summary>
     /// <returns>False where all can.</returns>
     private static bool Change(ref ContactSystem system, double sticking)
@@ -281,7 +292,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Bears = false;
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 
@@ -300,7 +311,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Press(sticking);
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 
@@ -335,7 +346,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].StartSlip();
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 

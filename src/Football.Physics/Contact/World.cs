@@ -447,8 +447,7 @@ internal sealed class World
     /// <summary>Index among the things of the scene of a zone.</summary>
     public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
 
-    /// <summary>A box around a collider, a net or a goal, in its own frame.</summary>
-    public Bounds3d BoundsOf(int thing) =>
+    private Bounds3d BoundsOf(int thing) =>
         thing < FirstPassage ? Colliders[thing].Bounds
         : thing < FirstPassage + Nets.Length ? Nets[thing - FirstPassage].Bounds
         : Goals[thing - FirstPassage - Nets.Length].Bounds;

@@ -8,7 +8,7 @@ namespace Football.Physics;
 /// moves the ball. Where something may, nothing is done, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step in pieces by the general law.
 /// </summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
-internal sealed class LineStep<TAir> : LineStep
+internal sealed unsafe class LineStep<TAir> : LineStep
     where TAir : struct, IFlightAir
 {
     /// <summary>A slip of less than this, m/s, has ended.</summary>
@@ -16,9 +16,6 @@ internal sealed class LineStep<TAir> : LineStep
 
     /// <summary>The motion is that of the line where no more than this, m/s, is left of it.</summary>
     private const double OnLine = 1e-12;
-
-    /// <summary>A ball that is farther than this from a surface, m, is put onto it first.</summary>
-    private const double Closed = 1e-12;
 
     /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
     private const double Faster = 1.5;
@@ -31,9 +28,7 @@ internal sealed class LineStep<TAir> : LineStep
     private const double MostOfSlip = 0.75;
     private const double MostOfSlipOnCurve = 0.125;
 
-    private readonly Surroundings _around;
     private readonly World _world;
-    private readonly SetPlace _place;
     private readonly StabilityLimit _limit;
     private readonly BallProperties _ball;
     private readonly int _order;
@@ -45,9 +40,7 @@ internal sealed class LineStep<TAir> : LineStep
 
     public LineStep(Surroundings around, in TAir air, in StabilityLimit limit, int order)
     {
-        _around = around;
         _world = around.World;
-        _place = new SetPlace(_world);
         _limit = limit;
         _ball = _world.Ball;
         _order = order;
@@ -62,6 +55,7 @@ internal sealed class LineStep<TAir> : LineStep
     public static bool Covers(Surroundings around, int order) =>
         order > 1 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
 
+    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
@@ -72,7 +66,9 @@ internal sealed class LineStep<TAir> : LineStep
 
         // Propose: the surfaces, with nothing else within reach.
         double room = LeastRoom + (Faster * dt * s.Velocity.Length);
-        if (!_place.Holds(in s, dt, room) || !Proposes(in s, dt, out Line line, out LineForces forces))
+        Touched* set = stackalloc Touched[Touched.Most];
+        int count = Touched.Find(_world, in s, dt, room, set);
+        if (count < 2 || !Proposes(in s, dt, set, count, out Line line, out LineForces forces))
         {
             return false;
         }
@@ -125,7 +121,7 @@ internal sealed class LineStep<TAir> : LineStep
         }
 
         Vector3d position = forces.Pinned ? s.Position : s.Position + (way * forces.Along);
-        if (!forces.Pinned && !_place.KeepsMaterials(in position, Math.Abs(way)))
+        if (!forces.Pinned && !Touched.KeepMaterials(_world, set, count, s.Position, in position))
         {
             return false;
         }
@@ -176,17 +172,18 @@ internal sealed class LineStep<TAir> : LineStep
 
     /// <summary>Finds the modes at the start; those that need a search are left to the general law.</summary>
     [SkipLocalsInit]
-    private bool Proposes(in BallState s, double dt, out Line line, out LineForces forces)
+    private bool Proposes(in BallState s, double dt, Touched* set, int count, out Line line, out LineForces forces)
     {
         Unsafe.SkipInit(out forces);
+        forces.Modes = LineModes.Roll;
         line = default;
         int bearer = 0;
-        while (bearer < _place.Count && _place[bearer].Collider + _world.FirstCollider != s.Carrier)
+        while (bearer < count && set[bearer].Collider + _world.FirstCollider != s.Carrier)
         {
             bearer++;
         }
 
-        if (bearer == _place.Count)
+        if (bearer == count)
         {
             return false;
         }
@@ -195,14 +192,14 @@ internal sealed class LineStep<TAir> : LineStep
         Free(s.Time, s.Position, s.Velocity, in spin, out Vector3d push, out Vector3d torque);
         int other = bearer == 0 ? 1 : 0;
         int idle = -1;
-        double about = Vector3d.Dot(in spin, in _place[bearer].Normal);
-        if (_place.Count > 2 && !ChooseOfThree(in push, in torque, about, bearer, ref other, out idle, ref forces))
+        double about = Vector3d.Dot(in spin, in set[bearer].Normal);
+        if (count > 2 && !ChooseOfThree(set, in push, in torque, about, bearer, ref other, out idle, ref forces))
         {
             return false;
         }
 
-        ref readonly Touched first = ref _place[bearer];
-        ref readonly Touched second = ref _place[other];
+        ref readonly Touched first = ref set[bearer];
+        ref readonly Touched second = ref set[other];
         if (forces.Modes != LineModes.Spot && !forces.Prepare(in first, in second, _ball))
         {
             return false;
@@ -224,7 +221,7 @@ internal sealed class LineStep<TAir> : LineStep
         bool stands = !(Math.Abs(speed) >= Slip.Rolling);
         if (Math.Abs(slip) < Sticking && line.Slips)
         {
-            if (_place.Count > 2 || stands || !FindBearer(in push, in torque, speed, bearer, other, ref line, ref forces))
+            if (count > 2 || stands || Math.Abs(slip) > OnLine || !FindBearer(set, in push, in torque, speed, bearer, other, ref line, ref forces))
             {
                 return false;
             }
@@ -252,15 +249,15 @@ internal sealed class LineStep<TAir> : LineStep
         line.Speed = speed;
         line.About = about;
         line.Energy = Energy(in forces, speed, about);
-        return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + 1e-12) && IsShort(in s, dt, in line, in forces, in second, areFixed);
+        return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + 1e-12) && IsShort(in s, dt, set, count, in line, in forces, in second, areFixed);
     }
 
     /// <summary>Chooses which of three surfaces bear: all, if each of them has a load; otherwise the one that pulls most, or that the push does not lead into, is let go.</summary>
-    private unsafe bool ChooseOfThree(in Vector3d push, in Vector3d torque, double about, int bearer, ref int other, out int idle, ref LineForces forces)
+    private bool ChooseOfThree(Touched* set, in Vector3d push, in Vector3d torque, double about, int bearer, ref int other, out int idle, ref LineForces forces)
     {
         int third = 3 - bearer - other;
         idle = third;
-        Vector3d* normals = stackalloc Vector3d[3] { _place[0].Normal, _place[1].Normal, _place[2].Normal };
+        Vector3d* normals = stackalloc Vector3d[3] { set[0].Normal, set[1].Normal, set[2].Normal };
         if (PushProjection.ArePlanar(normals))
         {
             PushProjection free = PushProjection.Of(normals, 3, in push);
@@ -272,7 +269,7 @@ internal sealed class LineStep<TAir> : LineStep
         // Both others slip, as the ball spins on its spot; which of them pulls does not depend on the resistance.
         double sign = about < 0 ? -1.0 : 1.0;
         forces.SpinSign = sign;
-        if (!forces.Prepare(in _place[bearer], in _place[other], _ball) || !forces.Close(in _place[third], sign) || !(forces.ThirdSlip(about) >= Sticking))
+        if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= Sticking))
         {
             return false;
         }
@@ -292,9 +289,9 @@ internal sealed class LineStep<TAir> : LineStep
     }
 
     /// <summary>Both surfaces stick: the one with the greater load is the bearer, the carrier so far where each is so by its own resistance, or the first of two equal ones.</summary>
-    private bool FindBearer(in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
+    private bool FindBearer(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
     {
-        Prepare(in push, in torque, speed, bearer, other, ref line, ref forces);
+        Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);
         bool isBearer = !IsHeavier(in line.Rates, other < bearer);
         line.ComparesLoads = true;
         if (isBearer)
@@ -302,14 +299,14 @@ internal sealed class LineStep<TAir> : LineStep
             return forces.SpinSign != 0 || !forces.Drills;
         }
 
-        Prepare(in push, in torque, speed, other, bearer, ref line, ref forces);
+        Prepare(set, in push, in torque, speed, other, bearer, ref line, ref forces);
         line.CarrierIsOther = true;
         if (IsHeavier(in line.Rates, bearer < other))
         {
             line.ComparesLoads = false;
             if (bearer < other)
             {
-                Prepare(in push, in torque, speed, bearer, other, ref line, ref forces);
+                Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);
                 line.CarrierIsOther = false;
             }
         }
@@ -318,10 +315,10 @@ internal sealed class LineStep<TAir> : LineStep
     }
 
     /// <summary>Forces with two sticking contacts.</summary>
-    private void Prepare(in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
+    private void Prepare(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
     {
         Vector3d along = forces.Along;
-        forces.Prepare(in _place[bearer], in _place[other], _ball);
+        forces.Prepare(in set[bearer], in set[other], _ball);
         forces.StickBoth();
         line.Speed = Vector3d.Dot(in along, in forces.Along) < 0 ? -speed : speed;
         forces.Direction = line.Speed < 0 ? -1.0 : 1.0;
@@ -345,12 +342,12 @@ internal sealed class LineStep<TAir> : LineStep
     }
 
     /// <summary>True if a step is short enough for the forces, and for the slip that it changes.</summary>
-    private bool IsShort(in BallState s, double dt, in Line line, in LineForces forces, in Touched other, bool areFixed)
+    private bool IsShort(in BallState s, double dt, Touched* set, int count, in Line line, in LineForces forces, in Touched other, bool areFixed)
     {
         double damping = 0;
-        for (int i = 0; i < _place.Count; i++)
+        for (int i = 0; i < count; i++)
         {
-            damping = Math.Max(damping, _place[i].Damping);
+            damping = Math.Max(damping, set[i].Damping);
         }
 
         double gain = dt * other.Sliding * (line.Rates.Other + (line.HasThird ? line.Rates.Third : 0));
