@@ -8,6 +8,7 @@ namespace Football.Physics;
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
+/// <item><see cref="LineStep{TAir}"/>: the same of a roll, or a spin, between stationary surfaces;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
 /// <item><see cref="ContactSetPhase{TIntegrator}"/>: the same on several surfaces at once;</item>
 /// <item><see cref="ContactSetParts"/>: where that has no answer, and between things that squeeze the ball;</item>
