@@ -8,7 +8,7 @@ namespace Football.Physics;
 internal unsafe struct LineForces
 {
     /// <summary>Two normals leave a line where |n₁ × n₂| is more than this.</summary>
-    private const double Independent = 1e-6;
+    public const double Independent = 1e-6;
 
     /// <summary>A reserve that no condition asks for.</summary>
     private const double Ample = 1.0;

@@ -68,7 +68,7 @@ internal readonly unsafe struct Touched
                 return 0;
             }
 
-            // What moves must not come near; what stands still and is touched must be flat as far as the ball goes.
+            // What moves must not come near, nor what stands still and is not touched.
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;
@@ -78,8 +78,7 @@ internal readonly unsafe struct Touched
                 continue;
             }
 
-            if (!isStill || count == Most || !(Math.Abs(gap) <= Closed)
-                || (collider.HasFaces && at.IsFlat && !(collider.FaceMargin(s.Position, s.Time) > reach)))
+            if (!isStill || count == Most || !(Math.Abs(gap) <= Closed))
             {
                 return 0;
             }
@@ -104,18 +103,25 @@ internal readonly unsafe struct Touched
         return count;
     }
 
-    /// <summary>True if a ball that goes from one position to another comes to no other material of a surface.</summary>
-    public static bool KeepMaterials(World world, Touched* set, int count, in Vector3d from, in Vector3d to)
+    /// <summary>True if a ball that goes straight on to another position stays on the same flat face and the same material of a surface.</summary>
+    public static bool KeepsSurface(World world, in Touched touched, in BallState s, in Vector3d to)
     {
-        for (int i = 0; i < count; i++)
-        {
-            Collider collider = world.Colliders[set[i].Collider];
-            if (collider.HasPatches && (collider.PatchAt(in from) != collider.PatchAt(in to) || !(collider.LeastWidth >= 2.0 * (to - from).Length)))
-            {
-                return false;
-            }
-        }
+        Collider collider = world.Colliders[touched.Collider];
+        return !(collider.HasFaces && !(collider.FaceMargin(in to, s.Time) > 0)) && KeepsMaterial(collider, s.Position, in to);
+    }
 
-        return true;
+    private static bool KeepsMaterial(Collider collider, in Vector3d from, in Vector3d to) =>
+        !collider.HasPatches || (collider.PatchAt(in from) == collider.PatchAt(in to) && collider.LeastWidth >= 2.0 * (to - from).Length);
+
+    /// <summary>Moves a ball that still touches the same surfaces.</summary>
+    public static void Move(ref BallState s, in Vector3d position, in Vector3d velocity, in Vector3d spin, in Vector3d turn, double end)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
+        s.Position = position;
+        s.Velocity = velocity;
+        s.SpinAxis = spin;
+        s.Time = end;
+        s.ClearUntil = 0;
+        s.ClearIn = BallState.TouchesSeveral;
     }
 }

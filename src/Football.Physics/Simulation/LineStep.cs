@@ -19,7 +19,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
     /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
     private const double Faster = 1.5;
-    private const double LeastRoom = 1e-3;
+    private const double LeastRoom = 5e-3;
 
     /// <summary>So much of what is left until a mode ends must still be left at the end.</summary>
     private const double Clear = 0.25;
@@ -32,11 +32,9 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     private readonly StabilityLimit _limit;
     private readonly BallProperties _ball;
     private readonly int _order;
-    private readonly Vector3d _body;
-    private readonly Vector3d _wind;
     private readonly double _radius;
-    private readonly double _fastestWind;
-    private TAir _air;
+    private readonly SlideStep<TAir> _slide;
+    private SetAir<TAir> _air;
 
     public LineStep(Surroundings around, in TAir air, in StabilityLimit limit, int order)
     {
@@ -44,11 +42,9 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         _limit = limit;
         _ball = _world.Ball;
         _order = order;
-        _body = new Vector3d(0, around.Upward, 0);
-        _wind = around.Wind;
         _radius = around.Radius;
-        _fastestWind = around.Air.FastestWind;
-        _air = air;
+        _air = new SetAir<TAir>(around, in air);
+        _slide = new SlideStep<TAir>(_world, in _air, in limit, order);
     }
 
     /// <summary>True if these steps cover a scene: all of the air counts on a surface, and its laws do not jump.</summary>
@@ -59,7 +55,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     [MethodImpl(MethodImplOptions.NoInlining)]
     public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
     {
-        if (s.Motion != MotionState.Rolling || s.Nets != 0 || s.GoalsEntered != 0 || s.Time < s.SqueezeUntil)
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding) || s.Nets != 0 || s.GoalsEntered != 0 || s.Time < s.SqueezeUntil)
         {
             return false;
         }
@@ -68,6 +64,11 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         double room = LeastRoom + (Faster * dt * s.Velocity.Length);
         Touched* set = stackalloc Touched[Touched.Most];
         int count = Touched.Find(_world, in s, dt, room, set);
+        if (s.Motion == MotionState.Sliding)
+        {
+            return count == 2 && _slide.TryWhole(ref s, dt, end, room, in set[0], in set[1], log);
+        }
+
         if (count < 2 || !Proposes(in s, dt, set, count, out Line line, out LineForces forces))
         {
             return false;
@@ -121,9 +122,12 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
 
         Vector3d position = forces.Pinned ? s.Position : s.Position + (way * forces.Along);
-        if (!forces.Pinned && !Touched.KeepMaterials(_world, set, count, s.Position, in position))
+        for (int i = 0; i < count && !forces.Pinned; i++)
         {
-            return false;
+            if (!Touched.KeepsSurface(_world, in set[i], in s, in position))
+            {
+                return false;
+            }
         }
 
         // Nothing happened: move the ball.
@@ -135,24 +139,13 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         if (log.IsWatched)
         {
             BallState before = s;
-            Move(ref s, in forces, in position, in turn, endSpeed, in endSpin, end);
+            Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
             Show(log, in before, in s, in forces, in first, way, endSpeed, endAbout);
             return true;
         }
 
-        Move(ref s, in forces, in position, in turn, endSpeed, in endSpin, end);
+        Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
         return true;
-    }
-
-    private static void Move(ref BallState s, in LineForces forces, in Vector3d position, in Vector3d turn, double speed, in Vector3d spin, double end)
-    {
-        s.BaseOrientation = s.BaseOrientation.Turned(in turn);
-        s.Position = position;
-        s.Velocity = speed * forces.Along;
-        s.SpinAxis = spin;
-        s.Time = end;
-        s.ClearUntil = 0;
-        s.ClearIn = BallState.TouchesSeveral;
     }
 
     /// <summary>Shows the step to all that watch.</summary>
@@ -189,7 +182,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
 
         Vector3d spin = s.Spin;
-        Free(s.Time, s.Position, s.Velocity, in spin, out Vector3d push, out Vector3d torque);
+        _air.At(s.Time, s.Position, s.Velocity, in spin, out Vector3d push, out Vector3d torque);
         int other = bearer == 0 ? 1 : 0;
         int idle = -1;
         double about = Vector3d.Dot(in spin, in set[bearer].Normal);
@@ -351,7 +344,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
 
         double gain = dt * other.Sliding * (line.Rates.Other + (line.HasThird ? line.Rates.Third : 0));
-        double airSpeed = (s.Velocity - _wind).Length + _fastestWind + gain;
+        double airSpeed = (s.Velocity - _air.Wind).Length + _air.FastestWind + gain;
         double slip = forces.Slip(line.Speed, line.About);
         double closing = -dt * forces.Slip(line.Rates.Along, line.Rates.About);
         return dt * (_limit.RateAtMost(airSpeed, s.Spin.Length) + damping) <= StabilityLimit.LargestChange
@@ -367,21 +360,8 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     /// <summary>The rates at a stage.</summary>
     private void RatesAt(in BallState s, in LineForces forces, double after, double way, double speed, double about, out LineRates rates)
     {
-        Free(s.Time + after, s.Position + (way * forces.Along), speed * forces.Along, SpinOf(in forces, speed, about), out Vector3d push, out Vector3d torque);
+        _air.At(s.Time + after, s.Position + (way * forces.Along), speed * forces.Along, SpinOf(in forces, speed, about), out Vector3d push, out Vector3d torque);
         forces.Evaluate(in push, in torque, speed, about, out rates);
-    }
-
-    /// <summary>What acts on the ball but for its contacts: a = g + L (ω × u) − D u, ω̇ = −decay ω.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Free(double time, in Vector3d position, in Vector3d velocity, in Vector3d spin, out Vector3d push, out Vector3d torque)
-    {
-        Vector3d u = velocity - _wind;
-        u -= _air.HasField ? _air.WindAt(time, position.X, position.Y, position.Z) : Vector3d.Zero;
-        Vector3d cross = Vector3d.Cross(in spin, in u);
-        bool spins = _air.FactorsPerSpin(
-            u.LengthSquared, spin.LengthSquared, cross.LengthSquared, DragBranch.Unknown, out double drag, out double lift, out double decay);
-        push = _body + (lift * cross) - (drag * u);
-        torque = (spins ? -decay : 0) * spin;
     }
 
     /// <summary>The motion at the start of a step.</summary>
