@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics.Tests.Things;
 
 /// <summary>Whole steps of a ball between stationary surfaces, against the general law: a force of the game's own, which does nothing, leaves a scene to that.</summary>
