@@ -69,7 +69,7 @@ internal static unsafe class ContactModes
     }
 
     /// <summary>
-    /// Lets go what the push does not lead into, of three contacts that surround the ball in one plane: a ball between a player and a board on the ground. If all of them bore,
+    /// Lets go the contacts that the push does not lead into, of three contacts that surround the ball in one plane: a ball between a player and a board on the ground. If all of them bore,
     /// their loads would not be determined.
     /// </summary>
     [SkipLocalsInit]

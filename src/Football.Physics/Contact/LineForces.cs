@@ -125,7 +125,7 @@ internal unsafe struct LineForces
     /// <param name="torque">T, rad/s².</param>
     /// <param name="speed">x, m/s.</param>
     /// <param name="about">ψ, rad/s.</param>
-    /// <param name="rates">Rates, loads, and what is left until a mode ends.</param>
+    /// <param name="rates">Rates, loads, and the reserves of the modes.</param>
     public readonly void Evaluate(in Vector3d push, in Vector3d torque, double speed, double about, out LineRates rates)
     {
         switch (Modes)
@@ -202,7 +202,7 @@ internal unsafe struct LineForces
         double second = -Vector3d.Dot(in push, in _other) + (sine * half);
         double perSquare = 1.0 / (sine * sine);
 
-        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂, with K what resistance and drilling friction ask of them.
+        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂, with K the part that resistance and drilling friction require of them.
         double turn = _radius * Vector3d.Dot(in torque, in _across);
         double otherTurn = _radius * Vector3d.Dot(in torque, in _otherAcross);
         double along = Vector3d.Dot(in push, in Along);
@@ -286,7 +286,7 @@ internal enum LineModes
     Spot,
 }
 
-/// <summary>Rates of a ball on a line, its loads, and what is left until a mode ends: all positive until then.</summary>
+/// <summary>Rates of a ball on a line, its loads, and the reserves of the modes, which are positive until a mode ends.</summary>
 internal struct LineRates
 {
     /// <summary>ẍ, m/s², and ψ̇, rad/s².</summary>
@@ -302,14 +302,14 @@ internal struct LineRates
     public double Grip;
     public double OtherGrip;
 
-    /// <summary>What rolling resistance and drilling friction have left to hold the ball, and its spin.</summary>
+    /// <summary>Reserves of rolling resistance and of drilling friction that hold the ball, and its spin.</summary>
     public double Hold;
     public double HoldSpin;
 
     /// <summary>True if the modes hold: all loads and reserves are positive.</summary>
     public readonly bool IsValid => Load > SurfaceForces.Least && Other > SurfaceForces.Least && Third > SurfaceForces.Least && Grip > 0 && OtherGrip > 0 && Hold > 0 && HoldSpin > 0;
 
-    /// <summary>True if a share of everything that was left at the start is still left.</summary>
+    /// <summary>True if every load and reserve keeps a share of its value at the start.</summary>
     public readonly bool Keeps(in LineRates start, double share) =>
         Load > share * start.Load && Other > share * start.Other && Third > share * start.Third && Grip > share * start.Grip && OtherGrip > share * start.OtherGrip
         && Hold > share * start.Hold && HoldSpin > share * start.HoldSpin;

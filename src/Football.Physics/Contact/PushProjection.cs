@@ -14,7 +14,7 @@ internal unsafe struct PushProjection
     public double FirstLoad;
     public double SecondLoad;
 
-    /// <summary>What is left of the push, m/s².</summary>
+    /// <summary>The rest of the push, m/s².</summary>
     public Vector3d Left;
 
     /// <summary>True if three independent loads, or more, take all of it.</summary>
@@ -67,7 +67,7 @@ internal unsafe struct PushProjection
     }
 
     /// <summary>
-    /// True if three normals lie in one plane and surround the ball, n₁ + β n₂ + γ n₃ = 0 with β, γ > 0: then the loads are not determined where all of them bear, and a
+    /// True if three normals lie in one plane and surround the ball, n₁ + β n₂ + γ n₃ = 0 with β, γ > 0: then the loads are not determined if all of them bear, and a
     /// push needs no more than two of them.
     /// </summary>
     public static bool Surround(Vector3d* normals)

@@ -81,7 +81,7 @@ internal struct SlideForces
     /// <param name="torque">The same for the spin, rad/s².</param>
     /// <param name="speed">x, m/s.</param>
     /// <param name="spin">ω, rad/s.</param>
-    /// <param name="rates">The rates and loads; NaN where the loads are not determined.</param>
+    /// <param name="rates">The rates and loads; NaN if the loads are not determined.</param>
     public readonly void Evaluate(in Vector3d push, in Vector3d torque, double speed, in Vector3d spin, out SlideRates rates)
     {
         Vector3d first = Unit(FirstSlip(speed, in spin), in FirstDirection);
@@ -89,7 +89,7 @@ internal struct SlideForces
 
         Load(in push, in first, in second, out rates.First, out rates.Second);
 
-        // v̇ = A − Σ μ N ŝ along a, and ω̇ = T + Σ μ N n × ŝ/(α r) less what the bearer takes about its normal.
+        // v̇ = A − Σ μ N ŝ along a, and ω̇ = T + Σ μ N n × ŝ/(α r) less the resistance of the bearer about its normal.
         double firstRub = _firstSliding * rates.First;
         double secondRub = _secondSliding * rates.Second;
         double most = _drilling * (IsSecondBearer ? rates.Second : rates.First);
@@ -100,11 +100,11 @@ internal struct SlideForces
         rates.HoldSpin = _holdsSpin ? most - Math.Abs(held) : 1.0;
     }
 
-    /// <summary>Loads: N₁ + p N₂ = −A·n₁ and q N₁ + N₂ = −A·n₂, with p and q the cosine of the normals less what friction of the other surface presses.</summary>
+    /// <summary>Loads: N₁ + p N₂ = −A·n₁ and q N₁ + N₂ = −A·n₂, with p and q the cosine of the normals, less the share of the other surface's friction that presses.</summary>
     /// <param name="push">What acts on the ball without its contacts, m/s².</param>
     /// <param name="firstSlip">ŝ₁.</param>
     /// <param name="secondSlip">ŝ₂.</param>
-    /// <param name="first">N₁/m, m/s²; NaN where the loads are not determined.</param>
+    /// <param name="first">N₁/m, m/s²; NaN if the loads are not determined.</param>
     /// <param name="second">N₂/m, m/s².</param>
     public readonly void Load(in Vector3d push, in Vector3d firstSlip, in Vector3d secondSlip, out double first, out double second)
     {
@@ -136,6 +136,6 @@ internal struct SlideRates
     public double First;
     public double Second;
 
-    /// <summary>What drilling friction has left to hold the spin about the bearer's normal, rad/s²; positive where it does not hold it.</summary>
+    /// <summary>The reserve of drilling friction that holds the spin about the bearer's normal, rad/s²; positive if it does not hold the spin.</summary>
     public double HoldSpin;
 }

@@ -68,7 +68,7 @@ internal readonly unsafe struct Touched
                 return 0;
             }
 
-            // What moves must not come near, nor what stands still and is not touched.
+            // No moving surface may come near, and no stationary one that the ball does not touch.
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;

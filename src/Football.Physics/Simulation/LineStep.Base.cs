@@ -8,6 +8,6 @@ internal abstract class LineStep
     /// <param name="dt">Its length, s.</param>
     /// <param name="end">When it ends, s.</param>
     /// <param name="log">Where counts are added.</param>
-    /// <returns>False where something may happen; then nothing is done.</returns>
+    /// <returns>False if something may happen; then nothing is done.</returns>
     public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
 }

@@ -5,7 +5,7 @@ namespace Football.Physics;
 /// <summary>
 /// Whole steps of a ball that rolls between stationary surfaces, or spins on its spot there, with nothing else near: along a board, in a gutter, in a corner. The surfaces
 /// leave it one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> proposes the step, takes it, checks whether anything may have happened in it, and
-/// moves the ball. Where something may, nothing is done, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step in pieces by the general law.
+/// moves the ball. If something may, nothing is done, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step in pieces by the general law.
 /// </summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal sealed unsafe class LineStep<TAir> : LineStep
@@ -14,14 +14,14 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     /// <summary>A slip of less than this, m/s, has ended.</summary>
     private const double Sticking = 1e-7;
 
-    /// <summary>The motion is that of the line where no more than this, m/s, is left of it.</summary>
+    /// <summary>The motion is that of the line if no more than this, m/s, remains of it.</summary>
     private const double OnLine = 1e-12;
 
     /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
     private const double Faster = 1.5;
     private const double LeastRoom = 5e-3;
 
-    /// <summary>So much of what is left until a mode ends must still be left at the end.</summary>
+    /// <summary>A load or a reserve must keep this share of its value.</summary>
     private const double Clear = 0.25;
 
     /// <summary>A slip loses no more than this share of itself: on a surface whose normal stays the same, and on another one.</summary>
@@ -236,7 +236,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             }
         }
 
-        // A surface that bears nothing stays so where the ball stays; so does the normal of a curved one.
+        // A surface without a load stays so if the ball stays on its spot; so does the normal of a curved one.
         line.HasThird = forces.Modes == LineModes.Spot;
         bool areFixed = first.IsFixed && second.IsFixed && idle < 0;
         line.Speed = speed;
@@ -281,7 +281,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return rates.Load > least;
     }
 
-    /// <summary>Both surfaces stick: the one with the greater load is the bearer, the carrier so far where each is so by its own resistance, or the first of two equal ones.</summary>
+    /// <summary>Both surfaces stick: the one with the greater load is the bearer, the carrier so far if each is the bearer by its own resistance, or the first of two equal ones.</summary>
     private bool FindBearer(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
     {
         Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);

@@ -29,7 +29,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
-    private LineStep? _line; // null where they do not cover the scene
+    private LineStep? _line; // null if they do not cover the scene
     private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
@@ -95,7 +95,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        // A whole step on flat ground, or on several surfaces, if nothing happens in it; else piece by piece. An engine's carrier has a place among the colliders only in a step.
+        // A whole step on flat ground, or on several surfaces, if nothing happens in it; otherwise piece by piece. An engine's carrier has a place among the colliders only in a step.
         if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
             && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
         {

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Football.Physics;
 
-/// <summary>What acts on a ball on several surfaces but for its contacts, where all of the air counts: g + L (ω × u) − D u, and −decay ω.</summary>
+/// <summary>The accelerations of a ball on several surfaces without its contacts, if all of the air counts: g + L (ω × u) − D u, and −decay ω.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal struct SetAir<TAir>
     where TAir : struct, IFlightAir

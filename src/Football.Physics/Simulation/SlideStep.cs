@@ -10,10 +10,10 @@ internal sealed class SlideStep<TAir>
     /// <summary>A slip of less than this, m/s, has ended.</summary>
     private const double Sticking = 1e-7;
 
-    /// <summary>The velocity is along the line where no more than this, m/s, is left of it.</summary>
+    /// <summary>The velocity is along the line if no more than this, m/s, remains of it.</summary>
     private const double OnLine = 1e-12;
 
-    /// <summary>So much of what is left until a mode ends must still be left at the end.</summary>
+    /// <summary>A load or a reserve must keep this share of its value.</summary>
     private const double Clear = 0.25;
 
     private readonly World _world;
@@ -41,7 +41,7 @@ internal sealed class SlideStep<TAir>
     /// <param name="one">One surface.</param>
     /// <param name="two">The other.</param>
     /// <param name="log">Where counts are added.</param>
-    /// <returns>False where something may happen; then nothing is done.</returns>
+    /// <returns>False if something may happen; then nothing is done.</returns>
     [SkipLocalsInit]
     public bool TryWhole(ref BallState s, double dt, double end, double room, in Touched one, in Touched two, StepLog log)
     {
@@ -105,7 +105,7 @@ internal sealed class SlideStep<TAir>
         return true;
     }
 
-    /// <summary>Finds what acts at the start.</summary>
+    /// <summary>Finds the forces at the start.</summary>
     private bool Proposes(in BallState s, double dt, in Touched one, in Touched two, out SlideForces forces, out Slide from, out SlideRates rates)
     {
         Unsafe.SkipInit(out forces);
@@ -150,7 +150,7 @@ internal sealed class SlideStep<TAir>
     private static bool IsShort(double dt, in Vector3d direction, double size, in Vector3d rate, double sliding) =>
         !(sliding > 0) || TurnLimit.Shorten(dt, dt, in direction, size, in rate, isFlat: true) >= dt;
 
-    /// <summary>True if a share of everything that ends a piece is still left: loads, slips, the bearer's lead, the spin about its normal, the energy above rest; and the carrier bears enough.</summary>
+    /// <summary>True if everything that may end a piece keeps a share of its value: loads, slips, the bearer's lead, the spin about its normal, the energy above rest; and the carrier bears enough.</summary>
     private bool Keeps(in SlideForces forces, in Slide from, in SlideRates first, in Slide last, in SlideRates rates, double share, bool isFirstCarrier)
     {
         double carrier = isFirstCarrier ? rates.First : rates.Second;

@@ -6,7 +6,7 @@ public sealed class LineStepTests
     private const double Radius = 0.11;
     private const int Kinds = 5;
 
-    /// <summary>What the surfaces of a scene are.</summary>
+    /// <summary>Kinds of surfaces of a scene.</summary>
     public enum Of
     {
         /// <summary>Obstacles.</summary>
@@ -90,14 +90,14 @@ public sealed class LineStepTests
     /// <summary>The same scene with a force that does nothing.</summary>
     private static Scene Generally(Scene scene) => scene with { Forces = scene.Forces with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
 
-    /// <summary>Takes a step from one state by both, and compares where they lead.</summary>
+    /// <summary>Takes a step from one state by both, and compares the ends.</summary>
     /// <param name="subject">Takes whole steps.</param>
     /// <param name="general">Takes pieces.</param>
     /// <param name="state">The state.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="when">For messages.</param>
     /// <param name="inPieces">How much farther a step in several pieces may be off.</param>
-    /// <returns>What each has evaluated.</returns>
+    /// <returns>The evaluations of each.</returns>
     private static (long Taken, long Asked) Compare(Simulator subject, Simulator general, ref BallState state, double dt, string when, double inPieces = 1)
     {
         BallState line = state;
