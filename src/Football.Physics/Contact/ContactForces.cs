@@ -222,7 +222,7 @@ internal static unsafe class ContactForces
 
         double* own3 = stackalloc double[3] { load, Vector3d.Dot(in friction, in first.First), Vector3d.Dot(in friction, in first.Second) };
         double* brace3 = stackalloc double[3] { loadBrace, Vector3d.Dot(in frictionBrace, in first.First), Vector3d.Dot(in frictionBrace, in first.Second) };
-        double share = FrictionBrace.Share(own3, brace3, in first, x + row, z + row, in second);
+        double share = FrictionBrace.Share(own3, brace3, first.Sliding, x + row, z + row, second.Sliding);
         for (int i = 0; i < size; i++)
         {
             x[i] += share * z[i];
@@ -320,7 +320,7 @@ internal static unsafe class ContactForces
             return false;
         }
 
-        double share = FrictionBrace.Share(b + firstRow, z + firstRow, in first, b + secondRow, z + secondRow, in second);
+        double share = FrictionBrace.Share(b + firstRow, z + firstRow, first.Sliding, b + secondRow, z + secondRow, second.Sliding);
         for (int k = 0; k < size; k++)
         {
             b[k] += share * z[k];

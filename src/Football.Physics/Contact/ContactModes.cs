@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -39,16 +41,19 @@ internal static unsafe class ContactModes
             likely = contact.Collider == carrier ? i : likely;
         }
 
-        system.Bearer = likely;
-        system.Pinned = false;
-        system.HoldsSpin = false;
-        system.Along = default;
+        LetIdle(ref system, time, in at, ref evaluations);
+        likely = likely >= 0 && system.Contacts[likely].Bears ? likely : -1;
+        Forget(ref system);
         if (likely >= 0)
         {
             // From a standstill the load is not known yet: then the bearer is looked for.
+            system.Bearer = likely;
             Roll(ref system, in at, default);
-            system.Bearer = system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling ? -1 : likely;
             system.Pinned = false;
+            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling)
+            {
+                Forget(ref system);
+            }
         }
 
         for (int change = 0; change < MostChanges; change++)
@@ -61,6 +66,34 @@ internal static unsafe class ContactModes
         }
 
         return false;
+    }
+
+    /// <summary>
+    /// Lets go the contacts that the push does not lead into, of three contacts that surround the ball in one plane: a ball between a player and a board on the ground. If all of them bore,
+    /// their loads would not be determined.
+    /// </summary>
+    [SkipLocalsInit]
+    private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        if (system.Count != 3)
+        {
+            return;
+        }
+
+        Vector3d* normals = stackalloc Vector3d[3] { system.Contacts[0].Normal, system.Contacts[1].Normal, system.Contacts[2].Normal };
+        if (!PushProjection.Surround(normals))
+        {
+            return;
+        }
+
+        system.Bearer = -1;
+        system.Free(time, in at, out Vector3d push, out _, out _);
+        evaluations++;
+        PushProjection free = PushProjection.Of(normals, 3, in push);
+        for (int i = 0; i < 3; i++)
+        {
+            system.Contacts[i].Bears = free.Bears(i);
+        }
     }
 
     /// <summary>A slip that begins goes where its own rate leads: the direction of the friction is looked for until both agree.</summary>
@@ -135,12 +168,13 @@ internal static unsafe class ContactModes
             }
 
             before = system.Bearer;
-            system.Bearer = bearer;
             if (bearer < 0)
             {
+                Forget(ref system);
                 return;
             }
 
+            system.Bearer = bearer;
             Roll(ref system, in at, in free);
         }
     }
@@ -229,6 +263,15 @@ internal static unsafe class ContactModes
         return bearer;
     }
 
+    /// <summary>Forgets the bearer, and how it holds the ball: nothing is pinned without one.</summary>
+    private static void Forget(ref ContactSystem system)
+    {
+        system.Bearer = -1;
+        system.Pinned = false;
+        system.HoldsSpin = false;
+        system.Along = default;
+    }
+
     /// <summary>Changes one mode that cannot be.</summary>
     /// <returns>False where all can.</returns>
     private static bool Change(ref ContactSystem system, double sticking)
@@ -249,7 +292,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Bears = false;
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 
@@ -268,7 +311,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].Press(sticking);
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 
@@ -303,7 +346,7 @@ internal static unsafe class ContactModes
         if (worst >= 0)
         {
             system.Contacts[worst].StartSlip();
-            system.Bearer = -1;
+            Forget(ref system);
             return true;
         }
 
@@ -317,46 +360,22 @@ internal static unsafe class ContactModes
     /// <param name="push">What acts on the ball at rest, relative to its carrier, m/s².</param>
     public static bool Hold(in ContactSystem system, in Vector3d push)
     {
-        // The push is projected onto what the contacts leave free: no load, one, two or three of them.
-        int count = system.Count;
-        if (IsLeft(in system, in push))
+        // The push is projected onto what the contacts leave free: no load, one, two or three of them, which take all of it.
+        PushProjection free = Project(in system, in push);
+        return free.TakesAll || (free.First < 0 ? push.Length <= SurfaceForces.Least
+            : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
+    }
+
+    /// <summary>The part of a push that the contacts leave without friction.</summary>
+    private static PushProjection Project(in ContactSystem system, in Vector3d push)
+    {
+        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
+        for (int i = 0; i < system.Count; i++)
         {
-            return push.Length <= SurfaceForces.Least;
+            normals[i] = system.Contacts[i].Normal;
         }
 
-        for (int i = 0; i < count; i++)
-        {
-            Vector3d n = system.Contacts[i].Normal;
-            double load = -Vector3d.Dot(in push, in n);
-            Vector3d left = push + (load * n);
-            if (load >= 0 && IsLeft(in system, in left))
-            {
-                return IsHeld(in system, in left, i, load);
-            }
-        }
-
-        for (int i = 0; i < count; i++)
-        {
-            for (int j = i + 1; j < count; j++)
-            {
-                Vector3d n = system.Contacts[i].Normal;
-                Vector3d m = system.Contacts[j].Normal;
-                double cosine = Vector3d.Dot(in n, in m);
-                double square = 1.0 - (cosine * cosine);
-                double a = -Vector3d.Dot(in push, in n);
-                double b = -Vector3d.Dot(in push, in m);
-                double first = (a - (cosine * b)) / square;
-                double second = (b - (cosine * a)) / square;
-                Vector3d left = push + (first * n) + (second * m);
-                if (square > Independent && first >= 0 && second >= 0 && IsLeft(in system, in left))
-                {
-                    return IsHeld(in system, in left, first >= second ? i : j, Math.Max(first, second));
-                }
-            }
-        }
-
-        // Three independent loads, or more, take all of it.
-        return true;
+        return PushProjection.Of(normals, system.Count, in push);
     }
 
     /// <summary>
@@ -425,18 +444,4 @@ internal static unsafe class ContactModes
 
     private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
         left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + SurfaceForces.Least;
-
-    /// <summary>True when a push leads into none of the contacts.</summary>
-    private static bool IsLeft(in ContactSystem system, in Vector3d push)
-    {
-        for (int i = 0; i < system.Count; i++)
-        {
-            if (Vector3d.Dot(in push, in system.Contacts[i].Normal) < -SurfaceForces.Least)
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
 }

@@ -24,7 +24,7 @@ internal static class ContactSet
     private const double Beside = 0.01;
 
     /// <summary>A contact that bears this share of the greatest load bears about as much.</summary>
-    private const double AboutAsMuch = 0.5;
+    public const double AboutAsMuch = 0.5;
 
     /// <summary>Below this, m, there is no gap.</summary>
     private const double Closed = 1e-12;

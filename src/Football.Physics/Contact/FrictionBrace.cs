@@ -12,32 +12,32 @@ internal static unsafe class FrictionBrace
     /// <summary>The share λ of the change z that brings the forces x into both cones; 0 if they are inside, or if none does.</summary>
     /// <param name="x">Load and friction of the first contact, along its two directions.</param>
     /// <param name="z">The change of these forces.</param>
-    /// <param name="first">The first contact.</param>
+    /// <param name="sliding">Its μ_s.</param>
     /// <param name="otherX">The forces of the second contact.</param>
     /// <param name="otherZ">Their change.</param>
-    /// <param name="second">The second contact.</param>
-    public static double Share(double* x, double* z, in SetContact first, double* otherX, double* otherZ, in SetContact second)
+    /// <param name="otherSliding">Its μ_s.</param>
+    public static double Share(double* x, double* z, double sliding, double* otherX, double* otherZ, double otherSliding)
     {
-        if (!IsBeyondCone(x, in first) && !IsBeyondCone(otherX, in second))
+        if (!IsBeyondCone(x, sliding) && !IsBeyondCone(otherX, otherSliding))
         {
             return 0;
         }
 
         double low = double.NegativeInfinity;
         double high = double.PositiveInfinity;
-        Allow(x, z, in first, ref low, ref high);
-        Allow(otherX, otherZ, in second, ref low, ref high);
+        Allow(x, z, sliding, ref low, ref high);
+        Allow(otherX, otherZ, otherSliding, ref low, ref high);
         double share = low > 0 ? low : high < 0 ? high : 0;
         return low <= high && Math.Abs(share) < double.MaxValue ? share : 0;
     }
 
-    private static bool IsBeyondCone(double* x, in SetContact contact) =>
-        (x[1] * x[1]) + (x[2] * x[2]) > contact.Sliding * contact.Sliding * x[0] * x[0] || x[0] < 0;
+    private static bool IsBeyondCone(double* x, double sliding) =>
+        (x[1] * x[1]) + (x[2] * x[2]) > sliding * sliding * x[0] * x[0] || x[0] < 0;
 
     /// <summary>Narrows the shares λ of a change z for which the friction stays in its cone, |F + λ z_F| ≤ μ (N + λ z_N), on the side where the load grows.</summary>
-    private static void Allow(double* x, double* z, in SetContact contact, ref double low, ref double high)
+    private static void Allow(double* x, double* z, double sliding, ref double low, ref double high)
     {
-        double mu = contact.Sliding * contact.Sliding * Inside;
+        double mu = sliding * sliding * Inside;
         double a = (z[1] * z[1]) + (z[2] * z[2]) - (mu * z[0] * z[0]);
         double b = (x[1] * z[1]) + (x[2] * z[2]) - (mu * x[0] * z[0]);
         double c = (x[1] * x[1]) + (x[2] * x[2]) - (mu * x[0] * x[0]);

@@ -8,6 +8,7 @@ namespace Football.Physics;
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
+/// <item><see cref="LineStep{TAir}"/>: the same of a roll, or a spin, between stationary surfaces;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
 /// <item><see cref="ContactSetPhase{TIntegrator}"/>: the same on several surfaces at once;</item>
 /// <item><see cref="ContactSetParts"/>: where that has no answer, and between things that squeeze the ball;</item>
@@ -28,6 +29,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
+    private LineStep? _line; // null if they do not cover the scene
     private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
@@ -94,8 +96,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        // A whole step on flat ground, if nothing happens in it; else piece by piece.
-        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding && _flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)))
+        // A whole step on flat ground, or on several surfaces, if nothing happens in it; otherwise piece by piece. An engine's carrier has a place among the colliders only in a step.
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
+            && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
         {
             TakePieces(ref s, dt, log, WholeFlight.NotTaken, default);
         }
@@ -103,8 +106,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     /// <summary>Compiles the whole steps on flat ground for an air.</summary>
     protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
-        where TAir : struct, IFlightAir =>
+        where TAir : struct, IFlightAir
+    {
         _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
+        _line = LineStep<TAir>.Covers(Around, _integrator.Order) ? new LineStep<TAir>(Around, in air, in _pulled, _integrator.Order) : null;
+    }
 
     public virtual void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>
         _integrator.Fly(ref _air, in start, ref motion, in wind, branch, upward, h, out step);
@@ -325,7 +331,9 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <summary>The next piece of a slide or a roll: on flat ground what is left of the step is a whole step again, if nothing happens in it.</summary>
     private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
     {
-        if (!isTried && !(run.Part > 0) && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
+        bool mayBeWhole = !(run.Part > 0);
+        if (mayBeWhole && ((!isTried && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
+            || (_line is not null && !run.Jumped && (!isTried || World.Engine is not null) && _line.TryWhole(ref s, run.Left, run.End, run.Log))))
         {
             run.Left = 0;
         }

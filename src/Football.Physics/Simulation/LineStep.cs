@@ -1,0 +1,397 @@
+using System.Runtime.CompilerServices;
+
+namespace Football.Physics;
+
+/// <summary>
+/// Whole steps of a ball that rolls between stationary surfaces, or spins on its spot there, with nothing else near: along a board, in a gutter, in a corner. The surfaces
+/// leave it one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> proposes the step, takes it, checks whether anything may have happened in it, and
+/// moves the ball. If something may, nothing is done, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step in pieces by the general law.
+/// </summary>
+/// <typeparam name="TAir">The laws of the air.</typeparam>
+internal sealed unsafe class LineStep<TAir> : LineStep
+    where TAir : struct, IFlightAir
+{
+    /// <summary>A slip of less than this, m/s, has ended.</summary>
+    private const double Sticking = 1e-7;
+
+    /// <summary>The motion is that of the line if no more than this, m/s, remains of it.</summary>
+    private const double OnLine = 1e-12;
+
+    /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
+    private const double Faster = 1.5;
+    private const double LeastRoom = 5e-3;
+
+    /// <summary>A load or a reserve must keep this share of its value.</summary>
+    private const double Clear = 0.25;
+
+    /// <summary>A slip loses no more than this share of itself: on a surface whose normal stays the same, and on another one.</summary>
+    private const double MostOfSlip = 0.75;
+    private const double MostOfSlipOnCurve = 0.125;
+
+    private readonly World _world;
+    private readonly StabilityLimit _limit;
+    private readonly BallProperties _ball;
+    private readonly int _order;
+    private readonly double _radius;
+    private readonly SlideStep<TAir> _slide;
+    private SetAir<TAir> _air;
+
+    public LineStep(Surroundings around, in TAir air, in StabilityLimit limit, int order)
+    {
+        _world = around.World;
+        _limit = limit;
+        _ball = _world.Ball;
+        _order = order;
+        _radius = around.Radius;
+        _air = new SetAir<TAir>(around, in air);
+        _slide = new SlideStep<TAir>(_world, in _air, in limit, order);
+    }
+
+    /// <summary>True if these steps cover a scene: all of the air counts on a surface, and its laws do not jump.</summary>
+    public static bool Covers(Surroundings around, int order) =>
+        order > 1 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
+
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public override bool TryWhole(ref BallState s, double dt, double end, StepLog log)
+    {
+        if (!(s.Motion is MotionState.Rolling or MotionState.Sliding) || s.Nets != 0 || s.GoalsEntered != 0 || s.Time < s.SqueezeUntil)
+        {
+            return false;
+        }
+
+        // Propose: the surfaces, with nothing else within reach.
+        double room = LeastRoom + (Faster * dt * s.Velocity.Length);
+        Touched* set = stackalloc Touched[Touched.Most];
+        int count = Touched.Find(_world, in s, dt, room, set);
+        if (s.Motion == MotionState.Sliding)
+        {
+            return count == 2 && _slide.TryWhole(ref s, dt, end, room, in set[0], in set[1], log);
+        }
+
+        if (count < 2 || !Proposes(in s, dt, set, count, out Line line, out LineForces forces))
+        {
+            return false;
+        }
+
+        // Take it: the stages of the method, each from the start and the rates of the one before.
+        LineRates first = line.Rates;
+        LineRates rates = first;
+        double speed;
+        double about;
+        double way;
+        double endSpeed;
+        double endAbout;
+        double half = 0.5 * dt;
+        double secondSpeed = line.Speed + (half * first.Along);
+        double secondAbout = line.About + (half * first.About);
+        RatesAt(in s, in forces, half, half * line.Speed, secondSpeed, secondAbout, out LineRates second);
+        if (_order == 4)
+        {
+            double thirdSpeed = line.Speed + (half * second.Along);
+            double thirdAbout = line.About + (half * second.About);
+            RatesAt(in s, in forces, half, half * secondSpeed, thirdSpeed, thirdAbout, out LineRates third);
+            speed = line.Speed + (dt * third.Along);
+            about = line.About + (dt * third.About);
+            RatesAt(in s, in forces, dt, dt * thirdSpeed, speed, about, out rates);
+            double sixth = dt / 6.0;
+            way = sixth * (line.Speed + (2.0 * (secondSpeed + thirdSpeed)) + speed);
+            endSpeed = line.Speed + (sixth * (first.Along + (2.0 * (second.Along + third.Along)) + rates.Along));
+            endAbout = line.About + (sixth * (first.About + (2.0 * (second.About + third.About)) + rates.About));
+            secondSpeed = 0.5 * (secondSpeed + thirdSpeed);
+            secondAbout = 0.5 * (secondAbout + thirdAbout);
+        }
+        else
+        {
+            rates = second;
+            speed = secondSpeed;
+            about = secondAbout;
+            way = dt * speed;
+            endSpeed = line.Speed + (dt * second.Along);
+            endAbout = line.About + (dt * second.About);
+        }
+
+        // Guards: a load, a friction cone, a slip, the roll, or the spin about the normal ends; the ball comes to rest, or is carried by another surface; another material begins.
+        // The last stage is at the end, or in the middle.
+        double share = _order == 4 ? Clear : 0.5 * (1.0 + Clear);
+        if (!rates.Keeps(in first, share) || !line.Keeps(in forces, speed, about, share) || !(Math.Abs(way) <= room) || !IsCarried(in line, in rates)
+            || (line.ComparesLoads && !(HeavierBy(in rates) > share * HeavierBy(in first)))
+            || !(Energy(in forces, speed, about) - _world.RestEnergy > share * (line.Energy - _world.RestEnergy)))
+        {
+            return false;
+        }
+
+        Vector3d position = forces.Pinned ? s.Position : s.Position + (way * forces.Along);
+        for (int i = 0; i < count && !forces.Pinned; i++)
+        {
+            if (!Touched.KeepsSurface(_world, in set[i], in s, in position))
+            {
+                return false;
+            }
+        }
+
+        // Nothing happened: move the ball.
+        log.Evaluations += _order;
+        log.Steps++;
+        Vector3d middleSpin = SpinOf(in forces, secondSpeed, secondAbout);
+        Vector3d endSpin = SpinOf(in forces, endSpeed, endAbout);
+        Vector3d turn = _order == 4 ? RotationVector.Of(SpinOf(in forces, line.Speed, line.About), in middleSpin, in endSpin, dt) : dt * middleSpin;
+        if (log.IsWatched)
+        {
+            BallState before = s;
+            Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
+            Show(log, in before, in s, in forces, in first, way, endSpeed, endAbout);
+            return true;
+        }
+
+        Touched.Move(ref s, in position, endSpeed * forces.Along, in endSpin, in turn, end);
+        return true;
+    }
+
+    /// <summary>Shows the step to all that watch.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Show(StepLog log, in BallState before, in BallState after, in LineForces forces, in LineRates first, double way, double speed, double about)
+    {
+        LineRates last = default;
+        Vector3d start = first.Along * forces.Along;
+        if (log.WantsEnd(in before, in after, in start))
+        {
+            RatesAt(in before, in forces, after.Time - before.Time, way, speed, about, out last);
+            log.Evaluations++;
+        }
+
+        log.Show(in before, in after, in start, last.Along * forces.Along, _order);
+    }
+
+    /// <summary>Finds the modes at the start; those that need a search are left to the general law.</summary>
+    [SkipLocalsInit]
+    private bool Proposes(in BallState s, double dt, Touched* set, int count, out Line line, out LineForces forces)
+    {
+        Unsafe.SkipInit(out forces);
+        forces.Modes = LineModes.Roll;
+        line = default;
+        int bearer = 0;
+        while (bearer < count && set[bearer].Collider + _world.FirstCollider != s.Carrier)
+        {
+            bearer++;
+        }
+
+        if (bearer == count)
+        {
+            return false;
+        }
+
+        Vector3d spin = s.Spin;
+        _air.At(s.Time, s.Position, s.Velocity, in spin, out Vector3d push, out Vector3d torque);
+        int other = bearer == 0 ? 1 : 0;
+        int idle = -1;
+        double about = Vector3d.Dot(in spin, in set[bearer].Normal);
+        if (count > 2 && !ChooseOfThree(set, in push, in torque, about, bearer, ref other, out idle, ref forces))
+        {
+            return false;
+        }
+
+        ref readonly Touched first = ref set[bearer];
+        ref readonly Touched second = ref set[other];
+        if (forces.Modes != LineModes.Spot && !forces.Prepare(in first, in second, _ball))
+        {
+            return false;
+        }
+
+        // The motion must be that of the line, with no slip at the bearer.
+        double speed = Vector3d.Dot(s.Velocity, in forces.Along);
+        if (!((s.Velocity - (speed * forces.Along)).Length + (_radius * (spin - SpinOf(in forces, speed, about)).Length) <= OnLine))
+        {
+            return false;
+        }
+
+        double slip = forces.Slip(speed, about);
+        forces.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        forces.HoldsSpin = forces.SpinSign == 0 && forces.Drills;
+        forces.Direction = speed < 0 ? -1.0 : 1.0;
+        forces.SlipSign = slip < 0 ? -1.0 : 1.0;
+        line.Slips = second.Sliding > 0;
+        bool stands = !(Math.Abs(speed) >= Slip.Rolling);
+        if (Math.Abs(slip) < Sticking && line.Slips)
+        {
+            if (count > 2 || stands || Math.Abs(slip) > OnLine || !FindBearer(set, in push, in torque, speed, bearer, other, ref line, ref forces))
+            {
+                return false;
+            }
+
+            speed = line.Speed;
+            about = 0;
+            line.Slips = false;
+        }
+        else
+        {
+            // From a standstill, rolling resistance must hold the ball.
+            forces.Pinned = stands;
+            speed = stands ? 0 : speed;
+            about = forces.HoldsSpin ? 0 : about;
+            forces.Evaluate(in push, in torque, speed, about, out line.Rates);
+            if (forces.Modes == LineModes.Roll && stands && !forces.Holds(in push, line.Rates.Load))
+            {
+                return false;
+            }
+        }
+
+        // A surface without a load stays so if the ball stays on its spot; so does the normal of a curved one.
+        line.HasThird = forces.Modes == LineModes.Spot;
+        bool areFixed = first.IsFixed && second.IsFixed && idle < 0;
+        line.Speed = speed;
+        line.About = about;
+        line.Energy = Energy(in forces, speed, about);
+        return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + 1e-12) && IsShort(in s, dt, set, count, in line, in forces, in second, areFixed);
+    }
+
+    /// <summary>Chooses which of three surfaces bear: all, if each of them has a load; otherwise the one that pulls most, or that the push does not lead into, is let go.</summary>
+    private bool ChooseOfThree(Touched* set, in Vector3d push, in Vector3d torque, double about, int bearer, ref int other, out int idle, ref LineForces forces)
+    {
+        int third = 3 - bearer - other;
+        idle = third;
+        Vector3d* normals = stackalloc Vector3d[3] { set[0].Normal, set[1].Normal, set[2].Normal };
+        if (PushProjection.ArePlanar(normals))
+        {
+            PushProjection free = PushProjection.Of(normals, 3, in push);
+            idle = free.Bears(other) ? third : other;
+            other = free.Bears(other) ? other : third;
+            return PushProjection.Surround(normals) && free.Second >= 0 && free.Bears(bearer);
+        }
+
+        // Both others slip, as the ball spins on its spot; which of them pulls does not depend on the resistance.
+        double sign = about < 0 ? -1.0 : 1.0;
+        forces.SpinSign = sign;
+        if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= Sticking))
+        {
+            return false;
+        }
+
+        forces.Evaluate(in push, in torque, 0, about, out LineRates rates);
+        double least = Math.Min(rates.Other, rates.Third);
+        if (least > SurfaceForces.Least)
+        {
+            idle = -1;
+            return true;
+        }
+
+        forces.Modes = LineModes.Roll;
+        idle = rates.Third <= rates.Other ? third : other;
+        other = rates.Third <= rates.Other ? other : third;
+        return rates.Load > least;
+    }
+
+    /// <summary>Both surfaces stick: the one with the greater load is the bearer, the carrier so far if each is the bearer by its own resistance, or the first of two equal ones.</summary>
+    private bool FindBearer(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
+    {
+        Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);
+        bool isBearer = !IsHeavier(in line.Rates, other < bearer);
+        line.ComparesLoads = true;
+        if (isBearer)
+        {
+            return forces.SpinSign != 0 || !forces.Drills;
+        }
+
+        Prepare(set, in push, in torque, speed, other, bearer, ref line, ref forces);
+        line.CarrierIsOther = true;
+        if (IsHeavier(in line.Rates, bearer < other))
+        {
+            line.ComparesLoads = false;
+            if (bearer < other)
+            {
+                Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);
+                line.CarrierIsOther = false;
+            }
+        }
+
+        return forces.SpinSign != 0 || !forces.Drills;
+    }
+
+    /// <summary>Forces with two sticking contacts.</summary>
+    private void Prepare(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
+    {
+        Vector3d along = forces.Along;
+        forces.Prepare(in set[bearer], in set[other], _ball);
+        forces.StickBoth();
+        line.Speed = Vector3d.Dot(in along, in forces.Along) < 0 ? -speed : speed;
+        forces.Direction = line.Speed < 0 ? -1.0 : 1.0;
+        double about = forces.AboutNormal(line.Speed, 0);
+        forces.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        forces.Evaluate(in push, in torque, line.Speed, 0, out line.Rates);
+    }
+
+    /// <summary>True if the other surface is the bearer: it has the greater load, or as much and comes first.</summary>
+    private static bool IsHeavier(in LineRates rates, bool otherIsFirst) =>
+        otherIsFirst ? !(rates.Load > rates.Other * (1.0 + SetContact.SameLoad)) : rates.Other > rates.Load * (1.0 + SetContact.SameLoad);
+
+    private static double HeavierBy(in LineRates rates) => (rates.Load * (1.0 + SetContact.SameLoad)) - rates.Other;
+
+    /// <summary>True if the carrier so far still bears enough to name it (<see cref="ContactSet.Named"/>).</summary>
+    private static bool IsCarried(in Line line, in LineRates rates)
+    {
+        double carrier = line.CarrierIsOther ? rates.Other : rates.Load;
+        double other = line.CarrierIsOther ? rates.Load : rates.Other;
+        return carrier > ContactSet.AboutAsMuch * other && (!line.HasThird || carrier > ContactSet.AboutAsMuch * rates.Third);
+    }
+
+    /// <summary>True if a step is short enough for the forces, and for the slip that it changes.</summary>
+    private bool IsShort(in BallState s, double dt, Touched* set, int count, in Line line, in LineForces forces, in Touched other, bool areFixed)
+    {
+        double damping = 0;
+        for (int i = 0; i < count; i++)
+        {
+            damping = Math.Max(damping, set[i].Damping);
+        }
+
+        double gain = dt * other.Sliding * (line.Rates.Other + (line.HasThird ? line.Rates.Third : 0));
+        double airSpeed = (s.Velocity - _air.Wind).Length + _air.FastestWind + gain;
+        double slip = forces.Slip(line.Speed, line.About);
+        double closing = -dt * forces.Slip(line.Rates.Along, line.Rates.About);
+        return dt * (_limit.RateAtMost(airSpeed, s.Spin.Length) + damping) <= StabilityLimit.LargestChange
+            && (!line.Slips || (slip < 0 ? -closing : closing) <= (areFixed ? MostOfSlip : MostOfSlipOnCurve) * Math.Abs(slip));
+    }
+
+    /// <summary>½ m v² + ½ I ω², J.</summary>
+    private double Energy(in LineForces forces, double speed, double about) =>
+        (0.5 * _ball.Mass * speed * speed) + (0.5 * _ball.MomentOfInertia * SpinOf(in forces, speed, about).LengthSquared);
+
+    private static Vector3d SpinOf(in LineForces forces, double speed, double about) => (speed * forces.SpinPerSpeed) + (about * forces.Normal);
+
+    /// <summary>The rates at a stage.</summary>
+    private void RatesAt(in BallState s, in LineForces forces, double after, double way, double speed, double about, out LineRates rates)
+    {
+        _air.At(s.Time + after, s.Position + (way * forces.Along), speed * forces.Along, SpinOf(in forces, speed, about), out Vector3d push, out Vector3d torque);
+        forces.Evaluate(in push, in torque, speed, about, out rates);
+    }
+
+    /// <summary>The motion at the start of a step.</summary>
+    private struct Line
+    {
+        /// <summary>x, m/s, ψ, rad/s, and the energy, J.</summary>
+        public double Speed;
+        public double About;
+        public double Energy;
+        public LineRates Rates;
+
+        /// <summary>True if there is friction at the other surface.</summary>
+        public bool Slips;
+
+        /// <summary>True if three surfaces bear.</summary>
+        public bool HasThird;
+
+        /// <summary>True if the carrier so far bears less than the other surface.</summary>
+        public bool CarrierIsOther;
+
+        /// <summary>True if the bearer is the one with the greater load.</summary>
+        public bool ComparesLoads;
+
+        /// <summary>True if a share of the slip, the roll and the spin about the normal is still left.</summary>
+        public readonly bool Keeps(in LineForces forces, double speed, double about, double share)
+        {
+            double slip = forces.Modes == LineModes.Wedge ? 0 : forces.Slip(Speed, About);
+            return (!Slips || slip == 0 || forces.Slip(speed, about) / slip > share)
+                && (forces.Pinned || speed / Speed > share)
+                && (forces.SpinSign == 0 || !forces.Drills || forces.AboutNormal(speed, about) / forces.AboutNormal(Speed, About) > share);
+        }
+    }
+}
