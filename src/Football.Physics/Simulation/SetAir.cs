@@ -18,7 +18,7 @@ internal struct SetAir<TAir>
     {
         Wind = around.Wind;
         FastestWind = around.Air.FastestWind;
-        _body = new Vector3d(0, around.Upward, 0);
+        _body = around.Weight;
         _air = air;
     }
 
