@@ -174,11 +174,16 @@ internal struct NearThings
         NearThings near = At(world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
+            if (i == carrier)
+            {
+                continue;
+            }
+
             // The deepest; of two as deep that from a certain side, for neither the walk nor the scene has an order that means anything.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
-            overlapsBody |= i != carrier && overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
-            if (i != carrier && (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest))))
+            overlapsBody |= overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
+            if (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest)))
             {
                 depth = overlap;
                 deepest = i;
