@@ -240,7 +240,8 @@ internal sealed class WorldGuard
 
         // Open at both ends the gap dips: there may be a root, or none.
         bool dips = atEnd > 0;
-        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips)
+        // The gap may be zero at the start, too: that root is behind.
+        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ShortestPiece * tau)
         {
             return true;
         }
