@@ -281,6 +281,7 @@ internal sealed class SurfacePhase<TIntegrator>
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
+        _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
 
         // Ended before the jump it is still on the branch that it was taken on.
