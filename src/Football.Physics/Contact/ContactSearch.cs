@@ -86,7 +86,7 @@ internal readonly struct ContactSearch
         while (near.NextCollider(out int thing))
         {
             bool seam = false;
-            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, Math.Min(best, _path.Length), out seam);
+            double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
             // Of what is met at one instant the first of the scene comes first, however the walk goes.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
@@ -262,7 +262,7 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>When the ball touches a collider first, coming closer, or when that begins to carry it at a seam; infinite where neither happens.</summary>
-    private double FirstContact(int thing, int carrier, double until, out bool seam)
+    private double FirstContact(int thing, int carrier, Span<Contact> held, double until, out bool seam)
     {
         seam = false;
         Collider collider = _world.Colliders[thing];
@@ -306,7 +306,7 @@ internal readonly struct ContactSearch
             if (gap <= Touching && rate < -Approaching)
             {
                 // At a flush seam nothing happens: on, until the ball is over the face and the normals are one.
-                double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t);
+                double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
                 if (!(passage > 0))
                 {
                     return t;

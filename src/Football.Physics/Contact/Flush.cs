@@ -18,6 +18,12 @@ internal static class Flush
     /// <summary>Two depths are equal within this, m.</summary>
     private const double SameDepth = 1e-12;
 
+    /// <summary>Two surfaces with one normal part by no more than this, m, until they are compared again.</summary>
+    private const double Parted = 1e-8;
+
+    /// <summary>Normals closer than this, as the sine of their angle, are those of one face or of two surfaces that coincide.</summary>
+    private const double Coincident = 1e-8;
+
     /// <summary>The ball is over the face of the next surface after so many times the distance to its edge.</summary>
     private const double OverTheEdge = 2.0;
 
@@ -27,8 +33,10 @@ internal static class Flush
     /// <param name="position">Where it touches that, m.</param>
     /// <param name="velocity">Its velocity, m/s.</param>
     /// <param name="time">When, s.</param>
+    /// <param name="carrier">The collider that carries the ball; −1 if none does.</param>
+    /// <param name="held">Contacts that the ball keeps.</param>
     /// <returns>0 where the contact is an impact.</returns>
-    public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time)
+    public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time, int carrier = -1, Span<Contact> held = default)
     {
         Collider next = world.Colliders[thing];
         ShapePoint at = next.At(position, time);
@@ -54,10 +62,16 @@ internal static class Flush
             double sine = Vector3d.Cross(on.Normal, at.Normal).Length;
             double speed = relative.Length;
             Vector3d along = velocity - other.ShapeVelocity(position - (r * on.Normal), time);
-            if (closing <= (speed * sine) + ContactSearch.Approaching && Vector3d.Dot(in along, on.Normal) >= -ContactSearch.Approaching)
+            double closingOnOther = -Vector3d.Dot(in along, on.Normal);
+
+            // A ball closes on the surfaces that it keeps by the error of its path between the ends of a piece. Another surface there is closed on as fast.
+            bool carries = i == carrier || ContactSet.Has(held, i);
+            double explained = (speed * sine) + ContactSearch.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
+            if (closing <= explained && (carries || closingOnOther <= ContactSearch.Approaching))
             {
-                // Until the ball has gone over the edge: r sin θ along the surface.
-                return Math.Max(OverTheEdge * r * sine / speed, double.Epsilon);
+                // Until the ball has gone over the edge: r sin θ along the surface; and until convex surfaces that coincide here can have parted: ½ |u|² t²/r.
+                double apart = carries && sine <= Coincident ? Math.Sqrt(2.0 * Parted * r) / speed : 0;
+                return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }
         }
 
@@ -74,11 +88,27 @@ internal static class Flush
             return false;
         }
 
-        // At the edge of a tile that moves along its plane the normals differ a little: then ΔV·n is at most |ΔV| |n₁ × n₂|.
-        Vector3d difference = first.Velocity - second.Velocity;
-        double sine = Vector3d.Cross(in first.Normal, in second.Normal).Length;
-        return Math.Abs(Vector3d.Dot(in difference, in first.Normal)) <= ContactSearch.Approaching + (difference.Length * sine);
+        return MovesAlong(first.Velocity - second.Velocity, in first.Normal, in second.Normal);
     }
+
+    /// <summary>True if neither of two surfaces moves against the other along their normal.</summary>
+    private static bool MovesAlong(World world, int first, int second, in Vector3d position, in ShapePoint on, in ShapePoint at, double time)
+    {
+        Collider one = world.Colliders[first];
+        Collider other = world.Colliders[second];
+        if (!one.Moves && !other.Moves)
+        {
+            return true;
+        }
+
+        double r = world.Ball.Radius;
+        Vector3d difference = one.SurfaceVelocity(position - (r * on.Normal), time) - other.SurfaceVelocity(position - (r * at.Normal), time);
+        return MovesAlong(in difference, on.Normal, at.Normal);
+    }
+
+    /// <summary>True if the difference of two velocities is along surfaces with these normals: at the edge of a tile those differ a little, and ΔV·n is at most |ΔV| |n₁ × n₂|.</summary>
+    private static bool MovesAlong(in Vector3d difference, in Vector3d first, in Vector3d second) =>
+        Math.Abs(Vector3d.Dot(in difference, in first)) <= ContactSearch.Approaching + (difference.Length * Vector3d.Cross(in first, in second).Length);
 
     /// <summary>True if the first of two contacts with the same normal stands for both.</summary>
     /// <param name="world">The world.</param>
@@ -137,7 +167,8 @@ internal static class Flush
             }
 
             ShapePoint at = world.Colliders[i].At(position, time);
-            if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactSearch.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
+            if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactSearch.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal)
+                || !MovesAlong(world, carrier, i, in position, in on, in at, time))
             {
                 continue;
             }

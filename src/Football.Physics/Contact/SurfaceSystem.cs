@@ -146,6 +146,12 @@ internal struct SurfaceSystem : IMotionSystem
         // Where less of the air counts on a surface than in flight, and a net's pull off it does not, what would press the ball onto it in flight keeps it there too, without friction.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
+        if (Around.Air.HasSide && on.FreeLoad <= SurfaceForces.Least)
+        {
+            // A knuckle force acts in flight alone. It would press the ball back at once, so the ball stays.
+            on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
+        }
+
         return on;
     }
 

@@ -69,7 +69,6 @@ internal sealed partial class ContactSetParts
             // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-            run.Parts++;
 
             // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -127,6 +126,9 @@ internal sealed partial class ContactSetParts
             double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, set, out Separation met);
             bool meets = at <= h;
             double length = meets ? at : h;
+
+            // An impact that cuts a part short is counted as an impact: the parts that remain must cover the rest of the step.
+            run.Parts += meets ? 0 : 1;
             double share = length / h;
 
             // v and ω are linear in a part, so also where it is cut short.
@@ -318,14 +320,12 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
-    [SkipLocalsInit]
-    private void Hold(ref BallState s, scoped Span<Contact> set)
+    public void Hold(ref BallState s, scoped Span<Contact> set)
     {
         ContactSet.Hold(_world, ref s, set);
         if (ContactSet.HasMover(set))
         {
-            Span<Contact> room = stackalloc Contact[ContactSet.Room];
-            ContactSet.KeepOut(_world, ref s, ContactSet.Near(_world, in s, 0, room, _world.Room));
+            _contact.KeepOut(ref s);
         }
     }
 

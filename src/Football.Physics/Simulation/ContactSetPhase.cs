@@ -35,6 +35,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>How often a step checks whether friction holds a ball that rolling resistance does not hold.</summary>
     private const int MostGrips = 4;
 
+    /// <summary>Rounds in which slips and speeds off contacts are ended, one contact after the other; more are taken only while they change the velocity by more than this, m/s.</summary>
+    private const int FewStickRounds = 4;
+    private const int MostStickRounds = 128;
+    private const double Corrected = 1e-9;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly WorldGuard _guard;
@@ -177,14 +182,20 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         double grip = _world.Ball.InertiaFactor / (1.0 + _world.Ball.InertiaFactor);
         Vector3d v = s.Velocity;
         Vector3d w = s.SpinAxis;
-        for (int round = 0; round < 4; round++)
+        double change = double.PositiveInfinity;
+        for (int round = 0; round < MostStickRounds && change > (round < FewStickRounds ? 1e-15 : Corrected); round++)
         {
-            double change = 0;
+            change = 0;
             for (int i = 0; i < system.Count; i++)
             {
                 ref readonly SetContact contact = ref system.Contacts[i];
                 if (!contact.Bears)
                 {
+                    // What the others change must not lead into a stationary surface.
+                    double closing = Vector3d.Dot(in v, contact.Normal);
+                    bool enters = closing < -ContactSearch.Approaching && !_world.Colliders[contact.Collider].Moves;
+                    v -= enters ? closing * contact.Normal : Vector3d.Zero;
+                    change = enters ? Math.Max(change, -closing) : change;
                     continue;
                 }
 
@@ -204,10 +215,15 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 }
             }
 
-            if (change <= 1e-15)
-            {
-                break;
-            }
+        }
+
+        // Moving objects may leave no such velocity. Then the ball does not enter stationary ones.
+        for (int i = 0; i < system.Count && change > Corrected; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            double off = Vector3d.Dot(in v, contact.Normal);
+            off = contact.Bears ? off : Math.Min(0, off);
+            v -= _world.Colliders[contact.Collider].Moves ? Vector3d.Zero : off * contact.Normal;
         }
 
         s.Velocity = v;
@@ -296,7 +312,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         s.ClearIn = BallState.TouchesSeveral;
-        ContactSet.Hold(_world, ref s, set);
+        _parts.Hold(ref s, set);
         run.Show(in before, in s, ref sweep, order);
         Name(ref s, set, in system, ref run);
         if (meets && !run.Log.Halted)

@@ -191,6 +191,7 @@ internal sealed class FlightPhase<TIntegrator>
         {
             double length = sweep.Length;
             _nets.EndWhereSlack(ref sweep, in s);
+            _nets.EndWhereBent(ref sweep, in s, -1);
             next = sweep.Length < length ? s.Branch : next;
         }
 

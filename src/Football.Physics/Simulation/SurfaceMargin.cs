@@ -113,7 +113,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                 continue;
             }
 
-            double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin), 0);
+            double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
             if (start > 0)
             {
                 // The first zero by the Illinois method, on the step itself; what is not small there has jumped, as at an edge.

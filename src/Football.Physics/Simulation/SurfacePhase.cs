@@ -41,6 +41,12 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>The normal turns by no more than this in a piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
+    /// <summary>
+    /// A ball creeps if rolling friction changes its velocity by more than so many times itself in what is left of the step. Its direction then follows the push
+    /// within that share of the time, in which it moves by less than 1e-8 m in usual steps.
+    /// </summary>
+    private const double Creeping = 256;
+
     private readonly Surroundings _around;
     private readonly World _world;
     private readonly StabilityLimit _limit;
@@ -95,7 +101,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         // What acts here, and what becomes of the ball at once: it leaves, rests, grips, or slips.
         bool rolls = s.Motion == MotionState.Rolling;
-        var from = new Motion(s.Position, s.Velocity, s.Spin);
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         SurfaceSystem system = System(in s, in from, rolls);
         system.CarrierGain = run.CarrierGain;
         SurfaceForces on = system.ForcesOn(s.Time, in from);
@@ -143,9 +149,20 @@ internal sealed class SurfacePhase<TIntegrator>
             {
                 // What was left of its speed is none: it does not creep.
                 s.Velocity = system.Carrier.MaterialVelocity(s.Position, s.Time);
-                from = new Motion(s.Position, s.Velocity, s.Spin);
+                from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
                 on = system.ForcesOn(s.Time, in from);
                 run.Log.Evaluations++;
+            }
+
+            // Friction turns a ball that creeps into the push much sooner than the step ends.
+            bool creeps = !held && run.Next * system.RollingFriction(in on, 0) > Creeping * size;
+            if (creeps && size >= Slip.Rolling)
+            {
+                Creep(ref s, in on, in drive);
+                from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+                on = system.ForcesOn(s.Time, in from);
+                run.Log.Evaluations++;
+                size = 0;
             }
 
             moving = size < Slip.Rolling ? drive : moving;
@@ -213,6 +230,16 @@ internal sealed class SurfacePhase<TIntegrator>
         return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
     }
 
+    /// <summary>Keeps of the velocity of a ball that creeps only the part along the push.</summary>
+    private void Creep(ref BallState s, in SurfaceForces on, in Vector3d push)
+    {
+        Collider carrier = _world.CarrierOf(in s);
+        Vector3d along = push / push.Length;
+        s.Velocity += (Math.Max(0, Vector3d.Dot(on.Rolling, in along)) * along) - on.Rolling;
+        Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in on.Normal, s.Time);
+        s.SpinAxis = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.SpinAxis, on.Normal), in on.Normal, _around.Radius);
+    }
+
     /// <summary>The thesis' end of a slide (2.27, 2.28): the slip grew, or is small.</summary>
     private void EndSlipByHeuristic(ref BallState s, ref StepRun run, double before)
     {
@@ -254,6 +281,7 @@ internal sealed class SurfacePhase<TIntegrator>
         bool overEdge = SurfaceMargin<TMethod>.EndPiece(ref sweep, in s, system.Rolls, KeepsGrip(in s, in run));
         SurfaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
         _nets.EndWhereSlack(ref sweep, in s);
+        _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
 
         // Ended before the jump it is still on the branch that it was taken on.

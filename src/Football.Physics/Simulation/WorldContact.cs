@@ -499,6 +499,12 @@ internal sealed class WorldContact
         s.Motion = MotionState.Sliding;
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = _world.Hold(ref s, carrier);
+        if (carrier.Moves)
+        {
+            // A body that overlaps the ball would put it into a stationary object.
+            KeepOut(ref s);
+        }
+
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
         if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && _load.Grips(in s, carrier, ref run))
         {
@@ -508,6 +514,14 @@ internal sealed class WorldContact
         {
             StartSliding(ref s, ref run);
         }
+    }
+
+    /// <summary>Moves the ball out of stationary objects that it overlaps.</summary>
+    [SkipLocalsInit]
+    public void KeepOut(ref BallState s)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        ContactSet.KeepOut(_world, ref s, ContactSet.Near(_world, in s, 0, room, _world.Room));
     }
 
     /// <summary>The ball flies on.</summary>

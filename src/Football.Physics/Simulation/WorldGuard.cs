@@ -240,7 +240,8 @@ internal sealed class WorldGuard
 
         // Open at both ends the gap dips: there may be a root, or none.
         bool dips = atEnd > 0;
-        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips)
+        // The gap may be zero at the start, too: that root is behind.
+        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ShortestPiece * tau)
         {
             return true;
         }
@@ -309,6 +310,9 @@ internal sealed class NetGuard
 
     /// <summary>By what a piece is shortened that bends too much.</summary>
     private const double Shorter = 0.8;
+
+    /// <summary>A piece next to a collider is shortened so often at most.</summary>
+    private const int MostHalved = 4;
 
     /// <summary>A kink is found to this tension; a piece that starts with less than the second starts at one.</summary>
     private const double Kink = 1e-12;
@@ -379,6 +383,49 @@ internal sealed class NetGuard
                 EventLocator.Locate(ref sweep, new TensionLeft<TSweep>(_world.Nets[i], side, sign), first < sweep.Length ? first : secant);
             }
         }
+    }
+
+    /// <summary>Shortens a piece next to a collider until the cubic that is searched is the path: a net bends it by more than the cubic through the ends of a usual piece.</summary>
+    /// <param name="sweep">The piece.</param>
+    /// <param name="s">The ball at its start.</param>
+    /// <param name="carrier">The collider that carries it; −1 if none does.</param>
+    public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, int carrier)
+        where TSweep : struct, ISweep
+    {
+        for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
+        {
+            // The quintic less the cubic in the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64. It falls with the fourth power of the length.
+            double h = sweep.Length;
+            Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
+            double share = LargestBend / off.Length;
+            if (!(share < 1))
+            {
+                return;
+            }
+
+            sweep.Step(h * Shorter * Math.Sqrt(Math.Sqrt(share)));
+        }
+    }
+
+    /// <summary>True if a collider that does not carry the ball is next to a piece.</summary>
+    private bool IsNear<TSweep>(ref TSweep sweep, in BallState s, int carrier)
+        where TSweep : struct, ISweep
+    {
+        var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length);
+        double r = _world.Ball.Radius;
+        var near = new NearThings(_world, path.Bounds.Grown(r), s.Time, sweep.Length);
+        while (near.NextCollider(out int i))
+        {
+            // Planes have no box.
+            bool isFar = _world.Colliders[i].StandingPlane is { } plane
+                && Math.Min(plane.DistanceTo(s.Position), plane.DistanceTo(sweep.Position)) > r + path.Deviation;
+            if (i != carrier && !isFar)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>What is left until the tension of a net changes its sign.</summary>
