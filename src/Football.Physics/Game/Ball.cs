@@ -119,6 +119,14 @@ public sealed class Ball
         _log.Clear();
     }
 
+    /// <summary>Computes where the ball goes from here; the ball stays as it is. Allocates nothing once the trajectory has room.</summary>
+    /// <param name="request">How far to look, and what to stop at.</param>
+    /// <param name="into">Where the path and the events go.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
+    public void LookAhead(LookAheadRequest request, Trajectory into) => Simulator.LookAhead(in _state, request, into);
+
     /// <summary>The name of what an event reports: "ground", "left post", an obstacle's; null for an event that has none.</summary>
     /// <param name="happened">One of <see cref="Events"/>.</param>
     public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.Thing);

@@ -38,19 +38,6 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Computes where a ball goes from here. Allocates nothing once its trajectory has room.</summary>
-    /// <param name="ball">The ball; unchanged.</param>
-    /// <param name="request">How far to look, and what to stop at.</param>
-    /// <param name="into">Where the path and the events go.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
-    public static void LookAhead(this Ball ball, LookAheadRequest request, Trajectory into)
-    {
-        Check.Given(nameof(ball), ball);
-        ball.Simulator.LookAhead(ball.State, request, into);
-    }
-
     /// <summary>Looks ahead with several balls, each among the others as they will be.</summary>
     /// <param name="group">The balls.</param>
     /// <param name="from">Where they are; unchanged.</param>

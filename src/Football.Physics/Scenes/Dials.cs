@@ -1,5 +1,3 @@
-using Football.Physics.Laws;
-
 namespace Football.Physics;
 
 /// <summary>The condition of ball and pitch in a designer's words. Each dial changes numbers of a scene by a formula; at its default it changes none.</summary>

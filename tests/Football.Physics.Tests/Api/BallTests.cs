@@ -47,7 +47,7 @@ public sealed class BallTests
         Assert.Null(ball.NameOf(new BallEvent(BallEventKind.Rest, -1, default, 0, default, default, default, default, default)));
         Assert.Contains("launch.velocity", Assert.Throws<ArgumentOutOfRangeException>(() => ball.Launch(default, new Vector3d(2000, 0, 0), default)).Message, StringComparison.Ordinal);
         Assert.True(ball.Time > 0);
-        Assert.Throws<ArgumentNullException>(() => SimulatorExtensions.LookAhead(null!, new LookAheadRequest(), path));
+        Assert.Throws<ArgumentNullException>(() => ball.LookAhead(null!, path));
     }
 
     [Fact]

@@ -42,8 +42,10 @@ public sealed class DialsTests
         Assert.Equal(
             turf with
             {
-                NormalRestitution = turf.NormalRestitution * (1 - 0.084), ImpactFriction = turf.ImpactFriction * (1 - (1 / 3.0)),
-                SlidingFriction = turf.SlidingFriction * (1 - 0.45), DrillingLength = 0.75 * turf.DrillingLength,
+                NormalRestitution = turf.NormalRestitution * (1 - 0.084),
+                ImpactFriction = turf.ImpactFriction * (1 - (1 / 3.0)),
+                SlidingFriction = turf.SlidingFriction * (1 - 0.45),
+                DrillingLength = 0.75 * turf.DrillingLength,
             },
             wet.Ground.Material);
         Assert.Equal(0.28, wet.Ground.Material.ImpactFriction, 1e-12);

@@ -1,4 +1,3 @@
-using Football.Physics.Prediction;
 using Football.Physics.Tests.Support;
 
 namespace Football.Physics.Tests.Stability;
