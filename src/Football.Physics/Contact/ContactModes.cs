@@ -17,9 +17,6 @@ internal static unsafe class ContactModes
     /// <summary>The most rounds in which the bearer is looked for.</summary>
     private const int MostBearers = 5;
 
-    /// <summary>Two normals leave the velocity a direction where |n₁ × n₂| is more than this.</summary>
-    private const double Independent = 1e-6;
-
     /// <summary>Finds the modes.</summary>
     /// <param name="system">The contacts, looked at: what touches the ball without closing.</param>
     /// <param name="time">When, s.</param>
@@ -224,10 +221,10 @@ internal static unsafe class ContactModes
             {
                 Vector3d across = Vector3d.Cross(in first, in contact.Normal);
                 double size = across.Length;
-                isLine = size > Independent;
+                isLine = size > LineForces.Independent;
                 along = isLine ? across / size : along;
             }
-            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > Independent)
+            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > LineForces.Independent)
             {
                 isLine = false;
                 return Vector3d.Zero;

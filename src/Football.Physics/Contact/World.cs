@@ -25,7 +25,7 @@ internal sealed class World
         MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
         RestEnergy = scene.Ground.RestEnergy * scene.Ball.RestShare;
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
-        AirLoads = SharesAir || !(Weight.UpwardAcceleration(scene) < 0);
+        AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
         var colliders = new List<Collider>();
         if (!scene.Ground.IsNone)

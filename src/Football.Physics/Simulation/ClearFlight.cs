@@ -58,6 +58,8 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
+
+        // Downwards: the sign that states of earlier versions have in their key.
         key.Add(-weight);
         key.Add(_shareInPath);
         key.Add(in wind);

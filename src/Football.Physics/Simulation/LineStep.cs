@@ -11,18 +11,9 @@ namespace Football.Physics;
 internal sealed unsafe class LineStep<TAir> : LineStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>A slip of less than this, m/s, has ended.</summary>
-    private const double Sticking = 1e-7;
-
-    /// <summary>The motion is that of the line if no more than this, m/s, remains of it.</summary>
-    private const double OnLine = 1e-12;
-
     /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
     private const double Faster = 1.5;
     private const double LeastRoom = 5e-3;
-
-    /// <summary>A load or a reserve must keep this share of its value.</summary>
-    private const double Clear = 0.25;
 
     /// <summary>A slip loses no more than this share of itself: on a surface whose normal stays the same, and on another one.</summary>
     private const double MostOfSlip = 0.75;

@@ -7,15 +7,6 @@ namespace Football.Physics;
 internal sealed class SlideStep<TAir>
     where TAir : struct, IFlightAir
 {
-    /// <summary>A slip of less than this, m/s, has ended.</summary>
-    private const double Sticking = 1e-7;
-
-    /// <summary>The velocity is along the line if no more than this, m/s, remains of it.</summary>
-    private const double OnLine = 1e-12;
-
-    /// <summary>A load or a reserve must keep this share of its value.</summary>
-    private const double Clear = 0.25;
-
     private readonly World _world;
     private readonly StabilityLimit _limit;
     private readonly BallProperties _ball;
@@ -81,7 +72,7 @@ internal sealed class SlideStep<TAir>
         }
 
         // Guards, as those of a line. The last stage is at the end, or in the middle.
-        double share = _order == 4 ? Clear : 0.5 * (1.0 + Clear);
+        double share = _order == 4 ? LineStep.Clear : 0.5 * (1.0 + LineStep.Clear);
         Vector3d position = s.Position + (way * forces.Along);
         if (!(dt * fastest <= room) || !Keeps(in forces, in from, in first, in last, in rates, share, one.Collider + _world.FirstCollider == s.Carrier)
             || !Touched.KeepsSurface(_world, in one, in s, in position) || !Touched.KeepsSurface(_world, in two, in s, in position))
@@ -123,7 +114,7 @@ internal sealed class SlideStep<TAir>
         Vector3d second = forces.SecondSlip(from.Speed, in from.Spin);
         double firstSize = first.Length;
         double secondSize = second.Length;
-        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= OnLine) || !(firstSize >= Sticking) || !(secondSize >= Sticking))
+        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= LineStep.OnLine) || !(firstSize >= LineStep.Sticking) || !(secondSize >= LineStep.Sticking))
         {
             return false;
         }

@@ -240,7 +240,8 @@ internal sealed class WorldGuard
 
         // Open at both ends the gap dips: there may be a root, or none.
         bool dips = atEnd > 0;
-        // The gap may be zero at the start, too: that root is behind.
+
+        // A gap that is zero at the start has a root there, which is not the one sought.
         if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ShortestPiece * tau)
         {
             return true;
