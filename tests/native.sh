@@ -64,6 +64,10 @@ start=$SECONDS
 diff tests/Native/kicks.txt "$work/kicks.txt" > "$log" || fail "kicks: other hashes than C# has"
 ok "10 000 kicks to rest in three scenes, every tick and event, saved and restored: the hashes of C#, in $(( SECONDS - start )) s"
 
+quietly "one_default.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/one_default.c -o "$work/one_default" "${link[@]}"
+"$work/one_default" tests/Golden/one-default.csv > "$work/said" 2> "$log" || fail "one_default.c"
+ok "$(cat "$work/said")"
+
 quietly "refusals.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/refusals.c -o "$work/refusals" "${link[@]}"
 "$work/refusals" > "$work/said" 2> "$log" || fail "refusals.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said")"

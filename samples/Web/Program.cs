@@ -127,7 +127,7 @@ internal static partial class Playground
     [JSExport]
     internal static string Code(double speed, double elevation, double azimuth, double top, double side)
     {
-        Vectors(speed, elevation, azimuth, top, side, out Vector3d velocity, out Vector3d spin);
+        KickVectors.FromAngles(speed, elevation, azimuth, top, side, out Vector3d velocity, out Vector3d spin);
         return s_settings[0].Code(velocity, spin);
     }
 
@@ -137,18 +137,9 @@ internal static partial class Playground
 
     private static void Look(int scene, double speed, double elevation, double azimuth, double top, double side, double seconds, out Vector3d velocity, out Vector3d spin)
     {
-        Vectors(speed, elevation, azimuth, top, side, out velocity, out spin);
+        KickVectors.FromAngles(speed, elevation, azimuth, top, side, out velocity, out spin);
         Simulator simulator = s_simulators[scene];
         simulator.LookAhead(simulator.Launch(s_settings[scene].Start, velocity, spin), new LookAheadRequest { Duration = seconds, TimeStep = Setting.TimeStep, StopAt = StopAt.Rest }, s_ahead);
-    }
-
-    private static void Vectors(double speed, double elevation, double azimuth, double top, double side, out Vector3d velocity, out Vector3d spin)
-    {
-        (double up, double level) = Math.SinCos(elevation * Math.PI / 180);
-        (double left, double forward) = Math.SinCos(azimuth * Math.PI / 180);
-        velocity = new Vector3d(-speed * level * left, speed * up, -speed * level * forward);
-        // Topspin about the axis to the right of the kick, sidespin about the vertical.
-        spin = new Vector3d(-top * forward, side, top * left);
     }
 
     private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];

@@ -8,7 +8,7 @@ namespace Football.Web;
 /// <param name="Profile">"measured" or "published".</param>
 /// <param name="Ball">The name of a ball in <see cref="BallProperties.Presets"/>.</param>
 /// <param name="Ground">The name of a ground in <see cref="Physics.Ground.Presets"/>.</param>
-/// <param name="Altitude">Above the sea, m.</param>
+/// <param name="Altitude">Above the sea, m; at 0 the air is that of the default scene.</param>
 /// <param name="WindAcross">To the right, m/s.</param>
 /// <param name="WindAlong">Towards the goal, m/s.</param>
 /// <param name="Distance">From the ball to the goal line, m.</param>
@@ -53,7 +53,7 @@ internal sealed record Setting(
     {
         Ball = BallProperties.Presets[Ball],
         Ground = Physics.Ground.Presets[GroundName],
-        Air = Weather.AtAltitude(Altitude).ToAir() with { Wind = new Vector3d(WindAcross, 0, -WindAlong) },
+        Air = (Altitude == 0 ? new Air() : Weather.AtAltitude(Altitude).ToAir()) with { Wind = new Vector3d(WindAcross, 0, -WindAlong) },
         Goals = [Goal],
         Obstacles = [.. Players.SelectMany(Player)],
         Bodies = bodies,
@@ -76,7 +76,7 @@ internal sealed record Setting(
 
         string profile = Profile == "published" ? "Published" : "Measured";
         code.Append(CultureInfo.InvariantCulture, $"var scene = Scene.{profile} with\n{{\n    Ball = BallProperties.Presets[\"{Ball}\"],\n    Ground = Ground.Presets[\"{GroundName}\"],\n")
-            .Append(CultureInfo.InvariantCulture, $"    Air = Weather.AtAltitude({Altitude}).ToAir() with {{ Wind = {Of(new Vector3d(WindAcross, 0, -WindAlong))} }},\n    Goals = [goal],\n")
+            .Append(CultureInfo.InvariantCulture, $"    Air = {(Altitude == 0 ? "new Air()" : $"Weather.AtAltitude({Altitude}).ToAir()")} with {{ Wind = {Of(new Vector3d(WindAcross, 0, -WindAlong))} }},\n    Goals = [goal],\n")
             .Append(Wall > 0 ? "    Obstacles =\n    [\n        .. wall.SelectMany(at => new[]\n        {\n"
                 + "            new Obstacle { Name = \"wall\", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = SurfaceMaterial.Boot },\n"
                 + "            new Obstacle { Name = \"wall\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = SurfaceMaterial.Head },\n        }),\n    ],\n" : "")

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Reflection;
+using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Football.Scenarios;
@@ -9,7 +10,7 @@ using UnityPreset = Football.Physics.Unity.FootballPreset;
 
 namespace Football.Physics.Package.Tests;
 
-/// <summary>C#, the command line, a scenario and a fresh preset of either engine play one shot to the same bits, and call balls and grounds by the same names.</summary>
+/// <summary>C#, the command line, a scenario and a fresh preset of either engine play one shot to the same bits, and call balls and grounds by the same names. C (one_default.c), Python (test_balls.py) and the page (PlayTests) compare with the same table.</summary>
 public sealed partial class OneDefaultTests
 {
     private const double TimeStep = 0.01;
@@ -43,6 +44,25 @@ public sealed partial class OneDefaultTests
             Same($"{way}, kick", kick, simulator, state);
             Same($"{way}, scenario", scenario, simulator, state);
         }
+    }
+
+    /// <summary>The kick of this class as a table of bits, which C, Python and the page compare with their own.</summary>
+    [Fact]
+    public void The_kick_of_the_default_is_the_one_in_the_table()
+    {
+        KickVectors.FromAngles(27, 15, -16.7, -10, 60, out Vector3d velocity, out Vector3d spin);
+        var ball = new Ball();
+        ball.Launch(Vector3d.Zero, velocity, spin);
+        var rows = new StringBuilder("time,x,y,z,vx,vy,vz,wx,wy,wz\n");
+        for (bool goes = true; goes; ball.Step(TimeStep))
+        {
+            BallState state = ball.State;
+            double[] row = [state.Time, .. Parts(state.Position), .. Parts(state.Velocity), .. Parts(state.Spin)];
+            rows.AppendJoin(',', row.Select(number => number.ToString("R", CultureInfo.InvariantCulture))).Append('\n');
+            goes = state.Motion != MotionState.Stopped;
+        }
+
+        Repository.AssertCurrent("tests/Golden/one-default.csv", rows.ToString());
     }
 
     [Fact]
@@ -195,6 +215,8 @@ public sealed partial class OneDefaultTests
             simulator.Step(ref state, TimeStep, log);
         }
     }
+
+    private static double[] Parts(Vector3d of) => [of.X, of.Y, of.Z];
 
     private static Vector3d Vector(JsonElement of, string name)
     {

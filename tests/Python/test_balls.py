@@ -49,6 +49,16 @@ class Bits(unittest.TestCase):
                     break
         self.assertEqual(f"default 100 {value:016x}", KICKS.read_text().splitlines()[0])
 
+    def test_the_kick_of_the_default_is_the_one_in_the_table(self):
+        table = np.loadtxt(KICKS.parents[1] / "Golden" / "one-default.csv", delimiter=",", skiprows=1)
+        balls = fp.Balls(fp.Scene(), 1)
+        balls.place(None, (0.0, 0.0, 0.0), table[0, 4:7], table[0, 7:10])
+        for row in table:
+            seen = np.concatenate([balls.position[0], balls.velocity[0], balls.spin[0]])
+            np.testing.assert_array_equal(seen, row[1:])
+            balls.step(0.01)
+        self.assertEqual(balls.motion[0], fp.Motion.STOPPED)
+
     def test_many_balls_are_each_the_ball_alone_and_a_restored_one_goes_the_same_way(self):
         scene, random = fp.Scene({"profile": "published"}), np.random.default_rng(1)
         velocity, spin = random.uniform([-5, 3, -25], [5, 9, -15], (32, 3)), random.uniform(-50, 50, (32, 3))
