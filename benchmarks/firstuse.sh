@@ -17,13 +17,13 @@ cat > "$work/app/app.csproj" << END
   <ItemGroup>
     <PackageReference Include="Football.Physics" Version="$version" />
     <PackageReference Include="Football.Physics.Batch" Version="$version" />
-    <Using Include="Football.Physics;Football.Physics.Aiming;Football.Physics.Batch;Football.Physics.Prediction" />
+    <Using Include="FootballPhysics;FootballPhysics.Aiming;FootballPhysics.Batch;FootballPhysics.Prediction" />
     <Compile Include="$table/Quick/FirstUseTable.cs;$table/Quick/Child.cs;$table/Quick/Text.cs" />
   </ItemGroup>
 </Project>
 END
 cat > "$work/app/Program.cs" << 'END'
-using Football.Physics.Benchmarks;
+using FootballPhysics.Benchmarks;
 
 if (args is ["quick", "--child", "first", var warm])
 {

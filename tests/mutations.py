@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROJECTS = ["Football.Physics.Tests", "Football.Physics.Labs.Tests"]
 # The library, and its parts in packages of their own: a file's place begins with the room that they are.
 PARTS = {"": "src/Football.Physics", "Batch": "src/Football.Physics.Batch", "Engines": "src/Football.Physics.Engines", "Thesis": "src/Football.Physics.Thesis", "Tracks": "src/Football.Physics.Tracks"}
-OTHERS = "FullyQualifiedName!~Football.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
+OTHERS = "FullyQualifiedName!~FootballPhysics.Tool.Tests.&FullyQualifiedName!~.Architecture.&FullyQualifiedName!~.Api.&FullyQualifiedName!~ChangedLawTests&FullyQualifiedName!~ProfileTests&FullyQualifiedName!~ReferenceBoundTests"
 ENVIRONMENT = {**os.environ, "DOTNET_CLI_TELEMETRY_OPTOUT": "1", "MSBUILDDISABLENODEREUSE": "1"}
 
 

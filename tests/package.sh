@@ -104,8 +104,8 @@ for part in "${parts[@]}"; do
   if grep -qF "$work" <<< "$nuspec"; then fail "$part names a folder of this machine"; fi
 done
 documented=$(unzip -p "$package" lib/netstandard2.1/Football.Physics.xml)
-has "$documented" 'T:Football.Physics.Ball"' "no documentation of Ball"
-has "$documented" 'M:Football.Physics.Ball.Kick(' "no documentation of Ball.Kick"
+has "$documented" 'T:FootballPhysics.Ball"' "no documentation of Ball"
+has "$documented" 'M:FootballPhysics.Ball.Kick(' "no documentation of Ball.Kick"
 ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB that of the library: 3 assemblies each with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence; no dependency but on the library"
 
 # Code ahead of time is made from these assemblies by a tool of .NET's own, for a minute: not twice.

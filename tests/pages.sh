@@ -164,7 +164,7 @@ copies=$(probe "$work/gallery/index.html" '
   const copied = [];
   Object.defineProperty(navigator, "clipboard", { value: { writeText: function (text) { copied.push(text); return Promise.resolve(); } } });
   for (const button of document.querySelectorAll("button")) button.click();
-  document.body.dataset.copied = copied.filter(function (text) { return /^using Football.Physics|football replay -/.test(text); }).length;
+  document.body.dataset.copied = copied.filter(function (text) { return /^using FootballPhysics|football replay -/.test(text); }).length;
 ')
 open copies 1280,900 light "file://$copies"
 (( $(said copies copied) == 2 * shots )) || fail "gallery: $(said copies copied) of $(( 2 * shots )) lines can be copied"

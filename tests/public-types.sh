@@ -14,7 +14,7 @@ def surfaces(commit):
             for name in names if re.fullmatch(r"src/Football\.Physics[.\w]*/PublicAPI\.Unshipped\.txt", name)}
 
 for assembly, text in surfaces(sys.argv[1]).items():
-    lines = [line for line in text.splitlines() if "Football.Physics" in line]
+    lines = [line for line in text.splitlines() if "FootballPhysics" in line]
     types = [line for line in lines if not re.search(r"[( =]|->", line)]
     spaces = collections.Counter(line.split("<")[0].rpartition(".")[0] for line in types)
     print(f"{assembly}: {len(types)} types, {len(lines) - len(types)} members; " + ", ".join(f"{space} {n}" for space, n in sorted(spaces.items())))

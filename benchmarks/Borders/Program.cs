@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics;
+using FootballPhysics;
 
 // The kick, the steps and the rounds of cost.c.
 const int Steps = 100;

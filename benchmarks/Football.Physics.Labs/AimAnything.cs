@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Random requests of every kind: speeds, spins, winds, laws, distances, heights, elevation bounds.</summary>
 internal static class AimAnything
@@ -14,7 +14,7 @@ internal static class AimAnything
         var random = new Random((seed * 1000) + index);
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
         double wind = index % 2 == 0 ? 0 : AimSets.Between(random, 0, 12);
-        return Physics.Scene.Published with { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
+        return FootballPhysics.Scene.Published with { Forces = Laws[index % Laws.Length], Air = new Air { Wind = wind * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) } };
     }
 
     /// <summary>Requests for it.</summary>

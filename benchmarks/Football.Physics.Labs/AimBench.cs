@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Has a method answer requests, times it, and measures what it found.</summary>
 internal sealed class AimBench

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Charts of experiments with predictors.</summary>
 internal static class AimCharts

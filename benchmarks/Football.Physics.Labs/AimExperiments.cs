@@ -1,6 +1,6 @@
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The thesis' experiments with its predictors (4.1.3, 4.2.3, 4.3.2), the library's own solver beside them.</summary>
 internal sealed class AimExperiments(int seed, bool quick)

@@ -1,9 +1,9 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab aim: the thesis' experiments with predictors, and the library's own solver in them.</summary>
 internal static class AimLab

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A line of a table: what a method did with a set of requests.</summary>
 internal sealed class AimRow

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>
 /// The dense scan that verdicts are held against: over the elevations between the bounds, each with the azimuth corrected by where the

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>One experiment: its lines, what they show, and its charts.</summary>
 internal sealed record AimSection(string Title, IReadOnlyList<AimRow> Rows)

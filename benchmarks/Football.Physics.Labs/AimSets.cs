@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The seeded requests of the thesis' experiments with predictors, and of the table of targets. Kicks go along x; the goal line is at x = 0.</summary>
 internal static class AimSets

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A request, the kick that a method found for it, and how good it really is.</summary>
 /// <param name="Request">What was asked for.</param>

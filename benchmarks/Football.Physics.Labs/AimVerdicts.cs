@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Random requests answered by the library's own solver, its verdicts held against the dense scan.</summary>
 internal sealed class AimVerdicts

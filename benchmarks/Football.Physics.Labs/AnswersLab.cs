@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab answers: kicks that were flown are found again, hits hit, verdicts hold, and look-aheads see what happens.</summary>
 internal static class AnswersLab

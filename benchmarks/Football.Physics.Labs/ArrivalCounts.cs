@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>How many kicks are found that are to arrive with a speed, and whether they do when they are played.</summary>
 internal sealed class ArrivalCounts

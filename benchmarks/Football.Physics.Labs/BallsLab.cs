@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Xml.Linq;
-using Football.Tool.Commands;
-using Football.Drawing;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab balls: drag and lift coefficients of all balls by speed and by spin, beside what was measured.</summary>
 internal static class BallsLab

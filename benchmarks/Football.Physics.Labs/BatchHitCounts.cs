@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>How many hits of many aims at once miss when they are flown: low drives with backspin, which the ground holds, and any kick.</summary>
 internal sealed class BatchHitCounts

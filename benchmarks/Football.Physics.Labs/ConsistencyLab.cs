@@ -1,10 +1,10 @@
 using System.CommandLine;
 using System.Xml.Linq;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab consistency: the thesis' test 3.4.2, how far the landing point depends on the step.</summary>
 internal static class ConsistencyLab

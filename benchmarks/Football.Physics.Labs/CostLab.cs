@@ -1,11 +1,11 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab cost: the thesis' test 3.4.3, the time of a step by method and motion.</summary>
 internal static class CostLab

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The chance of a goal near the frame, against kicks that are drawn and played with it.</summary>
 internal static class FrameChances

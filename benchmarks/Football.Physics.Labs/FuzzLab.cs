@@ -1,11 +1,11 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Globalization;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
-using Football.Physics.Labs.Fuzz;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Labs.Fuzz;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab fuzz: inputs that are bytes or text, changed with what they mean in mind.</summary>
 internal static class FuzzLab

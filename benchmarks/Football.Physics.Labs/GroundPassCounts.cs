@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>How many passes along the ground that were rolled are found again: at their time, and no faster than they were.</summary>
 internal sealed class GroundPassCounts

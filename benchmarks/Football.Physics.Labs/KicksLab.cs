@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab kicks: kicks that somebody measured, filmed or told of, by both profiles.</summary>
 internal static class KicksLab

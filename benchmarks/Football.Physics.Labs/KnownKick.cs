@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A kick that was flown, and the request that it answers.</summary>
 /// <param name="Request">What the kick does: its target is a point of its way, its speed and spins are the kick's.</param>
@@ -30,7 +30,7 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     public static Scene Scene(Random random, int ball, double wind)
     {
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
-        return Physics.Scene.Published with
+        return FootballPhysics.Scene.Published with
         {
             Ball = Balls[ball],
             Air = new Air { Wind = AimSets.Between(random, 0, wind) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle)) },

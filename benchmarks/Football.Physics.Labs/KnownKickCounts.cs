@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>How many kicks that were flown are found again, by every question that has an answer then.</summary>
 internal sealed class KnownKickCounts

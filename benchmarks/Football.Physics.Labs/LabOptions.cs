@@ -2,10 +2,10 @@ using System.Buffers;
 using System.CommandLine;
 using System.Text;
 using System.Text.Json;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The options of every experiment, and what becomes of its report.</summary>
 internal sealed class LabOptions

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The random numbers of the stress scenes.</summary>
 internal sealed class LabRandom(ulong seed) : SeededRandom(seed);

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>What an experiment has to say: tables, and pictures if asked for.</summary>
 internal sealed class LabReport

@@ -3,7 +3,7 @@ using System.Text;
 using System.Text.Json;
 using Spectre.Console;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Rows of named columns: a table for a person, CSV, or JSON.</summary>
 internal sealed class LabTable(string name, params string[] columns)

@@ -1,19 +1,19 @@
 using System.CommandLine;
-using Football.Physics.Labs.BankShots;
-using Football.Physics.Labs.Derivatives;
-using Football.Physics.Labs.Goals;
-using Football.Physics.Labs.Intercept;
-using Football.Physics.Labs.Matches;
-using Football.Physics.Labs.Obstacles;
-using Football.Physics.Labs.People;
-using Football.Physics.Labs.Play;
-using Football.Physics.Labs.Queries;
-using Football.Physics.Labs.Scenes;
-using Football.Physics.Labs.Stress;
-using Football.Physics.Labs.Zones;
-using Football.Tool.Commands;
+using FootballPhysics.Labs.BankShots;
+using FootballPhysics.Labs.Derivatives;
+using FootballPhysics.Labs.Goals;
+using FootballPhysics.Labs.Intercept;
+using FootballPhysics.Labs.Matches;
+using FootballPhysics.Labs.Obstacles;
+using FootballPhysics.Labs.People;
+using FootballPhysics.Labs.Play;
+using FootballPhysics.Labs.Queries;
+using FootballPhysics.Labs.Scenes;
+using FootballPhysics.Labs.Stress;
+using FootballPhysics.Labs.Zones;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab: the experiments that measure the library.</summary>
 internal static class Laboratories

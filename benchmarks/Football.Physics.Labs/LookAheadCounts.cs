@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>How many answers of look-aheads are wrong: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>
 internal sealed class LookAheadCounts

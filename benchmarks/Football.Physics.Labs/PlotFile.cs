@@ -1,11 +1,11 @@
 using System.Diagnostics;
 using System.Text;
 using System.Xml.Linq;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A file for a picture: SVG, or PNG where a program that renders it is installed.</summary>
 internal sealed class PlotFile : IDisposable

@@ -1,11 +1,11 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Xml.Linq;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab precision: work against precision, every method with every step.</summary>
 internal static class PrecisionLab

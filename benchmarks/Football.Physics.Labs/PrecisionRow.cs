@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A method with a step: its errors, m, and its work a second of motion.</summary>
 internal sealed record PrecisionRow(

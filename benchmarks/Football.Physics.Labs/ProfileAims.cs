@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>The same requests in scenes of both profiles: how many kicks are found, with how many flights, and how far off they are.</summary>
 internal static class ProfileAims

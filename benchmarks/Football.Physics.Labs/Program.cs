@@ -1,5 +1,5 @@
-using Football.Physics.Labs;
-using Football.Tool.Commands;
+using FootballPhysics.Labs;
+using FootballPhysics.Tool.Commands;
 
 // The tool, with the laboratories in it.
 return CommandLineEntry.Run(args, Terminal.OfProcess(), Laboratories.Create);

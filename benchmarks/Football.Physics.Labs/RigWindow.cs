@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>What a test of pitches asks of the rigs' results.</summary>
 /// <param name="Name">The test.</param>

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab rigs: what FIFA's rigs for pitches would measure on every surface of both profiles, beside the windows of the tests.</summary>
 internal static class RigsLab

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Aims at targets on and over slopes: whether hits pass the target that was asked for, when they are played.</summary>
 internal sealed class SlopeCounts

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>Mean, percentiles and worst of some values; of none all are 0.</summary>
 internal sealed class Spread(IEnumerable<double> values)

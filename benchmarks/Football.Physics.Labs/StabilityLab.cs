@@ -1,13 +1,13 @@
 using System.CommandLine;
 using System.Globalization;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Physics.Labs.Hostile;
-using Football.Physics.Labs.Stability;
-using Football.Physics.Labs.Stability.Things;
-using Football.Scenarios;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Labs.Hostile;
+using FootballPhysics.Labs.Stability;
+using FootballPhysics.Labs.Stability.Things;
+using FootballPhysics.Scenarios;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab stability: the stress matrix.</summary>
 internal static class StabilityLab

@@ -1,13 +1,13 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Text;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep;
-using Football.Tool.Sweep.Formats;
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep;
+using FootballPhysics.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab sweep: how fast data sets are made, beside the batch that flies their balls.</summary>
 internal static class SweepLab
@@ -102,13 +102,13 @@ internal static class SweepLab
 
     private static BatchLaunches Launches(SweepPlan plan)
     {
-        var rows = new Football.Tool.Sweep.Rows.RowDraws(plan, Balls);
+        var rows = new FootballPhysics.Tool.Sweep.Rows.RowDraws(plan, Balls);
         rows.Draw(0, Balls);
         var launches = new BatchLaunches(Balls);
         for (int i = 0; i < Balls; i++)
         {
             double Kick(int number) => rows.Number(plan.Scene, DirectField.Kick + number, i);
-            new Football.Scenarios.KickNumbers(Kick(0), Kick(1), Kick(2), Kick(3), Kick(4)).Vectors(out Vector3d velocity, out Vector3d spin);
+            new FootballPhysics.Scenarios.KickNumbers(Kick(0), Kick(1), Kick(2), Kick(3), Kick(4)).Vectors(out Vector3d velocity, out Vector3d spin);
             launches.Set(i, rows.Vector(plan.Scene, DirectField.Position, i), velocity, spin);
         }
 

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>A number of a kick that somebody measured or told.</summary>
 /// <param name="Name">The kick.</param>

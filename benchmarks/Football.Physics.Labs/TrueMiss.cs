@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>What a kick really misses by: its closest approach to the target before its first impact, by a look-ahead in RK4 at 5 ms.</summary>
 /// <param name="scene">The scene.</param>

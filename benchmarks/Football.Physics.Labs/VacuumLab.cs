@@ -1,9 +1,9 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Drawing;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs;
+namespace FootballPhysics.Labs;
 
 /// <summary>football lab vacuum: the thesis' table 3.1, landing points in vacuum against the closed form.</summary>
 internal static class VacuumLab

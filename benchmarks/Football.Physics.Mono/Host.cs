@@ -1,5 +1,5 @@
 using System;
-using Football.Physics.Mono;
+using FootballPhysics.Mono;
 
 internal static class Host
 {

@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Mono;
+namespace FootballPhysics.Mono;
 
 /// <summary>Times flight steps and look-aheads beside the plain yardstick, in the process that it is called in.</summary>
 public static class MonoSteps

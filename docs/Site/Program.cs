@@ -1,5 +1,5 @@
 using System.Reflection;
-using Football.Physics.Site;
+using FootballPhysics.Site;
 
 string root = typeof(SiteWriter).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().First(item => item.Key == "Repository").Value!;
 string folder = args.Length == 1 ? args[0] : Path.Combine("out", "site");

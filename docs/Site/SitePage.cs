@@ -4,7 +4,7 @@ using Markdig.Renderers.Html;
 using Markdig.Syntax;
 using Markdig.Syntax.Inlines;
 
-namespace Football.Physics.Site;
+namespace FootballPhysics.Site;
 
 /// <summary>A page of the site, made from a page of Markdown.</summary>
 internal sealed class SitePage

@@ -4,7 +4,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 
-namespace Football.Physics.Site;
+namespace FootballPhysics.Site;
 
 /// <summary>Writes README.md and the pages of docs/ as a site that needs no network: with a search, light and dark.</summary>
 internal static partial class SiteWriter

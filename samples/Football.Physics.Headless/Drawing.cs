@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Physics.Headless;
+namespace FootballPhysics.Headless;
 
 /// <summary>Draws the path of a shot from the side and from above, with what happened on it.</summary>
 internal static class Drawing

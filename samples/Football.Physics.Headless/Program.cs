@@ -1,10 +1,10 @@
 // A game without a window: kicks a few shots, steps them at 60 Hz, prints what happens, and draws their paths; then the gallery of the tool.
 using System.Globalization;
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Physics;
-using Football.Physics.Headless;
-using Football.Tool;
+using FootballPhysics.Drawing;
+using FootballPhysics;
+using FootballPhysics.Headless;
+using FootballPhysics.Tool;
 
 const double Frame = 1.0 / 60.0;
 const string Folder = "out/shots";

@@ -1,7 +1,7 @@
-using Football.Physics.Aiming;
-using Football.Physics.Shapes;
+using FootballPhysics.Aiming;
+using FootballPhysics.Shapes;
 
-namespace Football.Physics.Headless;
+namespace FootballPhysics.Headless;
 
 /// <summary>A kick to play: from where, how, and among what.</summary>
 /// <param name="Name">What it is called.</param>

@@ -1,7 +1,7 @@
 // A free kick in fifty lines: scene, kick, look-ahead, step loop, events, aim. Metres, seconds, rad/s; y is up, −z is forwards.
-using Football.Physics;
-using Football.Physics.Aiming;
-using Football.Physics.Prediction;
+using FootballPhysics;
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
 
 // The scene: ball, air, forces and ground, each with numbers of its own. What is left out is a football over turf in still air.
 var scene = new Scene

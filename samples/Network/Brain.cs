@@ -1,7 +1,7 @@
 using System.Numerics;
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>Plays a team, as people at pads would: it may do what it likes, and be different on every machine, for only what it asks for counts.</summary>
 public sealed class Brain(int team, int seed)

@@ -1,6 +1,6 @@
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>
 /// Plays ahead of the server, so that what its player does is seen at once and comes in time; what the others do it guesses, and plays again from the first tick in which it guessed wrongly.

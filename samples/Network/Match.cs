@@ -1,7 +1,7 @@
-using Football.Physics.Netcode;
-using Football.Physics.Shapes;
+using FootballPhysics.Netcode;
+using FootballPhysics.Shapes;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>A player of the game: on the ground, moved by what the machine that owns the player asks for.</summary>
 public struct Player

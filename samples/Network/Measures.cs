@@ -1,6 +1,6 @@
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>What is drawn: the ball as it is, and what is left of the last corrections, which goes within some tenths of a second.</summary>
 public sealed class View

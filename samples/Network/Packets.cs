@@ -1,7 +1,7 @@
 using System.Numerics;
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>What a packet is.</summary>
 public enum PacketKind : byte

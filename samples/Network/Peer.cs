@@ -1,6 +1,6 @@
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>The three calls that a GGPO-like library makes of a game. In frames: a frame is a tick.</summary>
 public interface IRollbackGame

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics.Network;
+using FootballPhysics.Network;
 
 // demo: both processes and the relay between them. relay, server, client, peer: one of them, to be started by hand in terminals of their own. README.md has the lines.
 CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;

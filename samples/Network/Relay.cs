@@ -2,7 +2,7 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>How bad the network is.</summary>
 /// <param name="Delay">From one machine to the other, ms.</param>

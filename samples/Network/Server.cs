@@ -1,6 +1,6 @@
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 
-namespace Football.Physics.Network;
+namespace FootballPhysics.Network;
 
 /// <summary>
 /// Decides what happened. It never goes back: what has not come in time has not been done, and everybody is told what was. It plays a team, so that there is a match.

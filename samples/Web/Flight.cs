@@ -1,7 +1,7 @@
-using Football.Physics.Engines;
-using Football.Physics.Prediction;
+using FootballPhysics.Engines;
+using FootballPhysics.Prediction;
 
-namespace Football.Web;
+namespace FootballPhysics.Web;
 
 /// <summary>A ball under way: stepped ahead of what is shown, and told to the page in rows of numbers.</summary>
 internal sealed class Flight

@@ -1,5 +1,5 @@
-using Football.Physics.Prediction;
-using Football.Physics.Shapes;
+using FootballPhysics.Prediction;
+using FootballPhysics.Shapes;
 
 /// <summary>A goalkeeper: two bodies that the ball can hit, trunk and gloves, and one dive towards where the library says that the ball crosses the line.</summary>
 internal sealed class Keeper

@@ -4,11 +4,11 @@ using System.Runtime.InteropServices.JavaScript;
 using System.Runtime.Versioning;
 using System.Text;
 using System.Text.Json;
-using Football.Physics.Aiming;
-using Football.Physics.Golden;
-using Football.Physics.Prediction;
-using Football.Tool.Replay;
-using Football.Web;
+using FootballPhysics.Aiming;
+using FootballPhysics.Golden;
+using FootballPhysics.Prediction;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Web;
 
 [assembly: SupportedOSPlatform("browser")]
 

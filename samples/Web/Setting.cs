@@ -1,13 +1,13 @@
 using System.Globalization;
 using System.Text;
-using Football.Physics.Shapes;
+using FootballPhysics.Shapes;
 
-namespace Football.Web;
+namespace FootballPhysics.Web;
 
 /// <summary>What a visitor has set: from it come the scene, and the C# that builds the same scene.</summary>
 /// <param name="Profile">"measured" or "published".</param>
 /// <param name="Ball">The name of a ball in <see cref="BallProperties.Presets"/>.</param>
-/// <param name="Ground">The name of a ground in <see cref="Physics.Ground.Presets"/>.</param>
+/// <param name="Ground">The name of a ground in <see cref="FootballPhysics.Ground.Presets"/>.</param>
 /// <param name="Altitude">Above the sea, m; at 0 the air is that of the default scene.</param>
 /// <param name="WindAcross">To the right, m/s.</param>
 /// <param name="WindAlong">Towards the goal, m/s.</param>
@@ -49,10 +49,10 @@ internal sealed record Setting(
     public Keeper? NewKeeper() => Keeper == 0 ? null : new Keeper(Goal, Reaction, GloveSpeed);
 
     /// <summary>The scene, with a goalkeeper's bodies or without.</summary>
-    public Scene Scene(Bodies? bodies) => (Profile == "published" ? Physics.Scene.Published : Physics.Scene.Measured) with
+    public Scene Scene(Bodies? bodies) => (Profile == "published" ? FootballPhysics.Scene.Published : FootballPhysics.Scene.Measured) with
     {
         Ball = BallProperties.Presets[Ball],
-        Ground = Physics.Ground.Presets[GroundName],
+        Ground = FootballPhysics.Ground.Presets[GroundName],
         Air = (Altitude == 0 ? new Air() : Weather.AtAltitude(Altitude).ToAir()) with { Wind = new Vector3d(WindAcross, 0, -WindAlong) },
         Goals = [Goal],
         Obstacles = [.. Players.SelectMany(Player)],
@@ -62,7 +62,7 @@ internal sealed record Setting(
     /// <summary>A program that plays a kick in this scene and prints what happens.</summary>
     public string Code(Vector3d velocity, Vector3d spin)
     {
-        var code = new StringBuilder("using Football.Physics;\nusing Football.Physics.Prediction;\nusing Football.Physics.Shapes;\n\n");
+        var code = new StringBuilder("using FootballPhysics;\nusing FootballPhysics.Prediction;\nusing FootballPhysics.Shapes;\n\n");
         code.Append(CultureInfo.InvariantCulture, $"var goal = new Goal {{ Center = {Of(Goal.Center)}, Facing = new Vector3d(0, 0, 1) }};\n");
         if (Keeper > 0)
         {

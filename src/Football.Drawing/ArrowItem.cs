@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>An arrow with a caption in the upper left corner: a direction that holds everywhere, like a wind.</summary>
 /// <param name="x">Direction along the horizontal axis; any length but zero.</param>

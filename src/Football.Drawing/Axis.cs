@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>What an axis shows: title with unit, scale, and ends where the data shall not decide them.</summary>
 public sealed record Axis(string Title)

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>How an axis maps values to places.</summary>
 public enum AxisScale

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Bars that stand side by side on a base: a histogram.</summary>
 /// <param name="edges">Edges of the bars along x, one more than there are bars.</param>

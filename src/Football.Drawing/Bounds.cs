@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>The range of values along both axes.</summary>
 public readonly record struct Bounds(double MinX, double MaxX, double MinY, double MaxY)

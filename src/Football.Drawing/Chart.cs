@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>A chart: axes with units and ticks, what is drawn between them, and a legend.</summary>
 public sealed class Chart(Axis x, Axis y)

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>A word beside a place of a chart; where exactly the chart decides, so that it is on no curve.</summary>
 /// <param name="X">The place, in pixels from the left of the plot.</param>

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Places along lines, close enough to each other that no letter fits between them.</summary>
 public static class Dense

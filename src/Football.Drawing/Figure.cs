@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Charts one above the other in one drawing.</summary>
 public static class Figure

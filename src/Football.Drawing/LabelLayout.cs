@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Puts labels where nothing else is drawn, as near to their places as it goes.</summary>
 /// <param name="width">Width of the plot, in pixels.</param>

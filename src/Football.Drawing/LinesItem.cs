@@ -1,7 +1,7 @@
 using System.Text;
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Lines that belong together: the meshes of a net, the markings of a pitch, posts and bar.</summary>
 public sealed class LinesItem(IReadOnlyList<PlotPoint[]> lines) : ChartItem

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>The colours of all drawings; the series can be told apart by the colour-blind too.</summary>
 public static class Palette

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>An axis with its ends decided: maps values to a fraction of its length.</summary>
 public sealed class PlotAxis

@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Where on the page a chart's values lie; its origin is the upper left corner of the plot.</summary>
 public sealed class PlotFrame(PlotAxis x, PlotAxis y, double width, double height)

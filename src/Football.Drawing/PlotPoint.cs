@@ -1,4 +1,4 @@
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>A point in the units of the axes.</summary>
 public readonly record struct PlotPoint(double X, double Y);

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>An area: what a thing looks like from where the chart looks.</summary>
 /// <param name="faces">Polygons that cover it.</param>

@@ -1,7 +1,7 @@
 using System.Text;
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Points joined by lines.</summary>
 public sealed class PolylineItem(IReadOnlyList<PlotPoint> points) : ChartItem

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Marked points.</summary>
 public sealed class ScatterItem(IReadOnlyList<PlotPoint> points) : ChartItem

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Drawing;
+namespace FootballPhysics.Drawing;
 
 /// <summary>Round values along an axis.</summary>
 public static class Ticks

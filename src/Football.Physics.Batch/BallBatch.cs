@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Flies thousands of independent balls of one scene, from the launch to the first impact or a time.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// Newton's method on the crossing of the target's plane, as <see cref="PlaneNewton"/>, for kicks of a batch: one iteration, read off a flight

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The frame of a batch's target, and a first kick in closed form.</summary>
 internal sealed class BatchAimStart

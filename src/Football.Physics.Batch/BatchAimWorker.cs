@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds one group of kicks after the other, on one thread.</summary>
 internal sealed class BatchAimWorker

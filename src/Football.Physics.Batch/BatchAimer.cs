@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers.</summary>
 /// <remarks>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Many requests for kicks, as arrays of numbers; points are for the ball's centre. All with the low arc and targets at rest.</summary>
 public sealed class BatchAims

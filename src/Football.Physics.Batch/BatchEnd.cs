@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>How a flight of a batch ended.</summary>
 public enum BatchEnd

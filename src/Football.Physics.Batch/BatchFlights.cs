@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Where the flights of many balls ended, as arrays of numbers.</summary>
 public sealed class BatchFlights

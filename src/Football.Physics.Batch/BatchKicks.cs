@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Many kicks that were found, as arrays of numbers.</summary>
 public sealed class BatchKicks

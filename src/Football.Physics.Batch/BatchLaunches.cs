@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The launches of many balls, as arrays of numbers.</summary>
 public sealed class BatchLaunches

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The outcome of many balls that were played to a plane, to rest or to a time, as arrays of numbers.</summary>
 public sealed class BatchPlays

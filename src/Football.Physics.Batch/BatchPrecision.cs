@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>With which numbers the balls of a batch are flown.</summary>
 public enum BatchPrecision

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>How a batch of balls is flown.</summary>
 public sealed record BatchSettings

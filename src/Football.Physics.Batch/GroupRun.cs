@@ -1,6 +1,6 @@
 using System.Runtime.ExceptionServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Hands groups of balls to threads, in order, until none are left.</summary>
 /// <remarks>

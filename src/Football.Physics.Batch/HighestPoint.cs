@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds the greatest height of the centre, located inside the step.</summary>
 internal sealed class HighestPoint : PieceObserver

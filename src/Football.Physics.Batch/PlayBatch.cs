@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Plays thousands of independent balls of one scene beyond their first impact: to a plane, to rest, or to a time, with their paths.</summary>
 /// <remarks>

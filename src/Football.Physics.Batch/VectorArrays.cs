@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Many vectors as three arrays of numbers, one a component.</summary>
 public sealed class VectorArrays

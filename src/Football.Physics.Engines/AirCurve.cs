@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>The coefficients that the air of a scene has, by speed and spin: for showing them beside a preset's numbers.</summary>
 public static class AirCurve

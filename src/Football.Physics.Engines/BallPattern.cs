@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>The classic pattern of a ball, twelve dark pentagons among twenty light hexagons: a texture by which one sees it turn.</summary>
 public static class BallPattern

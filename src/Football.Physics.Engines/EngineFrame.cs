@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>Maps between the library's frame and an engine's: the one place where handedness is dealt with.</summary>
 /// <remarks>

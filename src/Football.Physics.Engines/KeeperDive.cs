@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>A goalkeeper as a body of the scene: he stands before his goal, and dives for what comes at it where <see cref="Interception.FindSave"/> says that he can meet it.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>How a net bulges, for drawing it.</summary>
 public readonly struct NetBulge

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>
 /// The bulges of a scene's nets, for drawing. A bulge is as deep as the ball is in the net; once the ball leaves faster than the net, or has left it, the

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>A net as points and threads, for drawing: it hangs flat, and bulges where a ball is in it.</summary>
 public sealed class NetMesh

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>Draws the lines of a pitch by Law 1 of the game, or of futsal where its goals are narrower than 5 m.</summary>
 internal sealed class PitchMarkings

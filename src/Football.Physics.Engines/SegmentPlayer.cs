@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>Plays a recorded stretch of a match in a window: forwards in time, and to any tick.</summary>
 public sealed class SegmentPlayer

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>A surface of triangles for drawing what a ball meets: posts and players, boards, a ball, the lines of a pitch. In the library's frame.</summary>
 public sealed class ShapeMesh

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>The scene of one ball in a game engine, put together from what stands in the engine's scene: goals, boards, walls, keepers, colliders.</summary>
 /// <remarks>

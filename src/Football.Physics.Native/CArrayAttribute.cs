@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>The array of a fixed length that a pointer of an export points to: how the header declares it.</summary>
 /// <param name="length">How many elements it has.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>A byte of C that is no part of a text.</summary>
 internal struct CByte

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>What a handle of C stands for.</summary>
 internal sealed class CompiledScene

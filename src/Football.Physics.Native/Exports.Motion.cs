@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <content>A ball launched, kicked, stepped and read.</content>
 internal static unsafe partial class Exports

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <content>What becomes of a ball, and which kick gets where.</content>
 internal static unsafe partial class Exports

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>The functions that C sees. The header is made of them and of their documentation.</summary>
 /// <remarks>

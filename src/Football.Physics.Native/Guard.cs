@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>What every call looks at before it does anything, and what it says where it does not do it.</summary>
 internal static unsafe class Guard

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>What there is to see of a ball. Right-handed, y up, SI.</summary>
 internal unsafe struct NativeBall

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>How the end of a run changes with its launch. Matrices by rows: the row is the component of the place, the column that of the launch.</summary>
 internal unsafe struct NativeDerivatives

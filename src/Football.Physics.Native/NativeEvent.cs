@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>Something that happened inside a step, at its exact time and place.</summary>
 internal unsafe struct NativeEvent

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>
 /// The whole state of a ball, plain: copy it to save, to restore and to roll back; balls in the same state have the same bytes. fp_launch makes one; all

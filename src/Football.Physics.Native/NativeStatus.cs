@@ -1,4 +1,4 @@
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>The outcome of a call.</summary>
 internal enum NativeStatus

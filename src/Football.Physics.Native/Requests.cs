@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Football.Scenarios;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>Scenes and requests for kicks that come as text; their members are those of a scenario.</summary>
 internal static unsafe class Requests

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>
 /// The scenes that C holds. A handle is a place in a table and how often places were given before: one that was freed, or never was one, is found out, and a

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Text.Unicode;
 
-namespace Football.Physics.Native;
+namespace FootballPhysics.Native;
 
 /// <summary>What each thread that calls has of its own: the log of its steps, made by its first call, and its last error.</summary>
 internal sealed unsafe class ThreadMemory

@@ -1,4 +1,4 @@
-namespace Football.Physics.Thesis;
+namespace FootballPhysics.Thesis;
 
 /// <summary>By which method to find a kick.</summary>
 public enum AimMethod

@@ -1,4 +1,4 @@
-namespace Football.Physics.Thesis;
+namespace FootballPhysics.Thesis;
 
 /// <summary>
 /// The boundary-value problem as the thesis' single-target methods see it: kicks are flown in the game's own frames, and their residual is the

@@ -1,4 +1,4 @@
-namespace Football.Physics.Thesis;
+namespace FootballPhysics.Thesis;
 
 /// <summary>Flies kicks in the game's own steps, as the thesis does, and looks at the frames between them.</summary>
 internal sealed class FrameShooter : KickObserver

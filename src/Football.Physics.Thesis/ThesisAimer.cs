@@ -1,4 +1,4 @@
-namespace Football.Physics.Thesis;
+namespace FootballPhysics.Thesis;
 
 /// <summary>Finds kicks by the methods of the thesis, kept for comparison: in the game's own integrator and steps, judged between frames.</summary>
 /// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>

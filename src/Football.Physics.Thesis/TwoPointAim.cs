@@ -1,4 +1,4 @@
-namespace Football.Physics.Thesis;
+namespace FootballPhysics.Thesis;
 
 /// <summary>
 /// The thesis' two-point method (4.3): the velocity is turned towards the point on the way, then the side spin, then the top spin is

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>The least squares of flights: what the points of one tell of its launch, and of the numbers that all share.</summary>
 internal sealed class FlightEquations

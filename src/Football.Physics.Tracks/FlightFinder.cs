@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds the flights of a track: pieces of a division that fall as a ball in flight does, put together where the laws of flight describe both at once.</summary>
 internal sealed class FlightFinder

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A piece of a track that is one flight: its points, its launch, and how that fits.</summary>
 internal sealed class FlightPath

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds sliding friction, and rolling friction with its growth by speed, from the windows of a match.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>The height at which a ball's centre is on the ground, from where a track has it bounce, roll and lie.</summary>
 internal static class GroundHeight

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A time in which the ball slides or rolls on the ground and nobody touches it, with the resistance of the ground: the force along the ground by the normal force, the air's share subtracted.</summary>
 public sealed record GroundWindow

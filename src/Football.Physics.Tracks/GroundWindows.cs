@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds the times in which a ball on the ground slides or rolls untouched, and the resistance of the ground in each.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds what a whole track of a match tells: its flights, impacts, touches and ground, with one wind, one ball and one surface for all of it.</summary>
 /// <remarks>

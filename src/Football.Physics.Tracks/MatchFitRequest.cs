@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A request for the fit of a whole match: which numbers are found of which one value holds for the whole track, and how far each may be off what the scene says.</summary>
 public sealed record MatchFitRequest

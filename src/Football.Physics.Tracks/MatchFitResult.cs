@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Result of the fit of a match: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
 public sealed class MatchFitResult

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Model shared by all flights of a match: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
 internal sealed class MatchModel

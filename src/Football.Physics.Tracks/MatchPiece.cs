@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A piece of a match's track: one flight, one impact, one touch, a time on the ground, or what could not be explained. Frame y up, SI units.</summary>
 public sealed record MatchPiece

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Makes the pieces of a match from its flights: what is between them, and what happened from one to the next.</summary>
 internal sealed class MatchPieces

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Fits the launches of many flights, and the numbers that they share, at once.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds a surface from impacts: restitution, its rise with obliqueness, and friction.</summary>
 /// <remarks>

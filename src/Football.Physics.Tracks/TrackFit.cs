@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Finds the launch of a ball, and on request what a scene's numbers really are, from where a camera saw it.</summary>
 /// <remarks>

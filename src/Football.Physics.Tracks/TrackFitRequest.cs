@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A request for a fit: the numbers to find from a track beside the launch, and what is known of them before.</summary>
 public sealed record TrackFitRequest

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>The launch that a track tells of, and how surely. Numbers in a row are: position, velocity, spin of the launch, then the factors that were asked for.</summary>
 public sealed class TrackFitResult

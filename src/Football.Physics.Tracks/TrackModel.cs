@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>The numbers that a fit looks for: the launch, and factors of a scene.</summary>
 internal sealed class TrackModel

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A polynomial in time through points of a track, by least squares.</summary>
 internal readonly struct TrackPolynomial

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>A track made ready: without points that jump out and back, divided where it has gaps, and with its noise.</summary>
 internal sealed class TrackRuns

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>The search of a fit, and its uncertainty, which is measured: along each axis how far the numbers go, those before it following, before the cost has risen by one.</summary>
 internal sealed class TrackSearch

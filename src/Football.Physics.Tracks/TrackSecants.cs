@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>
 /// The normal equations N = JᵀJ + what was known before, g = Jᵀr + …, with a Jacobian of secants as wide as the uncertainty itself. The path has kinks, where a

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tracks;
+namespace FootballPhysics.Tracks;
 
 /// <summary>Divides a track into pieces that a polynomial in time describes, a cubic unless told otherwise, so that kicks, bounces and seams are between them.</summary>
 /// <remarks>

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>Reads the air of a scenario: its density and viscosity, or the weather that they follow from; steady wind, or wind by height.</summary>
 public static class AirInput
@@ -31,7 +31,7 @@ public static class AirInput
         double pressure = weather.Number("pressure", defaults.Pressure);
         double altitude = weather.Number("altitude", 0);
         return weather.Has("altitude")
-            ? Physics.Weather.AtAltitude(altitude, temperature, humidity)
+            ? FootballPhysics.Weather.AtAltitude(altitude, temperature, humidity)
             : new Weather { Temperature = temperature, Humidity = humidity, Pressure = pressure };
     }
 

@@ -2,9 +2,9 @@ using System.Buffers.Binary;
 using System.Globalization;
 using System.IO.Compression;
 using System.Text.Json;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>A match as it comes with an issue: what <see cref="MatchSegment.ToBundle"/> wrote.</summary>
 public sealed class MatchBundle

@@ -1,4 +1,4 @@
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>A ball at an instant, as the results give it.</summary>
 public readonly record struct Moment(

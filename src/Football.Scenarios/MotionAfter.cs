@@ -1,4 +1,4 @@
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>What the ball does after an event.</summary>
 public static class MotionAfter

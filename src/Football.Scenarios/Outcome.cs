@@ -1,4 +1,4 @@
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>What became of a shot.</summary>
 public sealed record Outcome

@@ -1,4 +1,4 @@
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>The laws and numbers of a scenario where it does not say otherwise.</summary>
 public enum Profile

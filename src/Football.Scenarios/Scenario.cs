@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>One shot: scene, launch, how to integrate it and when to stop.</summary>
 public sealed record Scenario

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>Plays a scenario.</summary>
 public static class ScenarioRun

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>Reads the parts of an input that make up a scene and say how to integrate it; their ranges are the library's.</summary>
 public static class SceneInput
@@ -16,14 +16,14 @@ public static class SceneInput
         InputObject ground = root.Object("ground");
         InputObject dials = root.Object("dials");
         Profile profile = root.Choice("profile", Profile.Measured);
-        Scene scene = profile == Profile.Measured ? Physics.Scene.Measured : Physics.Scene.Published;
+        Scene scene = profile == Profile.Measured ? FootballPhysics.Scene.Measured : FootballPhysics.Scene.Published;
         SurfaceMaterial frame = profile == Profile.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame;
         var given = new Scene
         {
             Ball = Ball(ball, profile),
             GravityVector = gravity,
             Forces = Forces(forces, scene.Forces),
-            Ground = Ground(ground, Physics.Ground.Presets[ground.Preset("surface", Physics.Ground.Presets, profile == Profile.Measured ? "matchTurf" : "publishedTurf")]),
+            Ground = Ground(ground, FootballPhysics.Ground.Presets[ground.Preset("surface", FootballPhysics.Ground.Presets, profile == Profile.Measured ? "matchTurf" : "publishedTurf")]),
             Air = AirInput.Air(air, scene.Air, ground.Number("height", scene.Ground.Height)),
             Obstacles = WorldInput.Obstacles(root, frame),
             Nets = WorldInput.Nets(root),
@@ -39,7 +39,7 @@ public static class SceneInput
     {
         if (!root.IsArray("gravity"))
         {
-            return new Vector3d(0, -root.Number("gravity", Physics.Scene.Default.Gravity), 0);
+            return new Vector3d(0, -root.Number("gravity", FootballPhysics.Scene.Default.Gravity), 0);
         }
 
         Vector3d gravity = root.Vector("gravity", Vector3d.Zero);

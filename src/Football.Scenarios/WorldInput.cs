@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Scenarios;
+namespace FootballPhysics.Scenarios;
 
 /// <summary>Reads what can be met beside a level pitch: obstacles, nets, goals, uneven ground.</summary>
 public static class WorldInput

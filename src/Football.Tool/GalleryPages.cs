@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Tool;
+namespace FootballPhysics.Tool;
 
 /// <summary>The gallery as a library: what `football gallery` does.</summary>
 public static class GalleryPages

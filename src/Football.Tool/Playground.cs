@@ -1,6 +1,6 @@
 using System.Reflection;
 
-namespace Football.Tool;
+namespace FootballPhysics.Tool;
 
 /// <summary>The page to play with: the library itself as WebAssembly, in one file that opens from disk.</summary>
 public static class Playground

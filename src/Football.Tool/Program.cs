@@ -1,3 +1,3 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
 return CommandLineEntry.Run(args, Terminal.OfProcess());

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using System.Xml.Linq;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>football lab aim: tables, files, and verdicts that the dense scan does not contradict.</summary>
 public sealed class AimLabTests

@@ -1,5 +1,5 @@
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>Whoever reads the output may go away, and whoever reads the hints may never have been there.</summary>
 public sealed class ClosedOutputTests

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>Every input on the pages about the command line and about data sets is accepted by the command that it names.</summary>
 public sealed partial class CommandLinePageTests

@@ -1,7 +1,7 @@
 using System.Text;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>Long work: its files are opened before it, and it tells how far it is.</summary>
 public sealed class FilesAndProgressTests

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>Every command tells how it is used, and what it tells works.</summary>
 public sealed class HelpTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>The experiments end, say what they must, and write what they are asked to.</summary>
 public sealed class LabTests

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>Gives the command that tests run the laboratories, so that none is started as a process of its own.</summary>
 internal static class LaboratoriesAtHand

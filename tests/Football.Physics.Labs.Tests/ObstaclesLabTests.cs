@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>The laboratory of obstacles.</summary>
 public sealed class ObstaclesLabTests

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>The tables of the page on accuracy and speed are what its commands print: the lab's errors, and the rows of docs/benchmarks.md.</summary>
 public sealed class ReadmeTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Labs.Tests;
+namespace FootballPhysics.Labs.Tests;
 
 /// <summary>The rigs, and kicks that somebody told of.</summary>
 public sealed class RigsLabTests

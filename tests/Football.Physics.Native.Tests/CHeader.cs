@@ -6,7 +6,7 @@ using System.Text;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 
-namespace Football.Physics.Native.Tests;
+namespace FootballPhysics.Native.Tests;
 
 /// <summary>Makes football_physics.h of the exports, their types and their documentation: C99, and C++.</summary>
 internal sealed partial class CHeader

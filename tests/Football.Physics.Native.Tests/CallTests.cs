@@ -1,7 +1,7 @@
 using System.Runtime.InteropServices;
 using System.Text;
 
-namespace Football.Physics.Native.Tests;
+namespace FootballPhysics.Native.Tests;
 
 /// <summary>The exports, called by their addresses as C calls them.</summary>
 public sealed unsafe class CallTests

@@ -1,8 +1,8 @@
 using System.Reflection;
 using System.Text.RegularExpressions;
-using Football.Physics.Package.Tests;
+using FootballPhysics.Package.Tests;
 
-namespace Football.Physics.Native.Tests;
+namespace FootballPhysics.Native.Tests;
 
 public sealed partial class HeaderTests
 {

@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Physics.Package.Tests;
+using FootballPhysics.Package.Tests;
 
-namespace Football.Physics.Native.Tests;
+namespace FootballPhysics.Native.Tests;
 
 /// <summary>What tests/Native/kicks.c prints, made by the library as C# calls it.</summary>
 public sealed class KickTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Native.Tests;
+namespace FootballPhysics.Native.Tests;
 
 /// <summary>Simulator.Validate: what it lets through is what a ball can have.</summary>
 public sealed class StateTests

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Tool.Gallery;
+using FootballPhysics.Tool.Gallery;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>The gallery's free kick that the two-point solver finds.</summary>
 public sealed class AimGalleryTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>football aim: defaults, and what is refused with one clear line.</summary>
 public sealed class AimRefusalTests

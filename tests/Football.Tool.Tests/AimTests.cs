@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
-using Football.Physics.Tests.Reference;
+using FootballPhysics.Tests.Reference;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>football aim on the reference cases.</summary>
 public sealed class AimTests

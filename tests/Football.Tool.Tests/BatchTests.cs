@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>A batch: one object a line, one result a line, in the same order.</summary>
 public sealed class BatchTests

@@ -1,10 +1,10 @@
 using System.IO.Compression;
 using System.Text.Json;
-using Football.Physics.Laws;
-using Football.Physics.Netcode;
-using Football.Physics.Shapes;
+using FootballPhysics.Laws;
+using FootballPhysics.Netcode;
+using FootballPhysics.Shapes;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>A match that a game attaches to an issue is played again by the command, in the scene that comes with it.</summary>
 public sealed class BundleTests : IDisposable

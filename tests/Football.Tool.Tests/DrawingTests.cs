@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>The chart writer.</summary>
 public sealed class DrawingTests

@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Text;
 using System.Text.Json;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>Runs the command in this process, with its input and outputs in memory.</summary>
 internal sealed record FootballCommand(int ExitCode, string Output, string Error)

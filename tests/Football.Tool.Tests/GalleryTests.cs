@@ -1,9 +1,9 @@
 using System.Text.Json;
 using System.Xml.Linq;
-using Football.Tool.Gallery;
-using Football.Scenarios;
+using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>The gallery plays every shot to rest and draws it.</summary>
 public sealed class GalleryTests
@@ -100,7 +100,7 @@ public sealed class GalleryTests
         Assert.Equal("img", drawing.Attribute("role")!.Value);
         Assert.Equal("Free kick over the wall", drawing.Elements().First().Value);
         Assert.Contains("prefers-color-scheme: dark", drawing.Elements().ElementAt(1).Value);
-        Assert.Equal(3 * 3, drawing.Descendants().Count(part => part.Attribute("stroke")?.Value == Football.Drawing.Palette.Posts));
+        Assert.Equal(3 * 3, drawing.Descendants().Count(part => part.Attribute("stroke")?.Value == FootballPhysics.Drawing.Palette.Posts));
         Assert.Contains(drawing.Descendants(), part => part.Value == "wall");
         Assert.Contains(drawing.Descendants(), part => part.Value == "1 s");
     }

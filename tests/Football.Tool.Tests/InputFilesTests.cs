@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>No command writes over what it reads, by whatever name; and names from files do not reach the terminal as they are.</summary>
 public sealed class InputFilesTests : IDisposable

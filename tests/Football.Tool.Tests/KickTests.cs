@@ -1,8 +1,8 @@
 using System.Text.Json;
 using System.Xml.Linq;
-using Football.Tool.Gallery;
+using FootballPhysics.Tool.Gallery;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>football kick: a shot without a file, for a person and for a program.</summary>
 public sealed class KickTests

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>football fit --match: lines of pieces and a summary, from CSV as trackers write it.</summary>
 public sealed class MatchTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>What a scenario of the measured profile can say, and what it is refused for.</summary>
 public sealed class MeasuredScenarioTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>The sample that a newcomer reads first runs, and is as short as it says.</summary>
 public sealed class MinimalSampleTests

@@ -1,8 +1,8 @@
 using System.Text;
 using System.Text.Json;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>Whatever is made of a scenario, its line is answered and the batch goes on.</summary>
 public sealed class MutatedInputTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>Two processes and a relay over UDP, a short match: late, lost and overtaking packets, one process killed and started again, and no ball apart.</summary>
 public sealed class NetworkSampleTests

@@ -1,4 +1,4 @@
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>--set puts a value in every scenario before anything is checked.</summary>
 public sealed class OverrideTests

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>Every input that is not as it should be is refused on one line that names field, value and what is allowed.</summary>
 public sealed class RefusalTests

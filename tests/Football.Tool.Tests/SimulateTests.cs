@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>One scenario in, one result out.</summary>
 public sealed class SimulateTests

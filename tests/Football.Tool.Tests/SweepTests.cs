@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>football sweep: rows that depend on the seed and their index only.</summary>
 public sealed class SweepTests

@@ -1,4 +1,4 @@
-namespace Football.Tool.Tests;
+namespace FootballPhysics.Tool.Tests;
 
 /// <summary>How the command is called, and what it says when it is called wrongly.</summary>
 public sealed class UsageTests

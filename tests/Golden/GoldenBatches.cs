@@ -1,8 +1,8 @@
-using Football.Physics.Batch;
+using FootballPhysics.Batch;
 
 // The batches whose bits every runtime must reproduce, whatever the width of its registers: many balls, and many aims.
 
-namespace Football.Physics.Golden;
+namespace FootballPhysics.Golden;
 
 internal static class GoldenBatches
 {

@@ -1,13 +1,13 @@
-using Football.Physics.Aiming;
-using Football.Physics.Laws;
-using Football.Physics.Netcode;
-using Football.Physics.Shapes;
+using FootballPhysics.Aiming;
+using FootballPhysics.Laws;
+using FootballPhysics.Netcode;
+using FootballPhysics.Shapes;
 
 // What a game gets without asking for anything: the default scene, on its weather, its pitch and among its players.
 
 using System.Globalization;
 
-namespace Football.Physics.Golden;
+namespace FootballPhysics.Golden;
 
 public static class GoldenGames
 {

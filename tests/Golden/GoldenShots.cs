@@ -1,12 +1,12 @@
-using Football.Physics.Laws;
-using Football.Physics.Netcode;
+using FootballPhysics.Laws;
+using FootballPhysics.Netcode;
 
 // The shots whose bits every runtime must reproduce. One file, compiled into the tests, the consumer of the package, its NativeAOT
 // program and the program for Mono; golden.txt beside it holds what it must print.
 
 using System.Globalization;
 
-namespace Football.Physics.Golden;
+namespace FootballPhysics.Golden;
 
 public static class GoldenShots
 {

@@ -1,7 +1,7 @@
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
-namespace Football.Physics.Mutants;
+namespace FootballPhysics.Mutants;
 
 /// <summary>The sources of the library for .NET 10, as the compiler takes them: for programs that compile them with something more in them.</summary>
 internal static class LibrarySources

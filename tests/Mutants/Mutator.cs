@@ -2,7 +2,7 @@ using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
-namespace Football.Physics.Mutants;
+namespace FootballPhysics.Mutants;
 
 /// <summary>One small mistake: what is written instead of a node of a file's syntax.</summary>
 /// <param name="Path">The file.</param>

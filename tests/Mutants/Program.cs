@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics.Mutants;
+using FootballPhysics.Mutants;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
@@ -158,7 +158,7 @@ List<Mutant> Compile(string folder, out int refused)
 // Plays tests: 0 where all pass; null where they do not end.
 int? Play(int mutant, string[] chosen, TimeSpan limit) => Run("tests/Football.Physics.Tests", mutant, limit, chosen.Select(name => "Football.Physics.Tests." + name));
 
-int? Golden(int mutant) => Run("golden/Package.Tests", mutant, TimeSpan.FromMinutes(2), ["Football.Physics.Package.Tests.GoldenTests"]);
+int? Golden(int mutant) => Run("golden/Package.Tests", mutant, TimeSpan.FromMinutes(2), ["FootballPhysics.Package.Tests.GoldenTests"]);
 
 int? Run(string program, int mutant, TimeSpan limit, IEnumerable<string> classes)
 {

@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Reflection;
-using Football.Physics;
-using Football.Physics.Golden;
+using FootballPhysics;
+using FootballPhysics.Golden;
 
 // A shot, as a game would play it.
 var ball = new Ball();

@@ -1,5 +1,5 @@
 using System;
-using Football.Physics.Golden;
+using FootballPhysics.Golden;
 
 internal static class Host
 {

@@ -1,4 +1,4 @@
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>What one does with a type: by the folder of its source, of which there is one for each.</summary>
 internal static class ApiGroups

@@ -4,7 +4,7 @@ using System.Text;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Writes the public surface of assemblies and their XML documentation as one Markdown page.</summary>
 internal sealed partial class ApiReference

@@ -1,4 +1,4 @@
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>docs/api.md is made from the assemblies and their XML documentation, and is kept current.</summary>
 public sealed class ApiReferenceTests

@@ -4,7 +4,7 @@ using Markdig.Syntax;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>
 /// Compiles and runs every C# block of README.md and docs/. A block is a program of its own; <c>csharp continued</c> goes on where
@@ -48,7 +48,7 @@ public sealed class DocTests
     {
         Block first = Blocks("README.md")[0];
         Assert.InRange(first.Code.Split('\n').Count(line => line.Trim().Length > 0), 1, 10);
-        Assert.StartsWith("using Football.Physics;", first.Code);
+        Assert.StartsWith("using FootballPhysics;", first.Code);
         Assert.NotNull(first.Prints);
     }
 

@@ -1,10 +1,10 @@
-using GodotBall = Football.Physics.GodotAddon.FootballBall;
+using GodotBall = FootballPhysics.GodotAddon.FootballBall;
 using GodotBox = Godot.BoxShape3D;
 using GodotVector = Godot.Vector3;
-using UnityBall = Football.Physics.Unity.FootballBall;
+using UnityBall = FootballPhysics.Unity.FootballBall;
 using UnityVector = UnityEngine.Vector3;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The engines' own colliders through the samples' adapters, against shims of the engines' queries.</summary>
 [Collection(EngineTests.Statics)]

@@ -1,18 +1,18 @@
 using FsCheck;
 using FsCheck.Fluent;
-using GodotBall = Football.Physics.GodotAddon.FootballBall;
+using GodotBall = FootballPhysics.GodotAddon.FootballBall;
 using GodotEngine = Godot.Engine;
-using GodotFrame = Football.Physics.GodotAddon.GodotFrame;
-using GodotPreset = Football.Physics.GodotAddon.FootballPreset;
+using GodotFrame = FootballPhysics.GodotAddon.GodotFrame;
+using GodotPreset = FootballPhysics.GodotAddon.FootballPreset;
 using GodotVector = Godot.Vector3;
-using UnityBall = Football.Physics.Unity.FootballBall;
-using UnityEvent = Football.Physics.Unity.FootballEvent;
-using UnityFrame = Football.Physics.Unity.UnityFrame;
-using UnityPreset = Football.Physics.Unity.FootballPreset;
+using UnityBall = FootballPhysics.Unity.FootballBall;
+using UnityEvent = FootballPhysics.Unity.FootballEvent;
+using UnityFrame = FootballPhysics.Unity.UnityFrame;
+using UnityPreset = FootballPhysics.Unity.FootballPreset;
 using UnityTime = UnityEngine.Time;
 using UnityVector = UnityEngine.Vector3;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The engine samples, run against shims of the engines: the same kick is the same kick, whatever the engine's frame.</summary>
 [Collection(Statics)]

@@ -3,7 +3,7 @@ using System.Reflection;
 using System.Text.RegularExpressions;
 using Godot;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Reads the add-on's scenes and resources as Godot's text format has them, and makes what they say of the shims: an unknown script, property or reference is refused.</summary>
 internal static partial class GodotAsset
@@ -85,7 +85,7 @@ internal static partial class GodotAsset
         if (section.Body.Remove("script", out string? script))
         {
             string name = Path.GetFileNameWithoutExtension(External(script, sections));
-            Type scripted = typeof(GodotAddon.FootballBall).Assembly.GetType("Football.Physics.GodotAddon." + name) ?? throw new InvalidOperationException($"There is no class {name}.");
+            Type scripted = typeof(GodotAddon.FootballBall).Assembly.GetType("FootballPhysics.GodotAddon." + name) ?? throw new InvalidOperationException($"There is no class {name}.");
             Type native = section.Head.TryGetValue("type", out string? given) ? typeof(Node).Assembly.GetType("Godot." + given)! : typeof(Resource);
             Assert.True(native.IsAssignableFrom(scripted), $"{name} is no {native.Name}");
             return scripted;

@@ -1,11 +1,11 @@
 using System.Reflection;
 using System.Text.RegularExpressions;
-using Football.Physics.GodotAddon;
+using FootballPhysics.GodotAddon;
 using Godot;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The add-on and the demo project for Godot: what a text can show of them, and what the node does beside flying the ball.</summary>
 [Collection(EngineTests.Statics)]

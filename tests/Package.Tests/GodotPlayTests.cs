@@ -1,9 +1,9 @@
-using Football.Physics.GodotAddon;
+using FootballPhysics.GodotAddon;
 using Godot;
-using UnityPreset = Football.Physics.Unity.FootballPreset;
+using UnityPreset = FootballPhysics.Unity.FootballPreset;
 using Vector3 = Godot.Vector3;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Godot's scenes and nodes, played against the shims: a goal that is dragged in scores, a post stops the ball, and whatever is set counts.</summary>
 [Collection(EngineTests.Statics)]

@@ -1,6 +1,6 @@
-using Football.Physics.Golden;
+using FootballPhysics.Golden;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The bits of the shots that every runtime must reproduce. A change of the physics or of its rounding shows here first.</summary>
 public sealed class GoldenTests

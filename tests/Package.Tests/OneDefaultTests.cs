@@ -3,12 +3,12 @@ using System.Reflection;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Football.Scenarios;
-using Football.Tool.Tests;
-using GodotPreset = Football.Physics.GodotAddon.FootballPreset;
-using UnityPreset = Football.Physics.Unity.FootballPreset;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tool.Tests;
+using GodotPreset = FootballPhysics.GodotAddon.FootballPreset;
+using UnityPreset = FootballPhysics.Unity.FootballPreset;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>C#, the command line, a scenario and a fresh preset of either engine play one shot to the same bits, and call balls and grounds by the same names. C (one_default.c), Python (test_balls.py) and the page (PlayTests) compare with the same table.</summary>
 public sealed partial class OneDefaultTests

@@ -1,6 +1,6 @@
 using System.Reflection;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Files of the repository that tests compare with what they make.</summary>
 internal static class Repository

@@ -1,9 +1,9 @@
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Football.Physics.Site;
-using Football.Physics.Site.Pictures;
+using FootballPhysics.Site;
+using FootballPhysics.Site.Pictures;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The site: every page is there and reached, no link of it is dead, it needs no network, and its search knows every section.</summary>
 public sealed partial class SiteTests

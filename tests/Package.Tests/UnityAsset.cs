@@ -3,7 +3,7 @@ using System.Reflection;
 using System.Text.RegularExpressions;
 using UnityEngine;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Reads the package's prefabs, scenes and assets as Unity's YAML has them, and makes what they say of the shims: an unknown script, field or reference is refused.</summary>
 internal static partial class UnityAsset
@@ -12,7 +12,7 @@ internal static partial class UnityAsset
 
     private static readonly Dictionary<string, Type> s_scripts = Directory
         .EnumerateFiles(Path.Combine(Repository.Root, Package, "Runtime"), "*.cs.meta")
-        .Select(meta => (Id: Guid().Match(File.ReadAllText(meta)).Groups[1].Value, Type: typeof(Unity.FootballBall).Assembly.GetType("Football.Physics.Unity." + Path.GetFileName(meta)[..^".cs.meta".Length])))
+        .Select(meta => (Id: Guid().Match(File.ReadAllText(meta)).Groups[1].Value, Type: typeof(Unity.FootballBall).Assembly.GetType("FootballPhysics.Unity." + Path.GetFileName(meta)[..^".cs.meta".Length])))
         .Where(pair => pair.Type is not null)
         .ToDictionary(pair => pair.Id, pair => pair.Type!);
 

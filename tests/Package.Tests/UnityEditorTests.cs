@@ -1,7 +1,7 @@
 using System.Collections;
 using System.Reflection;
-using Football.Physics.Unity;
-using Football.Physics.Unity.Editor;
+using FootballPhysics.Unity;
+using FootballPhysics.Unity.Editor;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using UnityEditor;
@@ -9,7 +9,7 @@ using UnityEditor.Build;
 using UnityEngine;
 using Vector3 = UnityEngine.Vector3;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>What the package brings to Unity's editor, and its own play-mode tests, played against the shims.</summary>
 [Collection(EngineTests.Statics)]

@@ -1,11 +1,11 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Football.Physics.Unity;
-using Football.Physics.Unity.Editor;
+using FootballPhysics.Unity;
+using FootballPhysics.Unity.Editor;
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>The package folder for Unity: what a text can show of it, and what its components do beside flying the ball.</summary>
 [Collection(EngineTests.Statics)]

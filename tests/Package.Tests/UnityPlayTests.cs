@@ -1,8 +1,8 @@
-using Football.Physics.Unity;
+using FootballPhysics.Unity;
 using UnityEngine;
 using Vector3 = UnityEngine.Vector3;
 
-namespace Football.Physics.Package.Tests;
+namespace FootballPhysics.Package.Tests;
 
 /// <summary>Unity's prefabs and components, played against the shims: a goal that is dragged in scores, a post stops the ball, and whatever is set counts.</summary>
 [Collection(EngineTests.Statics)]

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics;
-using Football.Physics.Mutants;
+using FootballPhysics;
+using FootballPhysics.Mutants;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
@@ -89,7 +89,7 @@ bool Compile()
         File.Copy(path, Path.Combine(work, Path.GetFileName(path)));
     }
 
-    using FileStream image = File.Create(Path.Combine(work, "Football.Physics.dll"));
+    using FileStream image = File.Create(Path.Combine(work, "FootballPhysics.dll"));
     Diagnostic[] errors = compilation.Emit(image).Diagnostics.Where(at => at.Severity == DiagnosticSeverity.Error).ToArray();
     foreach (Diagnostic error in errors)
     {

@@ -1,7 +1,7 @@
 using System.Reflection;
 using Microsoft.Playwright;
 
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>A real browser, and the pages on disk as a visitor has them.</summary>
 public sealed class Browser : IAsyncLifetime

@@ -1,9 +1,9 @@
-using Football.Physics;
-using Football.Scenarios;
-using Football.Scenarios.Input;
-using Football.Tool.Gallery;
+using FootballPhysics;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Gallery;
 
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>What the gallery gives to copy is what its pictures show.</summary>
 public sealed class GalleryCodeTests(ITestOutputHelper told)

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Microsoft.Playwright;
 
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>The page to play with, in a real browser, opened from disk.</summary>
 public sealed class PlayTests(Browser browser, ITestOutputHelper told)

@@ -1,7 +1,7 @@
-using Football.Tool.Gallery;
-using Football.Tool.Replay;
+using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>The page of football replay and of the gallery, while it plays.</summary>
 public sealed class ReplayPageTests(Browser browser, ITestOutputHelper told)
@@ -13,7 +13,7 @@ public sealed class ReplayPageTests(Browser browser, ITestOutputHelper told)
         string page = Path.Combine(Browser.Pictures, "replay.html");
         await File.WriteAllTextAsync(page, ReplayPage.Html("Off the bar", [shown.Moving]), TestContext.Current.CancellationToken);
         await using Window window = await browser.Open(page);
-        double goal = shown.Moving.Shots[0].Track.Events.First(item => item.Kind == Physics.BallEventKind.Goal).Time;
+        double goal = shown.Moving.Shots[0].Track.Events.First(item => item.Kind == FootballPhysics.BallEventKind.Goal).Time;
         double rest = shown.Moving.Shots[0].Track.Keys[^1].Time;
         await window.Page.SelectOptionAsync("#speed", "2");
 

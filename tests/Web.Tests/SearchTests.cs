@@ -1,4 +1,4 @@
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>Questions as a new user asks them, typed into the search of the site.</summary>
 public sealed class SearchTests(Browser browser, ITestOutputHelper told)
@@ -41,7 +41,7 @@ public sealed class SearchTests(Browser browser, ITestOutputHelper told)
     public async Task Of_thirty_questions_the_right_page_is_among_the_first_three_for_twenty_seven()
     {
         string folder = Path.Combine(Browser.Pictures, "site");
-        Physics.Site.SiteWriter.Write(Browser.Repository, folder);
+        FootballPhysics.Site.SiteWriter.Write(Browser.Repository, folder);
         await using Window window = await browser.Open(Path.Combine(folder, "index.html"));
         int right = 0;
         foreach ((string question, string page) in s_questions)

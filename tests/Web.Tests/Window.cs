@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Microsoft.Playwright;
 
-namespace Football.Web.Tests;
+namespace FootballPhysics.Web.Tests;
 
 /// <summary>A page in a window, and what went wrong in it.</summary>
 public sealed class Window : IAsyncDisposable

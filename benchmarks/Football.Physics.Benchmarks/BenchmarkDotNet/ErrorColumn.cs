@@ -3,7 +3,7 @@ using BenchmarkDotNet.Parameters;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The error of the same method at the same step, beside its time.</summary>
 internal sealed class ErrorColumn : IColumn

@@ -1,7 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>One step in flight, each waiting for the one before: integrator × law × set, with the plain yardstick as baseline.</summary>
 [MemoryDiagnoser]

@@ -1,7 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>One step on the ground: profile × integrator × motion, against a plain RK2 step in flight.</summary>
 [MemoryDiagnoser]

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>What a ball on the ground is doing.</summary>
 public enum GroundMotion

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A benchmark class that knows the error of what it times.</summary>
 public interface IHasError

@@ -1,7 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A free kick from foot to rest at 60 Hz, all of it, beside as many flight steps of the same scene as it takes: profile × integrator.</summary>
 [MemoryDiagnoser]

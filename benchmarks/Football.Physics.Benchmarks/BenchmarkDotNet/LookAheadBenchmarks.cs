@@ -1,7 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Where a shot is after three seconds, bounces and all, every event exact; against a plain RK2 step.</summary>
 [MemoryDiagnoser]

@@ -1,7 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A batch of different shots: one after the other (a dependent chain) and side by side (independent steps).</summary>
 [MemoryDiagnoser]

@@ -1,8 +1,8 @@
 using BenchmarkDotNet.Attributes;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>One step in flight with all forces by every way there is to compare with; the plain one is the baseline.</summary>
 [MemoryDiagnoser]

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of kicks after bounces and off things, to 1 mm: to where random kicks came that had met just these.</summary>
 internal static class BankShotRows

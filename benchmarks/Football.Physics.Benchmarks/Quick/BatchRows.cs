@@ -1,7 +1,7 @@
 using System.Runtime.Intrinsics;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of many balls and many aims: one core, by ball-step or by aim.</summary>
 internal static class BatchRows

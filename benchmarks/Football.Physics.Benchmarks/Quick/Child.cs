@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>This program once more, with other settings of the runtime.</summary>
 internal static class Child

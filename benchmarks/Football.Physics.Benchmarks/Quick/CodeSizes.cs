@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Reads the size of optimised machine code from the JIT's own listing.</summary>
 internal static partial class CodeSizes

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "A ball that several surfaces touch".</summary>
 /// <param name="Name">What touches it, how it moves, and the method.</param>

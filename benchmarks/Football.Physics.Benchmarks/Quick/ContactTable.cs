@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "A ball that several surfaces touch": steps of 10 ms in the default scene, as ratios to a flight step of the same method.</summary>
 internal static class ContactTable

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>What is used for the first time in a process, cold and after it was warmed up: each in a process of its own.</summary>
 internal static class FirstUseTable

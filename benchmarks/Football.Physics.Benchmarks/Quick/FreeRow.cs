@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "What a scene does not need is free".</summary>
 /// <param name="Name">What is left out.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "What a scene does not need is free": RK2 at 10 ms.</summary>
 internal static class FreeTable
@@ -20,9 +20,9 @@ internal static class FreeTable
         new("all forces, regularised law", () => Workloads.Flight(Scene.Published with { Forces = ForceSet.Regularised }, Integrator.Rk2, ShotSets.Fast)),
         new("all forces, ball without spin", () => Workloads.Flight(Scene.Published, Integrator.Rk2, ShotSets.WithoutSpin)),
         new("all forces, orientation read every step", () => Workloads.FlightWithOrientation(Scene.Published, Integrator.Rk2, ShotSets.Fast)),
-        new("published, on the ground: sliding", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Sliding), Advance + "Football.Physics.SlidingSystem"),
-        new("published, on the ground: rolling", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Rolling), Advance + "Football.Physics.RollingSystem"),
-        new("rolling, no aerodynamics", () => Workloads.Chain(Scene.Published with { Forces = ForceSet.None }, Integrator.Rk2, ShotSets.Rolling), Advance + "Football.Physics.RollingSystem"),
+        new("published, on the ground: sliding", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Sliding), Advance + "FootballPhysics.SlidingSystem"),
+        new("published, on the ground: rolling", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Rolling), Advance + "FootballPhysics.RollingSystem"),
+        new("rolling, no aerodynamics", () => Workloads.Chain(Scene.Published with { Forces = ForceSet.None }, Integrator.Rk2, ShotSets.Rolling), Advance + "FootballPhysics.RollingSystem"),
         new("stopped", () => Workloads.Stopped(Integrator.Rk2), null),
     ];
 

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "A ball in a group".</summary>
 /// <param name="Name">The scene, and the motion of the ball.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "A ball in a group": RK2 at 10 ms, the default scene, a group of one beside its ball alone; and a ball that is kicked in a net.</summary>
 internal static class GroupTable

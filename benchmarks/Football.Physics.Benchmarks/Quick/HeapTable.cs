@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "A heap": balls dropped into a box, stepped at 60 Hz until they lie there.</summary>
 internal static class HeapTable

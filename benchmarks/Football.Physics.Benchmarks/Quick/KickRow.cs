@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "A kick".</summary>
 /// <param name="Name">What is timed, and what it is compared with.</param>

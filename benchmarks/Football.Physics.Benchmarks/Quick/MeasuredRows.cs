@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of the measured profile, each of the same flight by the published laws, or in still air.</summary>
 internal static class MeasuredRows

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of the table of predictors: requests, and the method that answers them.</summary>
 internal sealed record PredictionRow(string Name, Func<ThesisAimer> Aimer, Func<AimRequest[]> Requests, AimMethod Method)

@@ -1,7 +1,7 @@
-using Football.Physics.Labs;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "Prediction", and how they are printed.</summary>
 internal static class PredictionTable

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Text;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand

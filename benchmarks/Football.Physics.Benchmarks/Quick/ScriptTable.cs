@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of scripts: what another runtime, or a program compiled ahead of time, has to say.</summary>
 internal static class ScriptTable

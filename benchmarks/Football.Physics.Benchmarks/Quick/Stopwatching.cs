@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Runtime;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Times a subject against a yardstick in alternating rounds, so that a change of clock meets both.</summary>
 internal static class Stopwatching

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of the table of times: what, against what, and what is to be reached.</summary>
 internal sealed record TargetRow(string Name, Func<Workload> Subject, Func<Workload> Yardstick)

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Numbers as the tables show them.</summary>
 internal static class Text

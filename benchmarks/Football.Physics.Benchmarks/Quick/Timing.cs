@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Medians of alternating rounds.</summary>
 /// <param name="Nanoseconds">Median time of the subject, ns an operation.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>Something to time: a call and how many operations it does.</summary>
 internal sealed record Workload(Func<double> Run, int Operations);

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of "The ball among things".</summary>
 /// <param name="Name">What there is.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The rows of "The ball among things": RK2 at 10 ms, flights that hit nothing, beside the same flights over an empty pitch.</summary>
 internal static class WorldTable

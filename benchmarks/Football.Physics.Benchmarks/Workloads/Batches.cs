@@ -1,7 +1,7 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>The loops that are timed. Each returns something that depends on every step, so that none can be left out.</summary>
 internal static class Batches

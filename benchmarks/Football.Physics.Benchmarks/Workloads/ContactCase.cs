@@ -1,7 +1,7 @@
 using System.Diagnostics;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A ball that several surfaces touch, and its steps of 10 ms.</summary>
 internal sealed class ContactCase

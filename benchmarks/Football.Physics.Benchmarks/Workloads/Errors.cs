@@ -1,8 +1,8 @@
 using System.Collections.Concurrent;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>What stands beside a time: the mean error of the same method at the same step, m, against RK4 at 0.5 ms with every event located.</summary>
 internal static class Errors

@@ -1,4 +1,4 @@
-namespace Football.Physics.Benchmarks;
+namespace FootballPhysics.Benchmarks;
 
 /// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>
 /// <param name="scene">Its air and ground.</param>

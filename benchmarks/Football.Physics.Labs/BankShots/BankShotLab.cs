@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Diagnostics;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.BankShots;
+namespace FootballPhysics.Labs.BankShots;
 
 /// <summary>football lab bankshots: kicks to where a random kick came after bounces, off a wall, off a post.</summary>
 internal static class BankShotLab

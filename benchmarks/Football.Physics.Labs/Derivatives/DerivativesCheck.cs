@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Derivatives;
+namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>Random flights of one kind, whose derivatives are compared with central differences of the simulation itself.</summary>
 /// <param name="kind">What kind.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Derivatives;
+namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>What the flights go through whose derivatives are compared.</summary>
 internal enum DerivativesKind

@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Derivatives;
+namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>football lab derivatives: derivatives by the launch of random flights against central differences of the simulation.</summary>
 internal static class DerivativesLab

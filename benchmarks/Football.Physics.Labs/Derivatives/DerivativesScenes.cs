@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Derivatives;
+namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>The scenes and launches of the flights whose derivatives are compared.</summary>
 internal static class DerivativesScenes

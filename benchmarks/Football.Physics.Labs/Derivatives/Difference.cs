@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Derivatives;
+namespace FootballPhysics.Labs.Derivatives;
 
 /// <summary>A difference quotient of the end of a flight.</summary>
 /// <param name="Place">How the place at the end changes.</param>

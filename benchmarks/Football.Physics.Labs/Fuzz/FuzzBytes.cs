@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Changes bytes that know nothing of what they mean.</summary>
 internal static class FuzzBytes

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Numbers that programs stumble over.</summary>
 internal static class FuzzNumbers

@@ -1,7 +1,7 @@
 using System.Diagnostics;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Tries inputs of one kind, and counts what became of them.</summary>
 internal sealed class FuzzRun(FuzzTarget target, long seed)

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>One kind of input that may come from anywhere.</summary>
 internal abstract class FuzzTarget

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Kick logs: bytes that were changed, and bytes that were written with wild numbers.</summary>
 internal sealed class KickLogFuzz : FuzzTarget

@@ -1,10 +1,10 @@
 using System.Text;
 using System.Text.Json.Nodes;
-using Football.Scenarios.Input;
-using Football.Scenarios;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Scenarios as text: members with wild numbers, of other types, missing, misspelt, twice, and text that is no JSON.</summary>
 internal sealed class ScenarioFuzz : FuzzTarget

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Match segments: what is accepted is played again, and says where it diverges.</summary>
 /// <param name="simulators">The scenes; default those of <see cref="SnapshotFuzz"/>.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Fuzz;
+namespace FootballPhysics.Labs.Fuzz;
 
 /// <summary>Snapshots: what is accepted is a ball, and every scene plays it.</summary>
 internal sealed class SnapshotFuzz : FuzzTarget

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Goals;
+namespace FootballPhysics.Labs.Goals;
 
 /// <summary>Counts shots that come to lie in a goal, and those that are told to be goals.</summary>
 internal sealed class GoalCount

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Goals;
+namespace FootballPhysics.Labs.Goals;
 
 /// <summary>A random shot at a goal, or past it, from anywhere within 25 m: in flight, bouncing or along the ground, at the frame, and off who stands before it.</summary>
 internal sealed class GoalShot

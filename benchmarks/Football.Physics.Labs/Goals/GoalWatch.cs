@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Goals;
+namespace FootballPhysics.Labs.Goals;
 
 /// <summary>
 /// Watches a path in time for what makes a goal, knowing nothing of how the library does: the path of each piece is asked every half millisecond, and where it

@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Goals;
+namespace FootballPhysics.Labs.Goals;
 
 /// <summary>football lab goals: whether what goes in is told, and nothing else.</summary>
 internal static class GoalsLab

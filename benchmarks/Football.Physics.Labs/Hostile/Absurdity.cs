@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>How many decades a scene lies outside the numbers of ordinary balls, grounds and kicks.</summary>
 internal static class Absurdity

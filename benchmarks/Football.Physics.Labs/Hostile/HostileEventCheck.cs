@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>What must hold of the events of every frame.</summary>
 internal static class HostileEventCheck

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>A kind of finding: how often, where it is worst, and the tamest scene that shows it.</summary>
 internal sealed class HostileFinding

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>Everything that was found, by kind. Threads may share it.</summary>
 internal sealed class HostileFindings

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>Forces of a game's own, of any strength.</summary>
 internal static class HostileForces

@@ -1,6 +1,6 @@
-using Football.Physics.Labs.Stability;
+using FootballPhysics.Labs.Stability;
 
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>A frame of a hostile scene that has been played, and where its findings go.</summary>
 /// <param name="scene">The scene.</param>

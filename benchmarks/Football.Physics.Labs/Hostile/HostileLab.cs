@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>football lab stability --hostile: scenes from far outside football, and what was found in them.</summary>
 internal static class HostileLab

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>SplitMix64 from a scrambled seed. The scenes are a function of it: what it draws, and in which order, must not change.</summary>
 internal sealed class HostileRandom

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>Plays hostile scenes and looks for what must not be.</summary>
 internal sealed class HostileRun

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>A scene from far outside football, a kick, a method and the frames it is stepped with: all of it from one number.</summary>
 internal sealed record HostileScene

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Hostile;
+namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>One place where something was found.</summary>
 /// <param name="Scene">Number of the scene.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Intercept;
+namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>Random flights and runners, whose windows are compared with a dense scan.</summary>
 internal sealed class InterceptCheck(Scene scene)

@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Intercept;
+namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>football lab intercept: windows of random runners on random flights against a dense scan.</summary>
 internal static class InterceptLab

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Intercept;
+namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>When a runner can meet a ball, by asking again and again: what the search with bounds is compared with.</summary>
 internal sealed class MeetingScan

@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Moving balls struck to a target as they come: whether what is said to hit does so in the game.</summary>
 internal static class FirstTimeCounts

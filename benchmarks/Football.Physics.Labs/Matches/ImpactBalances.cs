@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Random impacts of two balls, and of a ball with what has a mass: momentum, angular momentum, energy, and what an infinite mass gives.</summary>
 internal static class ImpactBalances

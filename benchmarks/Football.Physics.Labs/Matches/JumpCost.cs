@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>What a jump within a recording costs: a whole match, and a shorter one among players, to ticks by lot.</summary>
 internal static class JumpCost

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>football lab matches: players in time, touches at a player's feet, impacts between what has a mass, several balls.</summary>
 internal static class MatchesLab

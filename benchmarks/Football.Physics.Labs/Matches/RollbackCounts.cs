@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Matches whose kicks come late, at frames of several lengths, against the same matches with all kicks in time.</summary>
 internal static class RollbackCounts

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>What fifty balls over a pitch cost together, by what they cost one after the other.</summary>
 internal static class SeveralCost

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Matches;
+namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Twenty-two players who run in curves, as bodies or as the colliders of an engine.</summary>
 internal sealed class Squad

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Obstacles;
+namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>Drops on a board in vacuum.</summary>
 internal static class BoardDrops

@@ -1,7 +1,7 @@
 using System.Diagnostics;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Obstacles;
+namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>The time of a flight step by how many things there are, beside an empty pitch.</summary>
 internal static class ObstacleCost

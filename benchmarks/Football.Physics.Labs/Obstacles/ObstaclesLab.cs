@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Obstacles;
+namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>football lab obstacles: what things to hit cost, and how well they are hit, beside a rigid-body engine's way.</summary>
 internal static class ObstaclesLab

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Obstacles;
+namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>Shots at a post that all would hit it: how many pass through, and how far off the others' rebound is.</summary>
 /// <param name="Passed">How many passed through.</param>

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline: when it rests, against the same kick on open ground.</summary>
 internal sealed class FlatHits

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>One thing that moves and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
 internal sealed class Meetings

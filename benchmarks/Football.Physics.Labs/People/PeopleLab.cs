@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Globalization;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>football lab people: a ball among players, boards, posts and nets, two of them at a time.</summary>
 internal static class PeopleLab

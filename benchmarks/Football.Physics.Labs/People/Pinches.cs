@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>Two players run at a ball that lies between them, or falls there, each at his own speed and a little aside.</summary>
 internal sealed class Pinches

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>What a ball is pressed against.</summary>
 internal enum PressKind

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>Distances in closed form, written apart from the library's shapes.</summary>
 internal static class Solid

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>
 /// How fast things that move may make a ball: no faster than the fastest of them times 1 + e, or than the impact of the first alone made it, which adds (1 + e) u

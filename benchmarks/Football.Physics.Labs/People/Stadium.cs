@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>
 /// A stadium closed by boards as high as a house: two goals with nets, flags, 22 players who run like players, four swinging feet, an engine's spheres. A match

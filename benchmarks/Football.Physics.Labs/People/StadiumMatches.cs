@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
 internal sealed class StadiumMatches

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>Spheres of an engine that lie about a pitch, every second of them on its way.</summary>
 internal sealed class StadiumSpheres : IEngineColliders

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>Steps balls and keeps what a step took at most: time, memory, events.</summary>
 internal sealed class StepMeter

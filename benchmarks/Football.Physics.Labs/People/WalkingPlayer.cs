@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.People;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>A footballer as a game has one: a capsule on the ground, in a scene of his own.</summary>
 internal sealed class WalkingPlayer

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>The bounces of a match by the ball's speed along the ground: medians as seen, and as a surface returns the same balls.</summary>
 internal static class BounceClasses

@@ -1,9 +1,9 @@
 using System.Text;
-using Football.Physics.Yardsticks;
-using Football.Scenarios.Input;
-using Football.Tool.Fit;
+using FootballPhysics.Yardsticks;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Fit;
 
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>Files of tracks that were damaged: what is read is fitted, what is not is refused with a reason; nothing else.</summary>
 internal sealed class DamagedTracks

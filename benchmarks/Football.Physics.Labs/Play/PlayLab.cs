@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Diagnostics;
-using Football.Physics.Yardsticks;
-using Football.Tool.Commands;
+using FootballPhysics.Yardsticks;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>football lab play: tracks of real matches beside the library's balls and surfaces; simulated matches, and damaged files.</summary>
 internal static class PlayLab

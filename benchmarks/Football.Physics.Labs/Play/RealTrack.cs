@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Tool.Fit;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Fit;
 
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>The track of a real match, beside what balls and surfaces of the library would have done.</summary>
 internal static class RealTrack

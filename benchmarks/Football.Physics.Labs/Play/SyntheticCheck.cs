@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>How much of simulated minutes a fit finds, and how often the truth is where it says.</summary>
 internal sealed class SyntheticCheck

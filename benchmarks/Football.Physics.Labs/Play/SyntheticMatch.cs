@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Play;
+namespace FootballPhysics.Labs.Play;
 
 /// <summary>A minute of a match that was simulated, and what a tracker would have seen of it.</summary>
 internal sealed class SyntheticMatch

@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Queries;
+namespace FootballPhysics.Labs.Queries;
 
 /// <summary>Noisy tracks of random shots, seen 25 times a second to 2 cm, and how often the fit is within its own uncertainty.</summary>
 internal sealed class FitCheck

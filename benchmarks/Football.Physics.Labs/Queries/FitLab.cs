@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Queries;
+namespace FootballPhysics.Labs.Queries;
 
 /// <summary>football lab fit: whether fits of noisy tracks are within their own uncertainty as often as they say.</summary>
 internal static class FitLab

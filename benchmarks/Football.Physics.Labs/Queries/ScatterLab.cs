@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Commands;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Queries;
+namespace FootballPhysics.Labs.Queries;
 
 /// <summary>football lab scatter: the scatter of random shots against kicks that are drawn and flown one by one in double.</summary>
 internal static class ScatterLab

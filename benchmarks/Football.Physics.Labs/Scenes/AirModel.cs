@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>The measured laws of the air for the generic ball, from their page: drag, lift and the torque on a ball.</summary>
 /// <param name="Density">Density of the air, kg/m³.</param>

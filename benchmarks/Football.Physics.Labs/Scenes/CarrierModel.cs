@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>
 /// A ball on a plane or a cylinder that moves and turns, in still space without air: the equations of slip and roll at the contact point, in steps of 0.05 ms by the classical

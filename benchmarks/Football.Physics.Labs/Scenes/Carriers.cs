@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball on carriers that turn, accelerate in steps, are tilted or round, against a textbook integration of slip and roll.</summary>
 internal sealed class Carriers : SceneKind

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball that rolls against a dead, rough kerb, against the balance of angular momentum and energy.</summary>
 internal sealed class Kerbs : SceneKind

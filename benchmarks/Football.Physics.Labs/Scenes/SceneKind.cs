@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A kind of random scene with an independent answer.</summary>
 internal abstract class SceneKind

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>How the library did in one scene, against an independent answer.</summary>
 /// <param name="Group">Scenes that are counted together.</param>

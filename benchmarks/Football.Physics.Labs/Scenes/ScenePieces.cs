@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>By which part of the library a scene's shapes are known.</summary>
 internal enum PieceKind

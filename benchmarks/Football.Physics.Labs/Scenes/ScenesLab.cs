@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Scenarios.Input;
-using Football.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>football lab scenes: random seams, turning bodies, carriers, kerbs and slopes, each against an answer that does not come from the library.</summary>
 internal static class ScenesLab

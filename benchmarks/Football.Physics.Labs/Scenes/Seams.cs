@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball that crosses seams between flush surfaces, against the same ball on one surface.</summary>
 internal sealed class Seams : SceneKind

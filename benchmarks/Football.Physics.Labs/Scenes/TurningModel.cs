@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Scenes;
+namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A shape that turns about its pivot and moves along, exactly, and the distance of a point from it: no code of the library's contacts.</summary>
 /// <param name="A">One end of a capsule, the centre of a sphere or box, in the frame of the pivot, m.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Upper bounds of the air's acceleration A(u, ω) of a ball, and of how it changes, over a range of speeds and spins. J is ∂A/∂u.</summary>
 /// <param name="Size">|A|, m/s².</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What the air of a scene can do to its ball at most, from the equations of its laws.</summary>
 /// <remarks>

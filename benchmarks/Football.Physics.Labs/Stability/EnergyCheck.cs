@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Says of a frame, from the states before and after it, how much energy the ball gained and how much the method can have made.</summary>
 /// <remarks>A frame that gains more than rounding is stepped again from the state before it, to see its pieces: the bound is the sum of theirs.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>The energy that a ball has gained in a frame, and how much of that can be the method's own error and rounding.</summary>
 /// <param name="Gained">Energy at the end less energy at the start, J.</param>

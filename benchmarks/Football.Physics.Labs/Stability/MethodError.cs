@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>How much energy a method makes, at most, in one piece of motion through still air: its own error, and nothing else.</summary>
 /// <remarks>

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>From which step on drag overshoots, by method, and into how many parts the library divides a longer one.</summary>
 internal static class Overshoot

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>One cell of the stress matrix: a method and a kind of scene.</summary>
 internal sealed class StressCell

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What went wrong in a scene.</summary>
 /// <param name="Check">The invariant that was broken.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Makes the scenes of the stress matrix.</summary>
 internal static class StressGenerator

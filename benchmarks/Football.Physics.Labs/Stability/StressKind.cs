@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>The kinds of scene that the stress matrix has a row for.</summary>
 internal enum StressKind

@@ -1,7 +1,7 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
 
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Plays many scenes on all processors and sorts their verdicts into cells.</summary>
 internal sealed class StressMatrix(Func<long, StressScene> make)

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What a scene came to.</summary>
 /// <param name="Failure">Null where every check held.</param>

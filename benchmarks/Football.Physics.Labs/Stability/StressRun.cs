@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Plays a scene of the stress matrix and checks, frame by frame, what must always hold.</summary>
 internal sealed class StressRun

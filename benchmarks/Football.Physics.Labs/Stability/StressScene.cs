@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Labs.Stability;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>A scene, a kick, a method and the frames it is stepped with: all of it from one number.</summary>
 internal sealed record StressScene

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.People;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.People;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>
 /// A closed hall, drawn from a seed: boards as high as a house, two goals with nets, posts and boxes, players who run at the ball, cones that weigh little, an engine's

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Hostile;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Hostile;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Draws the kicks of an arena: at goals, into nets and corners, touches, lobs, and launches of hostile scenes at speeds of a game.</summary>
 internal sealed class ArenaKicks(SeededRandom random, double halfWidth, double halfLength, Goal goal)

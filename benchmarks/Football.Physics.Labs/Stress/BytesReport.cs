@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Fuzz;
-using Football.Tool.Commands;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Changed bytes of every format: rejected, or the steps that follow are finite and short.</summary>
 internal static class BytesReport

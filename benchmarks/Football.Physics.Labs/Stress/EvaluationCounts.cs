@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>The distribution of the evaluations of a step, for each ball of it.</summary>
 internal sealed class EvaluationCounts

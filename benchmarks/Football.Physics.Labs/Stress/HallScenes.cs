@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Scenes for states from outside: nets, goals, boards, tables to lie on, a knuckle force, wind. Nothing in them is moved, so that threads may share them.</summary>
 internal static class HallScenes

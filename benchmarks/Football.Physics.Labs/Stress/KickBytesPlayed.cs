@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Fuzz;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Kick logs that were changed: an accepted log is played in a scene with nets, and kicks for balls that the match lacks are rejected when they arrive.</summary>
 internal sealed class KickBytesPlayed : FuzzTarget

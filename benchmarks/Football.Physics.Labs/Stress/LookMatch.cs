@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>One match that is played twice: alone, and with paths, aims, interceptions and a kept prediction between its ticks.</summary>
 internal sealed class LookMatch(long seed, long index)

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Matches;
-using Football.Tool.Commands;
+using FootballPhysics.Labs.Matches;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Plays matches with and without look-aheads, and with kicks in time and late: the bits must be the same.</summary>
 internal static class LooksReport

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>One of the claims that a match is checked against.</summary>
 internal enum MatchClaim

@@ -1,8 +1,8 @@
-using Football.Physics.Labs.Goals;
-using Football.Physics.Labs.People;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Goals;
+using FootballPhysics.Labs.People;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Plays one match of an arena, and checks each step by geometry of its own.</summary>
 internal sealed class MatchPlay

@@ -1,6 +1,6 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>Plays the matches of the lab, and sums what was found.</summary>
 internal static class MatchesReport

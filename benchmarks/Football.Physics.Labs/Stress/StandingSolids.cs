@@ -1,6 +1,6 @@
-using Football.Physics.Labs.People;
+using FootballPhysics.Labs.People;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>The objects of an arena that never move: distances in closed form, from the numbers of the arena alone.</summary>
 internal sealed class StandingSolids

@@ -1,9 +1,9 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using Football.Physics.Labs.Fuzz;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>States of a ball with fields that no ball has: as a snapshot, or as the memory that C passes.</summary>
 /// <param name="isMemory">Whether the bytes are the memory of the state, without a checksum.</param>

@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Scenarios.Input;
-using Football.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>football lab stress: matches in closed halls, look-aheads between ticks and late kicks, and bytes that no ball makes.</summary>
 internal static class StressLab

@@ -1,6 +1,6 @@
-using Football.Physics.Labs.People;
+using FootballPhysics.Labs.People;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>An engine's spheres, or none, that end a step which never ends: after very many sphere casts they throw.</summary>
 internal sealed class WatchedColliders(StadiumSpheres? spheres) : IEngineColliders

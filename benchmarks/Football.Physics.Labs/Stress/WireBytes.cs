@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Fuzz;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Stress;
+namespace FootballPhysics.Labs.Stress;
 
 /// <summary>States in the wire form whose bits were changed: at random, and field by field to its ends.</summary>
 internal sealed class WireBytes : FuzzTarget

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Zones;
+namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>
 internal static class ZoneDraw

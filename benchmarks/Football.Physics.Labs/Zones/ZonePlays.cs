@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Zones;
+namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
 internal sealed class ZonePlays

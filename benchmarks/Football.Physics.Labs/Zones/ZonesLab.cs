@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Zones;
+namespace FootballPhysics.Labs.Zones;
 
 /// <summary>football lab zones: events of zones against a dense sampling of the path.</summary>
 internal static class ZonesLab

@@ -1,7 +1,7 @@
 using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.OdeSolvers;
 
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>A general ODE library on the same right-hand side: MathNet.Numerics' Runge–Kutta solvers (its SecondOrder is Heun's method).</summary>
 public sealed class MathNetFlight

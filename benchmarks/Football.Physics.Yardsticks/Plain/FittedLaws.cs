@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The fitted laws of drag, lift and spin decay, written down plainly from the equations: for every yardstick, and for the tests.</summary>
 public static class FittedLaws

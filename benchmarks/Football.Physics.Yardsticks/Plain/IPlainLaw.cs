@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The right-hand side of a flight: accelerations from the air-relative velocity and the spin.</summary>
 public interface IPlainLaw

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Holds the plain yardstick against the library: a yardstick for another motion would measure nothing.</summary>
 public static class PlainCheck

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Drag, Magnus force and spin decay with constant coefficients.</summary>
 public readonly struct PlainConstant : IPlainLaw

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>All forces by the fitted laws, with Math.Pow and Math.Exp; |u|, |ω|, Sp and C_D once an evaluation.</summary>
 public readonly struct PlainFitted : IPlainLaw

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The yardstick: a flight step in straightforward double C#, as a good programmer writes it on the first day.</summary>
 public abstract class PlainFlight

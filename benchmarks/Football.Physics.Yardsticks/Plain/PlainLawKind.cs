@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The laws that the plain yardstick is written for.</summary>
 public enum PlainLawKind

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Position, velocity and spin of a ball in flight.</summary>
 public struct PlainState

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Gravity alone.</summary>
 public readonly struct PlainVacuum(double gravity) : IPlainLaw

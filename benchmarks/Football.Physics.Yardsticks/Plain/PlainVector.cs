@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The vector that everybody writes: three doubles and operators.</summary>
 public readonly struct PlainVector(double x, double y, double z)

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>A ball as a general rigid-body engine treats it: symplectic Euler, damping for air, restitution at the frame's end.</summary>
 public sealed class RigidBodyEngine

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>What the general engine's way gets wrong about a football.</summary>
 /// <param name="Rebounds">Restitution that comes out of a drop, at several steps.</param>

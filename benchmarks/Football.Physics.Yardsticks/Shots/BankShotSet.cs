@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Requests for kicks that are to meet some things first, and have an answer: a random kick met them, and came to the target before anything else.</summary>
 /// <param name="simulator">The scene.</param>

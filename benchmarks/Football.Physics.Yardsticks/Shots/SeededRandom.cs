@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Seeded random numbers: the same in every run and on every machine, but for the last bit of logarithms.</summary>
 public class SeededRandom(ulong seed)

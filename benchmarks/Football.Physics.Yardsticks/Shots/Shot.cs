@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>One launch: where from, how fast, with what spin (SI units).</summary>
 public readonly record struct Shot(Vector3d Position, Vector3d Velocity, Vector3d Spin)

@@ -1,4 +1,4 @@
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The seeded shots that every timing and every error is measured with.</summary>
 public static class ShotSets

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>A ball the thesis' way: its state machine, forces, integrators and recursive search of the impact, in single precision.</summary>
 public sealed class ThesisBall

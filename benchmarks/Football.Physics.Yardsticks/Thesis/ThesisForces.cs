@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>Forces and torques the thesis' way: each its own function, everything computed anew in each, in single precision.</summary>
 /// <remarks>The signs and brackets that its listings get wrong are corrected, so that it can be compared with the truth.</remarks>

@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The thesis' four integrators (3.3.3, 3.3.4): tuples, a heap object a stage, orientation by adding and normalising.</summary>
 public sealed class ThesisIntegrators(ThesisForces forces)

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace Football.Physics.Yardsticks;
+namespace FootballPhysics.Yardsticks;
 
 /// <summary>The derivatives of one Runge–Kutta stage: an object on the heap, as in the thesis.</summary>
 public sealed class ThesisK

@@ -1,6 +1,6 @@
 using System.Xml.Linq;
 
-namespace Football.Physics.Site.Pictures;
+namespace FootballPhysics.Site.Pictures;
 
 /// <summary>The pictures of docs/, each drawn from what the library answers.</summary>
 internal static class DocPictures

@@ -1,8 +1,8 @@
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Physics.Prediction;
+using FootballPhysics.Drawing;
+using FootballPhysics.Prediction;
 
-namespace Football.Physics.Site.Pictures;
+namespace FootballPhysics.Site.Pictures;
 
 /// <summary>What spin and air do to a ball, and what a bounce tells.</summary>
 internal static class FlightPictures

@@ -1,8 +1,8 @@
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Tool.Replay;
+using FootballPhysics.Drawing;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Physics.Site.Pictures;
+namespace FootballPhysics.Site.Pictures;
 
 /// <summary>The frame of the library on a pitch: x, y, −z, and which way angles and spins count.</summary>
 internal static class FramePicture

@@ -1,9 +1,9 @@
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Physics.Batch;
-using Football.Physics.Prediction;
+using FootballPhysics.Drawing;
+using FootballPhysics.Batch;
+using FootballPhysics.Prediction;
 
-namespace Football.Physics.Site.Pictures;
+namespace FootballPhysics.Site.Pictures;
 
 /// <summary>Who gets to a ball, which pass is open, and where a player's kicks go.</summary>
 internal static class PlayPictures

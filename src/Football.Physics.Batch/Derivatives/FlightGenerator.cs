@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// How the rates of plain flight change with the motion at one instant: v̇ = λ (n × u) − D u + g, |ω|˙ = −q, where λ, D and q depend on |u|², |ω| and

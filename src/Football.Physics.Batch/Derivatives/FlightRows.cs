@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>How a number of a flight changes with velocity and spin at its start: by the velocity; by size of the spin, and by its axis in two directions across it.</summary>
 internal struct FlightRow

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// The variational equation along plain flight: the axis of the spin is constant, so velocity and size of the spin are all that changes. Several pieces are taken

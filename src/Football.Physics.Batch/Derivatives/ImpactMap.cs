@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The map of an impact from the motion before to that after, with its derivatives: by the simulation's own impact, and difference quotients of it.</summary>
 internal sealed class ImpactMap

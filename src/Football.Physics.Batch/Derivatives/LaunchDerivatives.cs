@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// How what becomes of a ball changes with its launch: derivatives by one run, along plain flight by the variational equation, through impacts and the drag

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The motion along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
 internal sealed class LocalFlight

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A 3×3 matrix: how a vector changes with another one, for instance. Row i is component i of what changes, column j the component it changes with.</summary>
 public readonly struct Matrix3d

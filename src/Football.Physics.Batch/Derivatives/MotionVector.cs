@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A motion as numbers in a row: place 0 … 2, velocity 3 … 5, spin 6 … 8, distance flown 9.</summary>
 internal static class MotionVector

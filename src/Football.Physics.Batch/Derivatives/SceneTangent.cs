@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// The derivatives by the launch in one scene. In plain flight J̇ = A(t) J along the path that the simulation took; at an event, whose time moves with the

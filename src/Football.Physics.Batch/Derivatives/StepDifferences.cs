@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// What a step does to the derivatives by the launch, by central differences of the step itself: all that may happen in it, slides and their ends, rolls, nets,

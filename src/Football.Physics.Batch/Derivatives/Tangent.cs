@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// How the motion at one time changes with the launch, J = ∂y/∂y₀: ten rows (<see cref="MotionVector"/>), nine columns (place, velocity, spin of the launch).

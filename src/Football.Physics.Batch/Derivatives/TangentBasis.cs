@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>An orthonormal basis of what the columns of a tangent span, J = B R, in numbers of one unit: of a velocity, m/s.</summary>
 internal sealed class TangentBasis

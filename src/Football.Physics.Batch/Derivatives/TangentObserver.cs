@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Watches a simulation and carries the derivatives by the launch along, piece by piece and through every event.</summary>
 internal abstract class TangentObserver : PieceObserver

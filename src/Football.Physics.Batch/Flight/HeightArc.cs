@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The ball's height above contact over a step that comes down to it.</summary>
 internal readonly struct HeightArc

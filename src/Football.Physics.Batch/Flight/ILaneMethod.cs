@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The integrator that a flight in lanes is compiled for.</summary>
 internal interface ILaneMethod

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The balls that cross the drag law's jump in a step, side by side, so that registers are full of them.</summary>
 internal sealed class LaneCrossings

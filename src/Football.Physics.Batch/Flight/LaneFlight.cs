@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Flies groups of balls, several at once in wide registers. Immutable: threads may share it.</summary>
 internal abstract class LaneFlight

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A group of balls in flight, and where their flights ended. Small enough for the first-level cache.</summary>
 internal sealed class LaneGroup

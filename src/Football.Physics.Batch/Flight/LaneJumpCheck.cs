@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds balls that come so close to the drag law's jump that a step in floats does not tell on which side it is.</summary>
 /// <remarks>

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The flight of a group: step by step, in each all balls, so that the processor always has independent work.</summary>
 #if NET8_0_OR_GREATER

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <content>One step of a group, and of one register.</content>
 #if NET8_0_OR_GREATER

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds what happens inside the last step of a ball in lanes, in double: where it comes to its limit, and its highest point.</summary>
 internal static class LaneLocator

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>c0 + c1 s + c2 s², 0 ≤ s ≤ 1.</summary>
 internal readonly struct LaneParabola

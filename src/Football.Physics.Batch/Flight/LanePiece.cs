@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A smooth piece of one ball's last step: the whole of it, or up to the drag law's jump, or from there.</summary>
 internal readonly struct LanePiece

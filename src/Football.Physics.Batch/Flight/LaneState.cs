@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>State of a group of balls that changes in a step: floats, and what rounding took from them.</summary>
 internal sealed class LaneState

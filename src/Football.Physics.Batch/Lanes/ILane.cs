@@ -1,5 +1,5 @@
 #if NET8_0_OR_GREATER
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Some floats side by side, with the operations that give the same bits for each whatever their number.</summary>
 /// <remarks>

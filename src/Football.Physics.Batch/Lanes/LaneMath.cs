@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Logarithm, exponential and polynomials of lanes, with errors of a few units in the last place of a float.</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>c0 + c1 z + … + c8 z⁸ with coefficients in float; <see cref="LaneMath{F}"/> evaluates it.</summary>
 internal readonly struct LanePolynomial

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>One float: what runs where there are no wide registers, and what the wide ones are compared with.</summary>
 /// <remarks>Every operation is rounded to float, also on runtimes that compute in double.</remarks>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>8 floats in a register of 256 bits.</summary>
 internal readonly struct Lanes8 : ILane<Lanes8>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// Polynomials near to functions: through their values at the Chebyshev points of an interval, where the error is nearly the least that

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The laws with constant coefficients, side by side: drag goes with the speed, lift and spin decay with the spin.</summary>
 #if NET8_0_OR_GREATER

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// The laws fitted to measurements, side by side. Each power of speed and spin is one polynomial in a logarithm over the whole domain, made

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>On which branch of a drag law that jumps the balls of a register are.</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A form of the fitted drag coefficient, for several balls side by side: how its branches with and without spin come together.</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// How drag, lift and spin decay follow from speed and spin, for several balls side by side: the aerodynamics that a flight in lanes is

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Which balls of a scene may fly in lanes: those that keep within the domain of the laws there and the reach of float; others fly alone.</summary>
 internal readonly struct LaneDomain

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// Where the published drag law jumps, in float: the branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive

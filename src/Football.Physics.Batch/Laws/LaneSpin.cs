@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Terms of the spin that a law in lanes computes once a step. No more than four fields: the compiler keeps them in registers.</summary>
 #if NET8_0_OR_GREATER

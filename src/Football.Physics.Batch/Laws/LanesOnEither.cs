@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Some balls are on the branch with spin, others not.</summary>
 #if NET8_0_OR_GREATER

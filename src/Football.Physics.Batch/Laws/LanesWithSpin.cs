@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>All balls are on the branch with spin: no call is left in the stages of a step, and they stay in registers.</summary>
 #if NET8_0_OR_GREATER

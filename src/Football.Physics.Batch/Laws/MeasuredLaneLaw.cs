@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// The measured laws, side by side: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>,

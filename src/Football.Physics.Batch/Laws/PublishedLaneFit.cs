@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The fitted C_D as published, side by side: it jumps from one branch to the other (<see cref="FittedDrag"/>).</summary>
 #if NET8_0_OR_GREATER

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The fitted C_D with its jumps smoothed, side by side (<see cref="RegularisedDragFit"/>).</summary>
 #if NET8_0_OR_GREATER

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The best pass of a fan.</summary>
 public readonly struct PassChoice

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Finds the best of many passes, through the air or along the ground: the earliest that a team mate meets before any opponent can.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Which passes to try: kicks of all speeds, elevations and directions of a fan, through the air or along the ground.</summary>
 /// <remarks>A kick of a ball on the ground that rises slower than <see cref="Ground.MinimumBounceSpeed"/>, as all of elevation 0 do, goes along the ground: it slides, then rolls.</remarks>

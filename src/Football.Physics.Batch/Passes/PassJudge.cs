@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Judges kicks of a fan on their exact paths.</summary>
 internal sealed class PassJudge

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Where the players of a fan can be, step by step: the same for all kicks, so it is worked out once a step.</summary>
 internal sealed class PassPlayers

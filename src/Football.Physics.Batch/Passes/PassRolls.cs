@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Looks at the kicks of a fan that go along the ground.</summary>
 /// <remarks>

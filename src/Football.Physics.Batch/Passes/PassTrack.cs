@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>A kick along the ground, stepped as far as it was asked for. Places are relative to its start; its memory is used again.</summary>
 internal sealed class PassTrack

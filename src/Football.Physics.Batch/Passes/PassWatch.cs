@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Watches kicks step by step: before when no team mate can meet each of them, and which an opponent surely takes.</summary>
 internal sealed class PassWatch : LaneWatch

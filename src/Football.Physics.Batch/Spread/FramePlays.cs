@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// Which kicks go in. One that crosses the mouth clear of the frame does; one that comes near a post or the bar is played among them, until all of the ball is over the line,

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Where the kicks of a player cross the plane of a goal, and how surely they go in.</summary>
 /// <remarks>

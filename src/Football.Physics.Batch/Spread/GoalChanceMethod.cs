@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>How a scatter was found.</summary>
 public enum GoalChanceMethod

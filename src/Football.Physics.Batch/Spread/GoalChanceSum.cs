@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Counts kicks and sums their places.</summary>
 internal struct GoalChanceSum

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The mouth of a goal, and what a place on its plane is worth.</summary>
 internal readonly struct GoalPlane

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>
 /// How much the kicks of a player spread about the one he means: standard deviations of speed, direction and spin, and their correlations. The deviations are

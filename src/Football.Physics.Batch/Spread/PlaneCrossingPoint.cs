@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Where and when a kick crosses a plane.</summary>
 internal readonly struct PlaneCrossingPoint

@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>Flies many kicks from one place to the plane of a goal: in lanes, where nothing comes before; else ball by ball.</summary>
 internal sealed class PlaneFlights

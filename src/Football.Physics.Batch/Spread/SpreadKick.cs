@@ -1,4 +1,4 @@
-namespace Football.Physics.Batch;
+namespace FootballPhysics.Batch;
 
 /// <summary>The kick that a player means, and those that he makes of it: other speed, elevation, azimuth and share of the spin.</summary>
 internal readonly struct SpreadKick

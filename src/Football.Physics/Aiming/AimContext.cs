@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Shared by the aiming methods: the scene compiled for each purpose, and the memory of their flights.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A request for a kick: from where, at which target, how fast, within which bounds. Points are for the ball's centre.</summary>
 public sealed record AimRequest

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A kick that was found. Whatever the status, it is the best one found, and finite.</summary>
 public readonly struct AimResult : IFormattable

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <content>The kick that arrives with a given speed.</content>
 public sealed partial class Aimer

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Finds kicks: which one, at this speed and spin, hits that point; which one passes a wall here and lands there.</summary>
 /// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>The closest approach of a kick to a target that may move.</summary>
 internal abstract class ApproachFlight : KickObserver

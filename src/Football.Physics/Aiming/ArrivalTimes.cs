@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Looks for the flight that is at a target with a speed, over the times that flights to it take: for each there is one kick, and its arrival changes smoothly from one time to

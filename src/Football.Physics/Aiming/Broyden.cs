@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Broyden's update: the least change of a Jacobian, in units in which unknowns count alike, that agrees with what the last step did.</summary>
 internal static class Broyden

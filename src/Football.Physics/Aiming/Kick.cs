@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A kick as the predictors see it: two angles and two spins.</summary>
 internal struct Kick

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Flies a kick, step by step, until its observer has seen enough.</summary>
 internal sealed class KickFlight

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A problem whose unknowns, within bounds, are to leave nothing of its residuals.</summary>
 internal interface ILeastSquares

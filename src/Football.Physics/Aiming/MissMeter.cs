@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Measures by what a kick misses what a request asks for, before its first impact: in steps that leave no doubt.</summary>
 internal sealed class MissMeter

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Effect of the air on the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
 internal struct AirFactors

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A sweep that also follows the surfaces at which the drag law jumps.</summary>
 internal interface IFlowSweep : ISweep

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The aerodynamic laws of a scene at a point, through one virtual call: what everything but the hot step of flight asks. Immutable, for any number of threads.</summary>
 internal abstract class AirLaws

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The air for a spin vector: what any motion but plain flight asks.</summary>
 internal static class AirRates

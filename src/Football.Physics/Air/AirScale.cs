@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The scale that drag and Magnus force have in common.</summary>
 internal static class AirScale

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Laws of constant coefficients (<see cref="ConstantDrag"/>, <see cref="ConstantMagnus"/>, <see cref="ConstantSpinDecay"/>) for a step of flight.</summary>
 internal struct ConstantAir : IFlightAir

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The two surfaces at which the published drag law jumps, as functions of |u|² and (r|ω|)²: G = |u|² − v_c² and

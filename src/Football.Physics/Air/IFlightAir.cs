@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The laws of the air as the hot step of flight asks them: one compiled body of the step for each type.</summary>
 internal interface IFlightAir : IFlightLaws

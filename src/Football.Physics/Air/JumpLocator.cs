@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Ends a step where it crosses the drag law's jump.</summary>
 internal static class JumpLocator

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The surfaces of the drag law's jump along a step: cubic Hermite interpolants, in fractions of the step.</summary>
 internal readonly struct JumpPath

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Any mixture of laws, each by its own equation.</summary>
 internal sealed class MixedLaws : AirLaws

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>No laws of the air: what is left of a step of flight is its parabola.</summary>
 internal struct NoAir : IFlightAir

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The game's own forces, summed, per mass and per moment of inertia.</summary>
 internal sealed class OwnForces

@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>Drag and Magnus force of a scene's laws times factors, as a force of the game's own: what a fit has found goes into a scene with it.</summary>
 public sealed class ScaledAir : IForce

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// All that the air of a scene does at one instant: its laws, the wind by place and time, the knuckle force, a game's own forces. What everything but

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Laws by tables, some of them left out or scaled.</summary>
 /// <typeparam name="TLaw">The law.</typeparam>

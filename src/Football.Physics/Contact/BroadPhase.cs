@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The broad phase: a tree of boxes around what stands still, built once. It answers in boxes alone; what is inside them is asked after.</summary>
 /// <remarks>Nodes lie in the order of a walk from the root, each with the node that follows its whole branch: a walk needs no stack.</remarks>

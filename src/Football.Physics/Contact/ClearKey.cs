@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A hash of all numbers that a clear flight depends on, FNV-1a over their bits: what was clear in one scene need not be in another.</summary>
 internal struct ClearKey

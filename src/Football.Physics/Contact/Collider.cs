@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A thing that can be hit, ready to be asked: the ground is one, and every obstacle, post and body.</summary>
 internal sealed class Collider

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for each contact that sticks.

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The modes of a contact set at one instant: which contacts bear a load, and which of them stick. Beginning with all of them, what would pull is let go, what

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the impulses are the solution of

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Memory for contact sets of more contacts than a caller has room for on its stack. Stationary surfaces are never left out of a set, however many a ball touches. The

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The linear system of the forces of a contact set: G x = b, at most a few unknowns. Where it has no unique solution, as for a ball that sticks to both sides of

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Looks along a path for the first thing that it meets. Every gap is walked by conservative advancement: from a gap f that changes at the rate f'

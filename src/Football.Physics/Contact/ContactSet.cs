@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. The order in which the ball came to them decides nothing;

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The impulses of a contact set over a short time, Coulomb's law at all of them at once: J_n ≥ 0, no contact closes, |J_t| ≤ μ J_n against the slip that is

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set). With n, ṅ, V_c and A of each contact,

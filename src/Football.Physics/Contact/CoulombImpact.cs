@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot hold it.

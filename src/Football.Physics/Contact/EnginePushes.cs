@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The colliders of an engine that the ball has pushed since the engine placed them, and how they were when that was remembered.</summary>
 internal sealed class EnginePushes

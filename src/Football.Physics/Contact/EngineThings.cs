@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// What an engine's sphere casts have found, as colliders of the world: each has a place among these that it keeps for a step, and those of the last cast are looked at.

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall. A ball that slides along one of them crosses onto the next

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact points, without moving. If the least

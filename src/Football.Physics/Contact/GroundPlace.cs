@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Places on the ground: where a ball lies above a point of the map, and how far one in the ground is raised. Vertical: x and z stay as they are.</summary>
 internal static class GroundPlace

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot, in closed form: the general law of <see cref="ContactForces"/> where no normal

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A net, ready to be asked: how deep the ball is in it, and how it pushes.</summary>
 internal sealed class NetSheet

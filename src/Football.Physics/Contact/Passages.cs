@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Which nets a ball is in, on which side of each, and which goals it has come through: what a state keeps of the ball's way. A ball that is put down has none, and is in

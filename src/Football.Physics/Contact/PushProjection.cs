@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The part of a push that smooth contacts leave: none, one or two of them bear, or three and more take all of it.</summary>
 internal unsafe struct PushProjection

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A shape and its motion, described from a time on.</summary>
 internal readonly struct MovingShape

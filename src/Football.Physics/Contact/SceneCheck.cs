@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Checks that a state that came from elsewhere is one that a ball can have in a scene: what it names is there, and the ball is where that can be.</summary>
 /// <remarks>What the game or an engine moves, and what the ball has pushed, may be anywhere: a state does not hold it.</remarks>

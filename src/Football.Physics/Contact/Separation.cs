@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>An event sought along a piece: a function of the ball's place that is positive before it happens, and falls to zero where it does.</summary>
 internal readonly struct Separation

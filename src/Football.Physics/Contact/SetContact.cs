@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>One contact of a contact set at the level of forces: its mode, what it is made of, and the load and the friction that it was last found to give.</summary>
 internal struct SetContact
@@ -174,6 +174,6 @@ internal struct SetContact
             RollingVelocity = at.Velocity - Surface;
         }
 
-        Slip = Football.Physics.Slip.Of(at.Velocity - Surface, in at.Spin, in Normal, r);
+        Slip = FootballPhysics.Slip.Of(at.Velocity - Surface, in at.Spin, in Normal, r);
     }
 }

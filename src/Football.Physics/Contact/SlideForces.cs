@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Loads and friction of a ball that slips on both of two stationary surfaces whose normals stay the same: the general law of <see cref="ContactForces"/> in closed form. The

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The slip velocity of the contact point, s = v_t + r n × ω; on the level pitch n is ŷ (thesis 2.19, corrected).</summary>
 internal static class Slip

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>An unknown force: what a unit of it does to the ball, and the condition that determines it.</summary>
 internal struct ForceRow

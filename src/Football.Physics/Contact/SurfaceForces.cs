@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Forces on a ball that a surface carries, without friction; per mass, or per moment of inertia.</summary>
 internal struct SurfaceForces

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball that slides or rolls on a surface (world.md, Carried by any surface). With n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p

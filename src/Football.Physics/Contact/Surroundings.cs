@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Forces on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
 internal sealed class Surroundings
@@ -33,7 +33,7 @@ internal sealed class Surroundings
         AirActs = Air.Drags || Air.Lifts || Air.SpinDecays || Air.Varies;
         Wind = scene.Air.Wind;
         World = new World(scene);
-        Weight = Physics.Weight.Of(scene);
+        Weight = FootballPhysics.Weight.Of(scene);
         Upward = Weight.Y;
         Radius = scene.Ball.Radius;
         RadiusSquared = scene.Ball.Radius * scene.Ball.Radius;

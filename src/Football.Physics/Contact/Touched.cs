@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A stationary surface that a ball touches.</summary>
 internal readonly unsafe struct Touched

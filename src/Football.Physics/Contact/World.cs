@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// All that a ball can meet in a scene: colliders (the ground first), nets, goals. Built once; nothing of it changes but where the game puts its bodies.

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Something that happened inside a step, at its exact time and place.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The kind of an event of the ball. At one instant an impact comes first, then what follows from it.</summary>
 public enum BallEventKind

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
 /// <remarks>

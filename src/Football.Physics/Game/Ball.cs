@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball for a game: build it, kick it, step it every frame, read where it is and what happened.</summary>
 /// <remarks>Right-handed, y up, forward −z; SI units. Not for several threads at once; the <see cref="Simulator"/> behind it is.</remarks>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Where to draw the ball.</summary>
 public readonly struct BallPose : IFormattable

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Takes numbers from bytes that may come from anywhere: whatever they are, the worst is a <see cref="FormatException"/>.</summary>
 internal struct ByteReader

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Appends numbers to bytes, little-endian.</summary>
 internal struct ByteWriter

@@ -1,7 +1,7 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The checksum CRC-32 (IEEE 802.3, as in Ethernet, zip and PNG): it finds every change of up to 32 neighbouring bits.</summary>
 internal static class Crc32

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>What a game and its network ask of a runner between steps: kicks, where to draw the ball, states as bytes.</content>
 public sealed partial class FixedStepRunner

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Plays a ball, or several, in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
 /// <remarks>

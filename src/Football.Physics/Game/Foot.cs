@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A foot, or a head or a hand, that strikes a ball: from its motion to the kick, and from the kick back to its motion.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A strike by a <see cref="Foot"/>: how it meets the ball, and what it does to both.</summary>
 public readonly struct FootStrike

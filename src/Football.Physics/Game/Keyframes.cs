@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The whole state of a match at equal distances in time, from which a segment is played on: balls, bodies, and obstacles that have a mass.</summary>
 internal sealed class Keyframes(int balls, int movers)

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Which ball, velocity and spin of a kick as bytes: the first ball, and numbers that are 0, take none.</summary>
 internal static class KickBytes

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>A kick at a tick: all that a match must send, besides its start, to be played again.</summary>
 public readonly struct KickInput : IFormattable

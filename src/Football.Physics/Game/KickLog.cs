@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>Kicks by tick, past and to come: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>

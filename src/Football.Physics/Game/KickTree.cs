@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Kicks in order of tick, player and ball, as a balanced tree: each is found, added and taken out in a time that grows with the logarithm of their number.</summary>
 /// <remarks>An AVL tree in arrays, whose nodes know how many are below them. Allocates only when it outgrows its memory.</remarks>

@@ -3,7 +3,7 @@ using System.IO.Compression;
 using System.Reflection;
 using System.Runtime.InteropServices;
 
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>
 /// A stretch of a match that can be sent, stored and played again: its start, its kicks, where the game put its bodies, and a hash of the balls after every step.
@@ -471,7 +471,7 @@ public sealed class MatchSegment
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
 
-        return runner.Group is null ? hash : hash ^ Physics.SceneHash.Of(runner.Group.Contact);
+        return runner.Group is null ? hash : hash ^ FootballPhysics.SceneHash.Of(runner.Group.Contact);
     }
 
     /// <summary>How many bodies and obstacles that have a mass the scene has.</summary>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Numbers as bytes: each is left out when it is 0, and takes 4 bytes when single precision holds it. Which it is takes two bits, told before.</summary>
 internal static class PackedNumbers

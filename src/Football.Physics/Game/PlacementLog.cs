@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Where the game has put its bodies, by tick: what steps that are played again put there again.</summary>
 internal sealed class PlacementLog

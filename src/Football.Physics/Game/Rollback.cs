@@ -1,4 +1,4 @@
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>Keeps the last states of a runner, and plays them again when a kick of the past becomes known, or was guessed wrongly.</summary>
 /// <remarks>

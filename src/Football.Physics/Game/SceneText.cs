@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A scene as JSON, in the words of a scenario, all numbers to the last bit; what is code has no words, and is refused by name.</summary>
 internal sealed class SceneText

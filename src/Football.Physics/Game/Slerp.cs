@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Interpolation of orientations at constant angular speed, from + − × ÷ √ alone.</summary>
 internal static class Slerp

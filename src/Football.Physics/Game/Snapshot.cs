@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>Operations that rollback and lockstep need of a <see cref="BallState"/>: sameness to the bit, a hash, and bytes to send.</summary>
 /// <remarks>The snapshot itself is a copy of the struct. Hash and bytes are the same on every runtime, byte order included.</remarks>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Netcode;
+namespace FootballPhysics.Netcode;
 
 /// <summary>The first field in which two states differ: which, and by how much.</summary>
 public readonly struct StateDifference

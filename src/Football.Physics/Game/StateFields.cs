@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Sees, and may change, one field after the other.</summary>
 internal interface IFieldVisitor

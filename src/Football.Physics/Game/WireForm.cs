@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A state in 24 bytes. Numbers are whole multiples of a unit; what follows from others is left out: the height of a ball on the ground, the spin of one that rolls. A state is rounded by

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Classical Runge–Kutta (thesis 3.17, with the k₁ that its k₂ lacks). Order 4.</summary>
 internal readonly struct ClassicalRungeKutta : IIntegrator

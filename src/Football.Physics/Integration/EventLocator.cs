@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Finds events inside a step to the accuracy of the integrator: the step itself is taken again, from its start and with other lengths, until the

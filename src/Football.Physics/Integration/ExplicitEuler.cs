@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Explicit Euler, y' = y + h f(y) (thesis 3.7). Order 1.</summary>
 internal readonly struct ExplicitEuler : IIntegrator

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Where a step in flight ends, and the rates at its start.</summary>
 internal struct FlightStep

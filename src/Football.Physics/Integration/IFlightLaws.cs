@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The air as a one-step method asks it.</summary>
 internal interface IFlightLaws

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A one-step method. A new one is one new file that implements this, and a name in <see cref="Integrator"/>.</summary>
 internal interface IIntegrator

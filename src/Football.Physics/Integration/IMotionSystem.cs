@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A motion that a general step can advance: it gives the rates at any instant.</summary>
 internal interface IMotionSystem

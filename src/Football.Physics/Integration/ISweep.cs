@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The motion over a step that can be taken again, from the same start, with another length: to find what happens inside it, and when.</summary>
 internal interface ISweep

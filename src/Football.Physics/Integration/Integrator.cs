@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The one-step methods on offer.</summary>
 /// <remarks>

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Midpoint Runge–Kutta, y' = y + h f(y + h/2 f(y)) (thesis 3.15). Order 2.</summary>
 internal readonly struct MidpointRungeKutta : IIntegrator

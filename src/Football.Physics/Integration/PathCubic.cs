@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The path of a piece as a cubic in time: close to what the method itself re-integrates, and cheap to search.</summary>
 internal readonly struct PathCubic

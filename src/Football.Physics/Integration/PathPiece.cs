@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A piece of smooth motion between two instants without an event between them: dense, so it can be asked at any time inside.</summary>
 /// <remarks>

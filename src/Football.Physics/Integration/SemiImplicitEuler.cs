@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Semi-implicit (symplectic) Euler: velocity first, then position with the new velocity (thesis 3.8, 3.9). Order 1.</summary>
 internal readonly struct SemiImplicitEuler : IIntegrator

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Classical Runge–Kutta in parts as short as a motion asks for, which is one step for everything else: in a net, whose forces settle much faster than a step is

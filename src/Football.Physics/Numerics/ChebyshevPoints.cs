@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The four Chebyshev points of an interval: where a cubic must meet a function to stay close to it everywhere between.</summary>
 internal readonly struct ChebyshevPoints

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Range checks whose message names the field, the value and what is allowed.</summary>
 internal static class Check

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A + B x + C x² + D x³.</summary>
 internal readonly struct Cubic

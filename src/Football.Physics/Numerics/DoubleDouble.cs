@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A number as the sum of two doubles, to 31 digits (Dekker): for constants that are computed once, so that each is its exact value

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Elementary functions from + − × ÷ and bit operations alone: the same bits on every IEEE machine.</summary>
 /// <remarks>The C runtime's functions differ by operating system; these do not. Errors are measured in the tests.</remarks>

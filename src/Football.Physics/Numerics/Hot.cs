@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>How the step of flight is compiled, and the methods that fly many balls side by side.</summary>
 internal static class Hot

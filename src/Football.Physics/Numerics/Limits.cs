@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The largest sizes that a scene, a launch or a step may have.</summary>
 public static class Limits

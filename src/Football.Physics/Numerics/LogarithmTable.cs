@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>ln x by table: the exponent bits of x choose a constant, its top mantissa bits a cubic. For what is asked at every stage of a step.</summary>
 /// <remarks>Absolute error below 1e-11 over all positive normal x; no division, no branch.</remarks>

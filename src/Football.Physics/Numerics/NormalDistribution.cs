@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The normal distribution: its integral, numbers drawn from it, and the chance of a rectangle in two dimensions.</summary>
 internal static class NormalDistribution

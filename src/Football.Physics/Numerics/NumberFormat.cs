@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The format that values have where none is asked for.</summary>
 internal static class NumberFormat

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>x^q for one fixed exponent q, by table: the exponent bits of x choose a scale, its top mantissa bits a cubic.</summary>
 /// <remarks>Relative error below 3e-12 for 0 ≤ q ≤ 2 over all normal x ≥ 0; no division, no square root, no branch.</remarks>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 #endif
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Four numbers side by side, in one register where there is one: the same bits with it and without.</summary>
 internal readonly struct Quad

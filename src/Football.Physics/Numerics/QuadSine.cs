@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Sine and cosine of four angles at once, from + − × alone and without a branch: for sums of waves.</summary>
 /// <remarks>Absolute error below 1e-13 for angles of less than a turn; beyond, what rounding of the angle itself adds.</remarks>

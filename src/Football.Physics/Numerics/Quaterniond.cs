@@ -3,7 +3,7 @@ using System.Numerics;
 using System.Runtime.Serialization;
 using System.Text.Json.Serialization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A rotation as a unit quaternion of doubles, (x, y, z, w), turning body coordinates into world coordinates.</summary>
 public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable

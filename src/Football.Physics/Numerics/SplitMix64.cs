@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>splitmix64 as a counter generator: the same number for the same seed and counter, in any order.</summary>
 internal static class SplitMix64

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A symmetric 3×3 matrix: the curvature of a shape, for instance.</summary>
 public readonly struct SymmetricMatrix3d

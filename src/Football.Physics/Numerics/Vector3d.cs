@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.Serialization;
 using System.Text.Json.Serialization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A vector of three doubles: the library's own arithmetic type, the same bits on every runtime.</summary>
 /// <remarks>Made from + − × ÷ √ only. <see cref="Vector3"/> is converted implicitly; the way back is <see cref="ToVector3"/>.</remarks>

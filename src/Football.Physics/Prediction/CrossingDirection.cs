@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Which way a plane is crossed.</summary>
 public enum CrossingDirection

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>How far to look ahead, and in which steps. It ends at the first of the conditions that are set.</summary>
 public sealed record LookAheadRequest

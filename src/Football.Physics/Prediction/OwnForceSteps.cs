@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Looks ahead through forces of a game's own, which may be stiffer than air, in steps that follow them.</summary>
 /// <remarks>Step doubling: a step is taken once whole and once in halves, and halved until the two agree.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Tells when a ball that passed a point comes no closer to it any more.</summary>
 /// <remarks>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A point of a predicted path.</summary>
 public readonly struct PathPoint : IFormattable

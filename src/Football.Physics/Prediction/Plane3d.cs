@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.Json.Serialization;
 
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
 /// <remarks>Its default value has no normal, and is no plane: whatever is given one refuses it.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Looking ahead, which is the simulation itself on a copy of the state, and warming up.</summary>
 /// <remarks>Extensions, since a simulator knows nothing of trajectories; in its namespace, so that they are found as its members are.</remarks>

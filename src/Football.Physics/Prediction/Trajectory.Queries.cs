@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <content>Questions that a path answers: the highest point, crossings, closest approaches, places at equal times.</content>
 public sealed partial class Trajectory

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A predicted way of the ball, dense in time. Its memory is made once and used again by every look-ahead.</summary>
 public sealed partial class Trajectory

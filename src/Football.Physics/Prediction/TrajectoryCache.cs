@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date, doing as little as it can.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Scenes of their own in which a warm-up plays what seldom happens: so that no frame of a game has to compile its code.</summary>
 internal static class WarmUpScenes

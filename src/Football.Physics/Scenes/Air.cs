@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The air that the ball moves through.</summary>
 public sealed record Air

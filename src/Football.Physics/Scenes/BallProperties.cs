@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The properties of a ball: mass, radius, inertia, drag curve, knuckle force.</summary>
 /// <remarks>Numbers are tagged: law (the Laws of the Game, or exact mechanics), measured, derived, guess (no measurement found).</remarks>

@@ -1,7 +1,7 @@
 using System.Collections;
 using System.Globalization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A thing that the game moves: a foot, a leg, a head, a keeper's hand. The game says before a step where it is and how fast it goes; within the step

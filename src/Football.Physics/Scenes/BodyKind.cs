@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="Bodies.Add(string, BodyKind, int)"/>.</summary>
 public sealed record BodyKind

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Which measurements the empirical laws of drag, Magnus force and spin decay follow, and in which form.</summary>
 public enum CoefficientForm

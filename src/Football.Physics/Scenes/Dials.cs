@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The condition of ball and pitch in a designer's words. Each dial changes numbers of a scene by a formula; at its default it changes none.</summary>
 public sealed record Dials

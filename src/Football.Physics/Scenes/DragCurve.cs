@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>
 /// Drag coefficient of a ball without spin by Reynolds number Re = 2r|u|/ν, through its drag crisis: the form and the rows of Kiratidis and

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>
 /// A collider of a game engine, as the ball sees it: of a known shape, which moves; or, where it has none here (a mesh, a terrain), as the plane or sphere

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>The hits that a sphere cast has found.</summary>
 public sealed class EngineHits

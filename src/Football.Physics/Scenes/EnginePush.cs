@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>How an engine's collider is, and what has pushed it.</summary>
 internal readonly struct EnginePush

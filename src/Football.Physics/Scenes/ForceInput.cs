@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>The input of a force: the ball at one instant.</summary>
 public readonly struct ForceInput

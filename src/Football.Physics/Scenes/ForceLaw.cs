@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>By which law a force or torque acts.</summary>
 public enum ForceLaw

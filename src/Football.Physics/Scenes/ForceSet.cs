@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The forces and torques of a scene. Each can be left out or replaced, and a game can add its own.</summary>
 public sealed record ForceSet

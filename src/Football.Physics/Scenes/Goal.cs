@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A goal: two posts, a bar, nets, and the line that all of a ball must pass. Sizes by law 1 of the game.</summary>
 /// <remarks><see cref="BallEventKind.Goal"/> says when it counts.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// What a goal is. The ball's centre comes through the mouth, the plane of the posts' axes, between the posts and below the bar; it does not go back through

@@ -1,6 +1,6 @@
 using System.Text.Json.Serialization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The ground: its material, its height and shape, and the thresholds of bounce and rest. By default it is level.</summary>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]

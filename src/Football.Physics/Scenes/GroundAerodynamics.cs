@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The part of drag and Magnus force that acts while the ball is on the ground.</summary>
 public enum GroundAerodynamics

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>The colliders of a game engine. The engine says what lies near a straight way; the library finds the instant of contact on the ball's own path.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>The materials of a pitch from place to place: a mown stripe, a wet half. A game's own is one such function.</summary>
 /// <remarks>It is asked several times a step on the ground, so it should be a pure function that allocates nothing.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Layers of objects and zones, 0 … 31, and sets of layers that a ball ignores (<see cref="BallProperties.Ignores"/>).</summary>
 public static class Layers

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Spheres around things that move, four side by side, for a quick look: most are too far to be met, and that is seen of four at once.</summary>
 internal sealed class MovingSpheres

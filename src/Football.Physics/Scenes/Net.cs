@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A soft sheet: a rectangle that takes energy from the ball and gives it back slowly.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>One number of a part of the scene: its name in JSON and messages, unit, range and access.</summary>
 /// <typeparam name="T">The part.</typeparam>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A thing that can be hit: a shape with a surface. It may move with a constant velocity, and its surface may turn.</summary>
 public sealed record Obstacle

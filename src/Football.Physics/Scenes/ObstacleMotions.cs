@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Where the obstacles of a scene that have a mass have got to: what an impact pushes does not stay where the scene has it.</summary>
 internal sealed class ObstacleMotions

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A pitch: its lines, its two goals, and boards round it. The middle is the origin; goals stand at −z and +z. Sizes by law 1 of the game.</summary>
 public sealed record Pitch

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Where a thing is that somebody else moves: its motion, and a box around it as it is turned.</summary>
 internal sealed class Placement

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Position and motion of an object: constant velocity and constant spin. The spin moves the surface; it also rotates the shape about the pivot

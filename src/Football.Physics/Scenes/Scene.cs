@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Everything a flight depends on but the kick: ball, air, gravity, forces, ground. Built once; immutable.</summary>
 public sealed record Scene

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The numbers of a scene, each with its name, unit, meaning, evidence of its default, range and access. Validation, JSON in both directions, the scene hash and the tables of the docs use these lists.</summary>
 internal static class SceneFields
@@ -94,7 +94,7 @@ internal static class SceneFields
     {
         foreach (NumberField<T> field in fields)
         {
-            Physics.Check.Within(prefix + field.Name, field.Get(part), field.Least, field.Most, field.IsAboveLeast);
+            FootballPhysics.Check.Within(prefix + field.Name, field.Get(part), field.Least, field.Most, field.IsAboveLeast);
         }
     }
 }

@@ -1,4 +1,4 @@
-namespace Football.Physics.Engines;
+namespace FootballPhysics.Engines;
 
 /// <summary>A sphere that is moved along a straight way, to see what it touches.</summary>
 public readonly struct SphereCast

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 public sealed partial record SurfaceMaterial
 {

@@ -1,6 +1,6 @@
 using System.Text.Json.Serialization;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A material: how the ball bounces off it, slides on it and rolls on it. The pitch and every object have one. The default numbers are those of <see cref="MatchTurf"/>.</summary>
 /// <remarks><see cref="Presets"/> lists the presets by name. Each preset states its evidence: measured, derived, guess (no measurement found), or published (the thesis).</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>Rectangles of a pitch that are made of something else: worn turf in a goal's mouth, a wet half.</summary>
 public sealed class SurfaceRectangles : ISurfacePattern

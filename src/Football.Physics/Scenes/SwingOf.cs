@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Speeds that a rotation gives to a shape.</summary>
 internal static class SwingOf

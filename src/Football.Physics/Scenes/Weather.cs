@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The weather that air has its density and viscosity from; within 0.05 % of CIPM-2007 where that holds.</summary>
 public sealed record Weather

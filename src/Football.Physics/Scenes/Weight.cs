@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Sum of gravity and buoyancy, equal everywhere, whatever the ball does.</summary>
 internal static class Weight

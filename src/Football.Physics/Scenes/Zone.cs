@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A part of space that the ball passes freely: it only reports when the ball enters and leaves it. A penalty area, a touch line, a trigger of a level.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The part of the ball that decides whether the ball is in a <see cref="Zone"/>.</summary>
 public enum ZonePart

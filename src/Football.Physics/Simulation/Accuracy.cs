@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>How close to the exact solution of its laws a flight is to be, from the kick to the impact.</summary>
 /// <remarks>

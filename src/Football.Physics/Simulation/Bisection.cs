@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The thesis' search for the time of impact with the level ground (2.4.4).</summary>
 internal static class Bisection

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// What the game has done to a ball by moving its bodies between two steps: one that was put over the ball pushes it out, one that was taken away from

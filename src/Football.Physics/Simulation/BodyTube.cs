@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A straight tube along the way of a ball in which no body was found, for some time. Until a ball leaves it, or bodies have strayed by its width from

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// True when a flight, or a way along the ground, meets nothing but level ground. The broad phase is asked for several steps at once, and its answer is kept with the state as a time:

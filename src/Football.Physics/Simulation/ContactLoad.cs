@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>What presses a ball on a surface that it touches: whether it stays there after an impact, whether friction can hold it, whether it is carried at all.</summary>
 internal sealed class ContactLoad

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball that moving objects squeeze: they leave it no room, and it goes as far as it can in parts of a step.</summary>
 internal sealed partial class ContactSetParts

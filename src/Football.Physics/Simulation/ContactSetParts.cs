@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball that several contacts carry, guide or press at once, in short parts of a step: forces at both ends, impulses by <see cref="ContactSolver"/>, the

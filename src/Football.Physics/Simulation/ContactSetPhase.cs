@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball on several surfaces at once, in whole steps of the method: the contacts and their modes are locked for a piece (<see cref="ContactSystem"/>), and the piece

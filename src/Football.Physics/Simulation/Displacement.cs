@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball that is pushed from place to place, by what it overlaps: it meets nets, and comes through goals, on that way too.

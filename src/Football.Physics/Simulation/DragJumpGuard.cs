@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Watches the surfaces at which the published drag law jumps. A piece of motion is locked to one branch of the law; where it crosses a

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Ends a piece of a slide or a roll where the flat face under the ball ends: at the edge of a box, where another tile may carry the ball on.</summary>
 internal static class FaceBorder

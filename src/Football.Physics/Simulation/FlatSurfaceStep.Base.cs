@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Whole steps on flat ground, whatever the laws of the air.</summary>
 internal abstract class FlatSurfaceStep

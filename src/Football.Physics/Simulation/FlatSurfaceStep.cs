@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Whole steps of sliding and rolling on flat ground with nothing else near: nearly every step that a ball takes on the ground. The motion has two components

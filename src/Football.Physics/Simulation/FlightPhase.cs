@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Flight, piece by piece. A piece is as long as stability allows; it ends early at the drag law's jump, where the spin ends, or where the

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The hot step of flight, compiled for one air and one method: it proposes the whole step, takes it, looks whether anything happened, and moves the ball.

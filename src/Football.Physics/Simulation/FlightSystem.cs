@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball in flight with its full spin vector: for the game's own forces, and for the sliding modes of the drag law's jump.</summary>
 internal struct FlightSystem : IMotionSystem

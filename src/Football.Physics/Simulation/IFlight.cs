@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Takes a step of flight along a constant axis of the spin, with the fastest form of the laws that holds.</summary>
 internal interface IFlight

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Whole steps of a ball on several stationary surfaces, whatever the laws of the air.</summary>
 internal abstract class LineStep

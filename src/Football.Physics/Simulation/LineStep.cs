@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Whole steps of a ball that rolls between stationary surfaces, or spins on its spot there, with nothing else near: along a board, in a gutter, in a corner. The surfaces

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The forces of a part of a step that impulses end: bounded, so that a part overshoots nothing however long it is.</summary>
 internal static class PartForces

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A watcher of a simulation, piece by piece: for exact apexes, lengths, crossings, dense paths. Set as <see cref="StepLog.Observer"/>.</summary>
 public abstract class PieceObserver

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A ball at rest: whether what touches it still holds it (world.md, Rest is a condition), and its way along with what carries it, up to the first thing that hits it.

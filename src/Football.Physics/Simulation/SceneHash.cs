@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A hash of what decides a ball's way in a scene: its numbers, and of what is code (laws of the air, winds, shapes) the answers at some places. Scenes that are the same

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A step of the ball in one scene with one method, as a loop over pieces, each by the phase that the ball is in. The whole step of flight in which

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The accelerations of a ball on several surfaces without its contacts, if all of the air counts: g + L (ω × u) − D u, and −decay ω.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// What ends a piece on several surfaces: a load or the room in a friction cone ends, a slip passes zero, a contact that bears nothing is pressed, the ball comes to

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, obstacles that have a mass, or an engine's colliders, one thread at a time.</summary>
 public sealed class Simulator
@@ -389,7 +389,7 @@ public sealed class Simulator
     {
         get
         {
-            _sceneHash ??= Physics.SceneHash.Of(Scene, Settings, _world, this);
+            _sceneHash ??= FootballPhysics.SceneHash.Of(Scene, Settings, _world, this);
             return _sceneHash.Value;
         }
     }

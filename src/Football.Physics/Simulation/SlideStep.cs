@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Whole steps of a ball that slips on two stationary surfaces at once (<see cref="SlideForces"/>), by the same rules as those of <see cref="LineStep{TAir}"/>.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>

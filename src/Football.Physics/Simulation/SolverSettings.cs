@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>How a scene is integrated.</summary>
 public sealed record SolverSettings

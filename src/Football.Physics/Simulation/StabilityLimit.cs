@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>How long a piece of motion may be: so short that no force changes the motion by more than itself, explicit Euler's limit of no overshoot.</summary>
 internal readonly struct StabilityLimit

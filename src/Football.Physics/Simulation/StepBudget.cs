@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The counters that bound a ball's step (contacts.md, Bounds). A step that is taken in several calls carries them from one call to the next.</summary>
 internal struct StepBudget

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>What a log keeps of the zones that watch a step.</content>
 public sealed partial class StepLog

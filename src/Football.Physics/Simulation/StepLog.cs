@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The log of a step or a run, beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
 public sealed partial class StepLog

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Rest of a step that is still to be done.</summary>
 internal ref struct StepRun

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Advances ball states in one scene with one method. Nothing of it changes, so many balls and threads can share it; but where a game moves bodies, or an engine

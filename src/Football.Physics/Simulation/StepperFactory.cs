@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Makes the stepper of a scene. Flight is compiled for a handful of airs (published, measured, regularised, constant, none), one that asks any mixture

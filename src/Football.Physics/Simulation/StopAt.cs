@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The event that ends a run before its time is up.</summary>
 public enum StopAt

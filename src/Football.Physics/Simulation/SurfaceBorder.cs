@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Ends a piece of a slide or a roll where the ground turns into something else.</summary>
 internal static class SurfaceBorder

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// What ends a piece of a slide or a roll: the load or the grip ends, a rolling ball comes to rest, or the spin about the normal reaches zero under

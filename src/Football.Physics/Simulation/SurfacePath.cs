@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Keeps a piece along a surface so short that its path stays on it. How far a step goes off a surface depends on how that bends where the step

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Sliding and rolling on any surface of the world, piece by piece: up to the drag law's jump, the first thing that is met, the end of the slip or of

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A step in flight along a constant axis of the spin, to be taken with several lengths.</summary>
 internal struct FlightSweep<TIntegrator> : IFlightSweep

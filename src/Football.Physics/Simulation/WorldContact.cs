@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Effect of touching a thing of the world: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
 internal sealed class WorldContact

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Ends a piece of motion at the first thing of the world that it meets, and does what that calls for.</summary>
 internal sealed class WorldGuard

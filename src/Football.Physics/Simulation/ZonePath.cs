@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The path of a piece as a polynomial of the fifth degree in the share s of the piece that is over, 0 … 1.</summary>
 internal readonly struct ZonePath

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The crossings of the border of one zone along one path, in order.</summary>
 /// <remarks>

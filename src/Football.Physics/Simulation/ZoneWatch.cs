@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The zones of a scene, watched from piece to piece of the path. Immutable; what it must remember of a ball is in the ball's log.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The branch of the published drag law that a step is locked to.</summary>
 internal enum DragBranch

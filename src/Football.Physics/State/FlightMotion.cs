@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>State that a step of flight changes, apart from the place: a part of the ball's state, so that one step hands it to the next where it lies.</summary>
 internal struct FlightMotion

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Velocity and spin of a kick from the numbers that a game has: speed, angles, top- and sidespin.</summary>
 public static class KickVectors

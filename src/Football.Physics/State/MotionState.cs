@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The motion of the ball, which decides which forces act.</summary>
 public enum MotionState

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Checks that a state that came as bytes is one that a ball can have.</summary>
 internal static class StateCheck

@@ -1,6 +1,6 @@
 using System.Threading.Tasks.Dataflow;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>Answers lines on several threads, in input order, without holding more than a few of them.</summary>
 public static class BatchPipeline

@@ -2,7 +2,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>A value that takes the place of a field's in every scenario, whether the field was given or not.</summary>
 public sealed class FieldOverride

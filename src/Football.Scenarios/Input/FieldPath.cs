@@ -1,4 +1,4 @@
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The way to a field: launch.velocity, launch.velocity[0], launch.velocity.0.</summary>
 public static class FieldPath

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>One object of the input, bare or as {"name", "scenario"}, with its overrides; its fields are not yet checked.</summary>
 /// <param name="Name">The name, where there is one; a refused input may have one too.</param>

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The fields of one input: those that were asked for, those that are there, and what is wrong with them.</summary>
 public sealed class InputFields

@@ -1,4 +1,4 @@
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>A line of the input: its text, and whether that was cut because it got too long.</summary>
 public readonly record struct InputLine(byte[] Text, bool IsCut)

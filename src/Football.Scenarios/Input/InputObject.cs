@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>
 /// An object of the input whose members are taken one by one, each with its default. What was asked for is known, all else is unknown;
@@ -113,9 +113,9 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         }
 
         double[] layers = value.ValueKind == JsonValueKind.Array ? [.. value.EnumerateArray().Select(NumberOf)] : [double.NaN];
-        return layers.All(layer => layer == Math.Floor(layer) && layer is >= 0 and <= Physics.Layers.Highest)
+        return layers.All(layer => layer == Math.Floor(layer) && layer is >= 0 and <= FootballPhysics.Layers.Highest)
             ? Array.ConvertAll(layers, layer => (int)layer)
-            : Refuse<int[]>(name, $"a list of layers, whole numbers 0 … {Physics.Layers.Highest}", []);
+            : Refuse<int[]>(name, $"a list of layers, whole numbers 0 … {FootballPhysics.Layers.Highest}", []);
     }
 
     /// <summary>A whole number of 64 bits, or null.</summary>

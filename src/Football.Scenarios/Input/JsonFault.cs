@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>What is wrong with a text that is not strict JSON.</summary>
 /// <param name="Path">The field at which it goes wrong, empty for the whole.</param>

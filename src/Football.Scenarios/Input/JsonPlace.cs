@@ -1,7 +1,7 @@
 using System.Text;
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>Where a reader is in a JSON text: the path of the value that it is about to read.</summary>
 public sealed class JsonPlace

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using System.Text.Unicode;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>JSON read strictly: no comments, no trailing commas, no member twice, no depth without end.</summary>
 public static class JsonText

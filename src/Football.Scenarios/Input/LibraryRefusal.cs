@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>
 /// The ranges stand in the library, whose refusals name the field as a scenario does: this says them again with the value as it was

@@ -1,6 +1,6 @@
 using System.Buffers;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>Reads lines, or a whole text, from a stream; of a long one only the beginning is kept.</summary>
 public sealed class LineReader(Stream input)

@@ -1,4 +1,4 @@
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The numbers that are allowed where the library has no range of its own, with their unit.</summary>
 public readonly record struct NumberRange(double Low, double High, string Unit)

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>Makes foreign text fit for a message: one line, printable, short.</summary>
 public static class Quote

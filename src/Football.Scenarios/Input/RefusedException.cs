@@ -1,4 +1,4 @@
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The input is refused. The message is one line for the user that names field, value and what is allowed.</summary>
 public sealed class RefusedException : Exception

@@ -1,4 +1,4 @@
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>Guesses which name a misspelt one was meant to be.</summary>
 public static class Spelling

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Scenarios.Input;
+namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>The values of an enumeration as the formats write them.</summary>
 public static class Words

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Tool.Aim;
+namespace FootballPhysics.Tool.Aim;
 
 /// <summary>football aim: finds the kicks that the scenarios of a file ask for.</summary>
 internal static class AimCommand

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Aim;
+namespace FootballPhysics.Tool.Aim;
 
 /// <summary>Finds the kick that a scenario asks for.</summary>
 internal static class AimRun

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Aim;
+namespace FootballPhysics.Tool.Aim;
 
 /// <summary>One request for a kick: scene, what the kick is to do, by which method, in which steps.</summary>
 internal sealed record AimScenario

@@ -1,9 +1,9 @@
 using System.Globalization;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
 using Spectre.Console;
 
-namespace Football.Tool.Aim;
+namespace FootballPhysics.Tool.Aim;
 
 /// <summary>A kick that was found, as a table for a person.</summary>
 internal static class AimTable

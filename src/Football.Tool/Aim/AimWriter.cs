@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Aim;
+namespace FootballPhysics.Tool.Aim;
 
 /// <summary>Writes kicks that were found as JSON, one line each.</summary>
 internal static class AimWriter

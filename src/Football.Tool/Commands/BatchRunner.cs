@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Globalization;
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
 /// <typeparam name="T">What becomes of a scenario.</typeparam>

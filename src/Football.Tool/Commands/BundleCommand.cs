@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Globalization;
-using Football.Scenarios;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football bundle: a match that came with an issue, played again.</summary>
 internal static class BundleCommand

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 using Spectre.Console;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>A cell of a table: what came from a file is shown as it is, neither marked up nor obeyed by the terminal.</summary>
 internal static class Cell

@@ -2,11 +2,11 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
-using Football.Tool.Aim;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep;
+using FootballPhysics.Tool.Aim;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>The whole command: arguments in, exit code out.</summary>
 internal static class CommandLineEntry

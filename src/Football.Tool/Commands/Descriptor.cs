@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>The descriptors that this process was started with.</summary>
 internal static class Descriptor

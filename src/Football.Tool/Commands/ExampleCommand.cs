@@ -1,6 +1,6 @@
 using System.CommandLine;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>A command whose help shows how it is used.</summary>
 /// <param name="name">Its name.</param>

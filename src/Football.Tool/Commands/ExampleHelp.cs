@@ -2,7 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>The help of a command with its examples below.</summary>
 internal sealed class ExampleHelp(HelpAction help) : SynchronousCommandLineAction

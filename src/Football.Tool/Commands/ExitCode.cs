@@ -1,4 +1,4 @@
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>What the process reports at its end.</summary>
 internal static class ExitCode

@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Microsoft.Win32.SafeHandles;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Which file is behind a name: the same for every link to it, hard or symbolic, and however the folders before it are named.</summary>
 internal static class FileIdentity

@@ -1,8 +1,8 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 using System.CommandLine;
-using Football.Tool.Fit;
+using FootballPhysics.Tool.Fit;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football fit: the launch, and numbers of a scene, from where a camera saw a ball.</summary>
 internal static class FitCommand

@@ -1,10 +1,10 @@
 using System.CommandLine;
-using Football.Tool.Gallery;
-using Football.Scenarios.Input;
-using Football.Tool.Replay;
-using Football.Scenarios;
+using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football gallery: plays a few shots and draws them.</summary>
 internal static class GalleryCommand

@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Football.Tool.Intercept;
+using FootballPhysics.Tool.Intercept;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football intercept: who gets to the ball in the scenarios of a file.</summary>
 internal static class InterceptCommand

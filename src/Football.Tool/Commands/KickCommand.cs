@@ -1,10 +1,10 @@
 using System.CommandLine;
 using System.Text.Json;
-using Football.Tool.Gallery;
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football kick: plays one kick said in numbers, without a file.</summary>
 internal static class KickCommand

@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Diagnostics;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football lab: starts the laboratories of a checkout, which measure the library and are no part of the tool.</summary>
 internal static class LabCommand

@@ -1,8 +1,8 @@
 using System.Text;
 using System.Xml.Linq;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>A file that is opened before the work that fills it, so that nobody waits for nothing.</summary>
 internal sealed class OutputFile : IDisposable

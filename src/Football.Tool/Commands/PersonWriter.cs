@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Text for a person. What came from a file may hold anything: a terminal is shown its control characters, and does not obey them.</summary>
 internal sealed class PersonWriter(TextWriter writer) : TextWriter(CultureInfo.InvariantCulture)

@@ -1,6 +1,6 @@
 using Spectre.Console;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>One line that tells how far long work is, how fast it goes and how long it will take; nothing where nobody looks.</summary>
 internal sealed class Progress

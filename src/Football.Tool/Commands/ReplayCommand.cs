@@ -1,10 +1,10 @@
 using System.CommandLine;
-using Football.Scenarios.Input;
-using Football.Tool.Replay;
-using Football.Tool.Replay.Gltf;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Tool.Replay.Gltf;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football replay: shots as a page that moves, and as a scene for other programs.</summary>
 internal static class ReplayCommand

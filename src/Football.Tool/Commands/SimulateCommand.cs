@@ -1,8 +1,8 @@
 using System.CommandLine;
-using Football.Tool.Gallery;
-using Football.Scenarios;
+using FootballPhysics.Tool.Gallery;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>football simulate: plays the scenarios of a file.</summary>
 internal static class SimulateCommand

@@ -1,4 +1,4 @@
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>A standard output as this program wants it: one that carries data ends the run when it is closed, one that carries hints never does.</summary>
 /// <param name="inner">The stream.</param>

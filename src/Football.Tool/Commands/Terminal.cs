@@ -2,7 +2,7 @@ using System.Text;
 using Microsoft.Win32.SafeHandles;
 using Spectre.Console;
 
-namespace Football.Tool.Commands;
+namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Where the command reads and writes: data to the output; what is meant for a person to where a person sees it.</summary>
 internal sealed class Terminal

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>A scene, and where a camera saw a ball in it.</summary>
 internal sealed record FitScenario

@@ -1,8 +1,8 @@
 using System.Globalization;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 using Spectre.Console;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>A fit as a table for a person.</summary>
 internal static class FitTable

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>A fit as a line of JSON.</summary>
 internal static class FitWriter

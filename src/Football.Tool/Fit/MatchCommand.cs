@@ -1,10 +1,10 @@
 using System.CommandLine;
-using Football.Drawing;
-using Football.Scenarios;
-using Football.Scenarios.Input;
-using Football.Tool.Commands;
+using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>football fit --match: what the whole track of a match tells.</summary>
 internal sealed class MatchCommand

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>A picture of the fit of a match: from above, from the side by time, and the distances of each flight.</summary>
 internal static class MatchPicture

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>The fit of a match as lines of JSON: its pieces in order of time, then a summary.</summary>
 internal static class MatchWriter

@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Fit;
+namespace FootballPhysics.Tool.Fit;
 
 /// <summary>Reads the track of a ball from CSV as trackers write it: a header, then a line a moment; positions in the frame of a pitch, z up, become those of the library, y up.</summary>
 /// <remarks>

@@ -1,11 +1,11 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Football.Tool.Replay;
-using Football.Drawing;
-using Football.Scenarios;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>All shots on one page that needs nothing but itself and the moving page beside it.</summary>
 internal static class ContactSheet

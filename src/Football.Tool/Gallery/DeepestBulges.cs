@@ -1,7 +1,7 @@
-using Football.Scenarios;
-using Football.Tool.Replay;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>How deep a shot bulges the nets of its scene.</summary>
 internal static class DeepestBulges

@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A free kick over a wall that the two-point solver finds: through a point above the wall, into the corner behind it.</summary>
 internal static class FoundKick

@@ -1,6 +1,6 @@
-using Football.Tool.Replay;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>What stands and lies around the shots of the gallery, by its place along the view and to the left of it, m.</summary>
 internal static class Furniture

@@ -1,7 +1,7 @@
-using Football.Tool.Replay;
-using Football.Scenarios;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A shot of the gallery, and what to draw around it.</summary>
 internal sealed record GalleryShot

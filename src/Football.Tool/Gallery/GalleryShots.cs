@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>The shots of the gallery.</summary>
 internal static class GalleryShots

@@ -1,4 +1,4 @@
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>The directions of a goal.</summary>
 internal static class GoalAxes

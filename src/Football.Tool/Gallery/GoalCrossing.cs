@@ -1,4 +1,4 @@
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>Whether a shot is a goal, and by how much.</summary>
 internal static class GoalCrossing

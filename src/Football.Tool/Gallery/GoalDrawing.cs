@@ -1,8 +1,8 @@
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Tool.Replay;
+using FootballPhysics.Drawing;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>Draws the goal that a shot reaches as who stands in front of it sees it, and the ball in it as large as it is.</summary>
 internal static class GoalDrawing

@@ -1,7 +1,7 @@
-using Football.Tool.Replay;
-using Football.Scenarios;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>Shots that answer a question: can the goalkeeper get there, which kick bounces once, which goes in off the post, how surely does a penalty go in?</summary>
 internal static class QueryShots

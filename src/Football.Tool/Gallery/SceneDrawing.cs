@@ -1,7 +1,7 @@
-using Football.Drawing;
-using Football.Tool.Replay;
+using FootballPhysics.Drawing;
+using FootballPhysics.Tool.Replay;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>What stands in a scene, as items of a chart that looks at it from the side or from above.</summary>
 internal static class SceneDrawing

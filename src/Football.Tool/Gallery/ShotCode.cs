@@ -1,9 +1,9 @@
 using System.Buffers;
 using System.Text;
 using System.Text.Json;
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A shot as a program and as a command, whole: with goal, wall and goalkeeper, to the last digit.</summary>
 internal static class ShotCode
@@ -21,8 +21,8 @@ internal static class ShotCode
         string built = things.Length == 0 ? scene : $"{(scene.Contains(' ', StringComparison.Ordinal) && scene != "new Scene()" ? $"({scene})" : scene)} with\n{{\n{string.Concat(things)}}}";
         string place = scenario.Position.Y > scenario.Scene.Ball.Radius || scenario.Position.Y < scenario.Scene.Ball.Radius || scenario.Position.Horizontal.Length > 0 ? $"ball.Place({Of(scenario.Position)});\n" : "";
         return $$"""
-            using Football.Physics;
-            {{(scenario.Scene.Obstacles.Count > 0 ? "using Football.Physics.Shapes;\n" : "")}}
+            using FootballPhysics;
+            {{(scenario.Scene.Obstacles.Count > 0 ? "using FootballPhysics.Shapes;\n" : "")}}
             var ball = new Ball({{built}});
             {{place}}ball.Kick(velocity: {{Of(scenario.Velocity)}}, spin: {{Of(scenario.Spin)}});
             while (ball.Motion != MotionState.Stopped)

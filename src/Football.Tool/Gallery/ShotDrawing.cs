@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Xml.Linq;
-using Football.Drawing;
-using Football.Tool.Replay;
-using Football.Scenarios;
+using FootballPhysics.Drawing;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>Draws a shot from the side and from above, a metre as long in one view as in the other, and a goal that it reaches from in front.</summary>
 internal static class ShotDrawing

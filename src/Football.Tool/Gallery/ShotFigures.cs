@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A shot in numbers. What belongs to the first touchdown is null for a ball that never left the ground.</summary>
 /// <param name="Carry">Horizontal distance to the first touchdown, m.</param>

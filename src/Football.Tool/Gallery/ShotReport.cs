@@ -1,10 +1,10 @@
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 using System.Globalization;
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 using Spectre.Console;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A shot for a person in a terminal: its figures, its events, and what it looks like from behind its launch.</summary>
 internal sealed class ShotReport

@@ -1,8 +1,8 @@
 using System.Xml.Linq;
-using Football.Tool.Replay;
-using Football.Scenarios;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A shot that was played and drawn.</summary>
 internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string Remark, XElement Drawing, ReplayPicture Moving)

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>A line drawn in the dots of Braille letters: two across and four down in each.</summary>
 /// <param name="columns">Width in letters, without the labels.</param>

@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>The shots of the gallery that hit something: frames, nets, a head, a wall.</summary>
 internal static class ThingShots

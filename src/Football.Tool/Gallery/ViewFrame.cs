@@ -1,4 +1,4 @@
-namespace Football.Tool.Gallery;
+namespace FootballPhysics.Tool.Gallery;
 
 /// <summary>Places of the world as a spectator behind the kick sees them: along the view, to its left, and up.</summary>
 /// <remarks>The gallery looks along −z, which is forward in the library's convention; −x is then to the left.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Tool.Intercept;
+namespace FootballPhysics.Tool.Intercept;
 
 /// <summary>Who gets to the ball, and when.</summary>
 /// <param name="Scenario">What was asked.</param>

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Intercept;
+namespace FootballPhysics.Tool.Intercept;
 
 /// <summary>Plays a shot and finds who gets to the ball.</summary>
 internal static class InterceptRun

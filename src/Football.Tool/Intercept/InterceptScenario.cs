@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Intercept;
+namespace FootballPhysics.Tool.Intercept;
 
 /// <summary>A shot, and those who go for the ball.</summary>
 internal sealed record InterceptScenario

@@ -1,8 +1,8 @@
 using System.Globalization;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 using Spectre.Console;
 
-namespace Football.Tool.Intercept;
+namespace FootballPhysics.Tool.Intercept;
 
 /// <summary>Who gets to the ball, as a table for a person.</summary>
 internal static class InterceptTable

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Intercept;
+namespace FootballPhysics.Tool.Intercept;
 
 /// <summary>Writes who gets to the ball as JSON, one line a scenario.</summary>
 internal static class InterceptWriter

@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>An eye behind the ball that looks where it is kicked, and what it sees on a sheet.</summary>
 internal sealed class Eye

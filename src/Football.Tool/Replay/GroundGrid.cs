@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Heights of the ground on a grid that reaches a little beyond what is to be seen.</summary>
 /// <param name="X">Least x, m.</param>

@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Shots as one SVG that moves by itself, for pages that run no program: seen from behind the ball, again and again.</summary>
 internal static class MovingDrawing

@@ -1,8 +1,8 @@
 using System.Text;
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A net in an SVG that gives way to the ball.</summary>
 internal static class MovingNet

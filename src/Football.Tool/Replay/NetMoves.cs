@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A net that is pushed out, at an instant.</summary>
 /// <param name="Time">The instant, s.</param>

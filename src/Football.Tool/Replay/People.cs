@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Obstacles that are people, as pictures draw them: by name and size, since to the ball they are boxes and rods.</summary>
 internal static class People
@@ -11,18 +11,18 @@ internal static class People
     /// <summary>The players of an obstacle named "wall", the goalkeeper of one named "keeper", who is under one named "head", each as feet, shoulders, hands and the direction he faces; null for all else.</summary>
     public static IReadOnlyList<Vector3d[]>? Of(Obstacle obstacle) => (obstacle.Name, obstacle.Shape) switch
     {
-        ("wall", Football.Physics.Shapes.BoxShape box) when IsWall(box) => Row(box),
-        ("wall", Football.Physics.Shapes.CapsuleShape rod) => [Standing(new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z), 1.45)],
-        ("wall", Football.Physics.Shapes.SphereShape) => [],
-        ("keeper", Football.Physics.Shapes.CapsuleShape rod) => [Stretched(rod)],
-        ("head", Football.Physics.Shapes.SphereShape head) => [Jumping(head, obstacle.Velocity)],
+        ("wall", FootballPhysics.Shapes.BoxShape box) when IsWall(box) => Row(box),
+        ("wall", FootballPhysics.Shapes.CapsuleShape rod) => [Standing(new Vector3d(rod.From.X, rod.From.Y - rod.Radius, rod.From.Z), 1.45)],
+        ("wall", FootballPhysics.Shapes.SphereShape) => [],
+        ("keeper", FootballPhysics.Shapes.CapsuleShape rod) => [Stretched(rod)],
+        ("head", FootballPhysics.Shapes.SphereShape head) => [Jumping(head, obstacle.Velocity)],
         _ => null,
     };
 
     /// <summary>As high as people, thinner than a yard, upright.</summary>
-    private static bool IsWall(Football.Physics.Shapes.BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
+    private static bool IsWall(FootballPhysics.Shapes.BoxShape box) => box.HalfSize.Y is > 0.8 and < 1.2 && box.HalfSize.Z < 0.4 && box.Rotation == Quaterniond.Identity;
 
-    private static Vector3d[][] Row(Football.Physics.Shapes.BoxShape box)
+    private static Vector3d[][] Row(FootballPhysics.Shapes.BoxShape box)
     {
         int count = Math.Max(1, (int)Math.Round(2 * box.HalfSize.X / Room));
         double step = 2 * box.HalfSize.X / count;
@@ -35,7 +35,7 @@ internal static class People
     private static Vector3d[] Standing(Vector3d feet, double shoulders) =>
         [feet, feet + new Vector3d(0, shoulders, 0), feet + new Vector3d(0, 0.62 * shoulders, 0.2), s_ahead];
 
-    private static Vector3d[] Stretched(Football.Physics.Shapes.CapsuleShape rod)
+    private static Vector3d[] Stretched(FootballPhysics.Shapes.CapsuleShape rod)
     {
         Vector3d along = (rod.To - rod.From).Normalized();
         Vector3d hands = rod.To + (rod.Radius * along);
@@ -45,7 +45,7 @@ internal static class People
             : [feet, feet + (1.42 * along), hands, s_ahead];
     }
 
-    private static Vector3d[] Jumping(Football.Physics.Shapes.SphereShape head, Vector3d velocity)
+    private static Vector3d[] Jumping(FootballPhysics.Shapes.SphereShape head, Vector3d velocity)
     {
         Vector3d forward = velocity.Horizontal.Length > 0.1 ? velocity.Horizontal.Normalized() : s_ahead;
         Vector3d shoulders = head.Center - new Vector3d(0, 0.24, 0) - (0.06 * forward);

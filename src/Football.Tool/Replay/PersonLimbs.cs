@@ -1,7 +1,7 @@
 using System.Reflection;
 using System.Text.Json;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>What somebody is drawn of: rods of two radii along a skeleton of feet, shoulders and hands, as the pages' figures.json says.</summary>
 /// <param name="From">One end, m.</param>

@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Sizes of a pitch by law 1 of the game, m.</summary>
 internal static class PitchSize

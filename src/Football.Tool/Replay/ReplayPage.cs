@@ -2,9 +2,9 @@ using System.Buffers;
 using System.Reflection;
 using System.Text;
 using System.Text.Json;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A page that shows shots in motion and needs nothing but itself.</summary>
 internal static class ReplayPage

@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Shots in one moving picture, with what stands around them.</summary>
 internal sealed record ReplayPicture

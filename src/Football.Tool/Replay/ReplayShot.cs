@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A ball of a moving picture.</summary>
 /// <param name="Name">What it is called.</param>

@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A thing of a scene as pictures draw it: lines, which may be thick, and flat faces; where it is at time 0.</summary>
 /// <param name="Name">What it is.</param>

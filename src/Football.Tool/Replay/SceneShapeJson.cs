@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>Shapes and goals as the drawings of pages read them.</summary>
 internal static class SceneShapeJson

@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>What a shape of a picture is, which decides its colour.</summary>
 internal enum SceneShapeKind

@@ -1,5 +1,5 @@
-using Football.Tool.Gallery;
-namespace Football.Tool.Replay;
+using FootballPhysics.Tool.Gallery;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>What stands and lies in a scene, as shapes to draw: goals, nets, obstacles, and the markings that belong to a goal.</summary>
 internal static class SceneShapes
@@ -38,15 +38,15 @@ internal static class SceneShapes
         var shape = new SceneShape(obstacle.Name, kind) { Velocity = obstacle.Velocity };
         return obstacle.Shape switch
         {
-            Football.Physics.Shapes.CapsuleShape rod => shape with { Lines = [[rod.From, rod.To]], Radius = rod.Radius },
-            Football.Physics.Shapes.SphereShape ball => shape with { Lines = [[ball.Center]], Radius = ball.Radius },
-            Football.Physics.Shapes.BoxShape box => shape with { Faces = Faces(box) },
-            Football.Physics.Shapes.PlaneShape plane => shape with { Faces = [Rectangle(plane.Point, plane.Normal)] },
+            FootballPhysics.Shapes.CapsuleShape rod => shape with { Lines = [[rod.From, rod.To]], Radius = rod.Radius },
+            FootballPhysics.Shapes.SphereShape ball => shape with { Lines = [[ball.Center]], Radius = ball.Radius },
+            FootballPhysics.Shapes.BoxShape box => shape with { Faces = Faces(box) },
+            FootballPhysics.Shapes.PlaneShape plane => shape with { Faces = [Rectangle(plane.Point, plane.Normal)] },
             _ => shape,
         };
     }
 
-    private static Vector3d[][] Faces(Football.Physics.Shapes.BoxShape box)
+    private static Vector3d[][] Faces(FootballPhysics.Shapes.BoxShape box)
     {
         Vector3d x = box.Rotation.Rotate(new Vector3d(box.HalfSize.X, 0, 0));
         Vector3d y = box.Rotation.Rotate(new Vector3d(0, box.HalfSize.Y, 0));

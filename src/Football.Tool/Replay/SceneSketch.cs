@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A scene in perspective as SVG: sky, grass, lines, shadows, and what stands there, from far to near.</summary>
 internal static class SceneSketch

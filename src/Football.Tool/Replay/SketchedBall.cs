@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Text;
 using System.Xml.Linq;
-using Football.Drawing;
+using FootballPhysics.Drawing;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A ball that moves in an SVG: its panels turn as it spins, its shadow tells its height, and it goes behind what it passes behind.</summary>
 internal sealed class SketchedBall

@@ -1,6 +1,6 @@
-using Football.Scenarios;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>The way of a ball in as few keys as show it: cubics between them stay within a millimetre of every step.</summary>
 internal sealed class Track

@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay;
+namespace FootballPhysics.Tool.Replay;
 
 /// <summary>
 /// A ball at an instant between which and the next its path is the cubic through places and velocities; at an impact the velocity

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A number of a launch or of an aim: it may differ from row to row without another scene.</summary>
 /// <param name="Path">The field.</param>
@@ -38,11 +38,11 @@ internal sealed record DirectField(string Path, string Column, string Unit, Numb
     /// <summary>Those of a launch.</summary>
     public static IReadOnlyList<DirectField> OfLaunch { get; } =
     [
-        new("launch.speed", "speed", "m/s", Football.Scenarios.KickNumbers.Speeds, (15, 35)),
-        new("launch.elevation", "elevation", "degrees", Football.Scenarios.KickNumbers.Elevations, (5, 35)),
-        new("launch.azimuth", "azimuth", "degrees", Football.Scenarios.KickNumbers.Azimuths),
-        new("launch.topSpin", "topSpin", "rad/s", Football.Scenarios.KickNumbers.Spins, (-40, 40)),
-        new("launch.sideSpin", "sideSpin", "rad/s", Football.Scenarios.KickNumbers.Spins, (-40, 40)),
+        new("launch.speed", "speed", "m/s", FootballPhysics.Scenarios.KickNumbers.Speeds, (15, 35)),
+        new("launch.elevation", "elevation", "degrees", FootballPhysics.Scenarios.KickNumbers.Elevations, (5, 35)),
+        new("launch.azimuth", "azimuth", "degrees", FootballPhysics.Scenarios.KickNumbers.Azimuths),
+        new("launch.topSpin", "topSpin", "rad/s", FootballPhysics.Scenarios.KickNumbers.Spins, (-40, 40)),
+        new("launch.sideSpin", "sideSpin", "rad/s", FootballPhysics.Scenarios.KickNumbers.Spins, (-40, 40)),
         .. Components("launch.position", "m", s_place),
         .. Components("launch.velocity", "m/s", s_speed),
         .. Components("launch.spin", "rad/s", s_spin),

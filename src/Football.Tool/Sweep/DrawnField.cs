@@ -1,8 +1,8 @@
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Columns;
-using Football.Tool.Sweep.Ranges;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Ranges;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A field that is drawn for every row.</summary>
 /// <param name="Path">The field, its parts parted by points.</param>

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>Why shards cannot be put together.</summary>
 internal sealed class MergeFaults

@@ -1,6 +1,6 @@
 using System.Buffers;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>Some rows, written.</summary>
 internal sealed class RowChunk(int files)

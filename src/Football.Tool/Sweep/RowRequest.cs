@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>What a row is to say.</summary>
 /// <param name="Columns">The columns, in their order; none for those that there are by default.</param>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A part of a sweep: parts follow one another.</summary>
 /// <param name="Index">Which, from 1.</param>

@@ -1,6 +1,6 @@
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A folder with a shard.</summary>
 /// <param name="Path">The folder.</param>

@@ -2,12 +2,12 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Reflection;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Formats;
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>football sweep: draws launches or aims from ranges, flies or finds them, and writes a row each.</summary>
 internal static class SweepCommand

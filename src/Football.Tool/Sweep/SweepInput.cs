@@ -1,9 +1,9 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Ranges;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Ranges;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>Reads a sweep and checks all of it, so that no row is refused that could have been refused before the first.</summary>
 internal static class SweepInput

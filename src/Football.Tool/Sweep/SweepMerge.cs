@@ -1,11 +1,11 @@
 using System.CommandLine;
 using System.Security.Cryptography;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Formats;
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>football sweep merge: puts the shards of a folder together to the bytes that one process would have written.</summary>
 internal sealed class SweepMerge

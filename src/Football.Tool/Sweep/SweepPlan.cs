@@ -1,9 +1,9 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Ranges;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Ranges;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A sweep: what its rows have in common, what is drawn for each of them, and what they say.</summary>
 internal sealed class SweepPlan

@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using System.Globalization;
-using Football.Tool.Commands;
-using Football.Tool.Sweep.Output;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Tool.Sweep.Output;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>Tells how far a sweep is: a bar in a terminal; a line now and then in the log of a job that nobody watches.</summary>
 internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink sink, long rows)

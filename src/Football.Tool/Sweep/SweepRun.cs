@@ -1,12 +1,12 @@
 using System.Buffers;
 using System.Collections.Concurrent;
 using System.Threading.Tasks.Dataflow;
-using Football.Tool.Sweep.Columns;
-using Football.Tool.Sweep.Formats;
-using Football.Tool.Sweep.Output;
-using Football.Tool.Sweep.Rows;
+using FootballPhysics.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Sweep.Output;
+using FootballPhysics.Tool.Sweep.Rows;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>Makes the rows of a sweep on several threads, and hands them on in order; however many there are, only a few are in memory.</summary>
 internal sealed class SweepRun

@@ -1,8 +1,8 @@
-using Football.Tool.Aim;
-using Football.Scenarios.Input;
-using Football.Scenarios;
+using FootballPhysics.Tool.Aim;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>What rows have in common: the scene, what is not drawn of a launch or an aim, how to integrate it and when to stop.</summary>
 internal sealed record SweepScene

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep;
+namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>What ends a flight before its time is up.</summary>
 internal enum SweepStop

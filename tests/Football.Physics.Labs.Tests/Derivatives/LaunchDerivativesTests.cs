@@ -1,11 +1,11 @@
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Physics.Labs.Derivatives;
-using Football.Scenarios;
-using Football.Physics.Tests.Reference;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Labs.Derivatives;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tests.Reference;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Derivatives;
+namespace FootballPhysics.Labs.Tests.Derivatives;
 
 /// <summary>How the end of a shot changes with its launch.</summary>
 public sealed class LaunchDerivativesTests

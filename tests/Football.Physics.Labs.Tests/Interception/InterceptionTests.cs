@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Intercept;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Intercept;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Interception;
+namespace FootballPhysics.Labs.Tests.Interception;
 
 /// <summary>Who gets to the ball: windows, who is first, who owns which part of the way.</summary>
 public sealed class InterceptionTests
@@ -33,7 +33,7 @@ public sealed class InterceptionTests
         foreach (double overlap in new[] { 1e-5, 1e-7, 1e-9 })
         {
             var runner = new Player { Position = (place + ((0.5 - overlap) / side.Length * side)).Horizontal, Reaction = 10, Reach = 0.5 };
-            var query = new Football.Physics.Prediction.Interception();
+            var query = new FootballPhysics.Prediction.Interception();
             query.Find(path, [runner]);
             InterceptWindow window = Assert.Single(query.Windows.ToArray());
             double half = Math.Sqrt((0.25 - ((0.5 - overlap) * (0.5 - overlap))) / path.VelocityAt(0.1).Horizontal.LengthSquared);
@@ -47,7 +47,7 @@ public sealed class InterceptionTests
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         var passed = new Player { Position = new Vector3d(0, 0, -3), Reaction = 10, Reach = 1 };
         Assert.True(query.FindSave(path, in passed, goal).Saves);
         Assert.False(query.FindSave(path, in passed, goal, 0.3).Saves);
@@ -62,14 +62,14 @@ public sealed class InterceptionTests
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
         var goal = new Goal { Center = new Vector3d(0, 3, -11), Facing = new Vector3d(0, 0, 1) };
         var keeper = new Player { Position = new Vector3d(0, 3, -10.5), HighestHeight = 5 };
-        Assert.Equal(2, new Football.Physics.Prediction.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
+        Assert.Equal(2, new FootballPhysics.Prediction.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
     }
 
     [Fact]
     public void Who_is_first_is_found_without_all_windows_too()
     {
         Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         query.Find(s_shot, runners);
         (int first, double lead) = (query.First, query.Lead);
         Assert.InRange(first, 0, 21);
@@ -83,7 +83,7 @@ public sealed class InterceptionTests
     public void Shares_cover_what_windows_cover_and_are_owned_by_who_could_be_there_first()
     {
         Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38), Reaction = 0.1 + (0.01 * i) })];
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         query.Find(s_shot, runners);
         InterceptShare[] shares = query.FindShares().ToArray();
         InterceptWindow[] windows = query.Windows.ToArray();
@@ -107,7 +107,7 @@ public sealed class InterceptionTests
     {
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(4, 0, 0), 10, StopAt.Rest);
         var runner = new Player { Position = path.Final.Position + new Vector3d(0, 0, 60) };
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         query.Find(path, [runner]);
         Assert.Equal(-1, query.First);
         query.Find(path, [runner], until: 20);
@@ -121,7 +121,7 @@ public sealed class InterceptionTests
     {
         Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
         var goal = new Goal { Center = new Vector3d(0, 0, -30), Facing = new Vector3d(0, 0, 1) };
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         Assert.Equal(0, Allocation.Of(() =>
         {
             query.Find(s_shot, runners);
@@ -137,7 +137,7 @@ public sealed class InterceptionTests
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(3.5, 4, -25), 2);
         var keeper = new Player { Position = new Vector3d(3, 0, -19.5), Reaction = 0.2, Acceleration = 5, Speed = 6, Reach = 1.2, HighestHeight = 2.7 };
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         KeeperAnswer answer = query.FindSave(path, in keeper, goal);
         Assert.True(answer.Crosses && answer.IsOnTarget);
         Assert.Equal(-20, answer.Crossing.Position.Z, 1e-9);
@@ -157,7 +157,7 @@ public sealed class InterceptionTests
     [Fact]
     public void A_number_of_a_runner_that_is_out_of_range_is_refused()
     {
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         Assert.Contains("runner.acceleration is 0; allowed: a finite number above 0.", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { Acceleration = 0 }])).Message);
         Assert.Contains("runner.heights[1]", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { LowestHeight = 3 }])).Message);
     }
@@ -176,7 +176,7 @@ public sealed class InterceptionTests
         // All stand under a high ball and wait until it falls to where they can reach it.
         var simulator = new Simulator(Scene.Measured);
         var path = new Trajectory();
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         var random = new SeededRandom(8L);
         for (int k = 0; k < 200; k++)
         {
@@ -200,7 +200,7 @@ public sealed class InterceptionTests
     [Fact]
     public void Both_ways_to_ask_name_the_same_one()
     {
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         var random = new SeededRandom(11L);
         int close = 0;
         for (int k = 0; k < 400; k++)
@@ -227,7 +227,7 @@ public sealed class InterceptionTests
     {
         var random = new SeededRandom(2L);
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
-        var query = new Football.Physics.Prediction.Interception();
+        var query = new FootballPhysics.Prediction.Interception();
         int saves = 0;
         for (int k = 0; k < 300; k++)
         {

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Matches;
-using Football.Tool.Commands;
+using FootballPhysics.Labs.Matches;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Tests.Matches;
+namespace FootballPhysics.Labs.Tests.Matches;
 
 /// <summary>Players in time, touches and impacts, a few of each; football lab matches tells of a thousand.</summary>
 public sealed class MatchesTests

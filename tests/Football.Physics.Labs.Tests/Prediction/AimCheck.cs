@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>What must hold of every kick that was found, whatever was asked for.</summary>
 internal static class AimCheck

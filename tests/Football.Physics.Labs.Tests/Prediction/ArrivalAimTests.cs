@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Labs.Tests.Prediction;
+namespace FootballPhysics.Labs.Tests.Prediction;
 
 /// <summary>Kicks that arrive as they are asked to, and after what is to be met before.</summary>
 public sealed class ArrivalAimTests

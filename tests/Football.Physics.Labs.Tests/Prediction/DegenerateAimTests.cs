@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Requests without sense get a finite answer of the speed asked for, by every method.</summary>
 public sealed class DegenerateAimTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown are found again, by every question whose answer they are.</summary>
 public sealed class KnownKickTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown, and that searches over the time, or for two points, lost.</summary>
 public sealed class LostKickTests
@@ -16,7 +16,7 @@ public sealed class LostKickTests
     };
 
     private static Scene Scene(Vector3d wind, BallProperties? ball = null) =>
-        Physics.Scene.Published with { Ball = ball ?? BallProperties.Tunnel, Air = new Air { Wind = wind } };
+        FootballPhysics.Scene.Published with { Ball = ball ?? BallProperties.Tunnel, Air = new Air { Wind = wind } };
 
     /// <summary>A kick that hits within the bounds, and its speed, m/s; the fastest that is allowed is a fifth more.</summary>
     public static TheoryData<string, AimRequest, Vector3d> Slow() => new()

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Aims in the measured profile, in weather, wind and gusts, beside those of the published one.</summary>
 public sealed class MeasuredAimTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>A point on the way and a target.</summary>
 public sealed class TwoPointAimTests

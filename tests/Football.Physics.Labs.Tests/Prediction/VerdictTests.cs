@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Tests.Predictors;
+namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>What can be hit is hit, what cannot is said to be out of reach, and the kick for it is the closest there is.</summary>
 public sealed class VerdictTests

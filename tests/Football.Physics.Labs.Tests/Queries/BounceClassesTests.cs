@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Play;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Play;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Queries;
+namespace FootballPhysics.Labs.Tests.Queries;
 
 /// <summary>The table of bounces by class, on a track that the library simulates: the surface it was simulated on is near, another one is not.</summary>
 public sealed class BounceClassesTests

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Play;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Play;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Queries;
+namespace FootballPhysics.Labs.Tests.Queries;
 
 /// <summary>Simulated minutes and damaged files, a few of each; football lab play --matches 1000 --damaged 10000 tells of more.</summary>
 public sealed class MatchTracksTests

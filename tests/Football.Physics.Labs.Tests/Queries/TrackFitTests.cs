@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Football.Physics.Labs.Queries;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Queries;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Queries;
+namespace FootballPhysics.Labs.Tests.Queries;
 
 /// <summary>The launch from where a camera saw the ball.</summary>
 public sealed class TrackFitTests

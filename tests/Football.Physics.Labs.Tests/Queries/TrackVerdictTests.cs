@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Queries;
+namespace FootballPhysics.Labs.Tests.Queries;
 
 /// <summary>Fits that know when they are wrong: what they say of χ², of another minimum, of another ball.</summary>
 public sealed class TrackVerdictTests

@@ -1,6 +1,6 @@
-using Football.Physics.Labs.Stability;
+using FootballPhysics.Labs.Stability;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>The bounds of the air that the stress matrix reckons with, against the laws and their slopes by differences.</summary>
 public sealed class AirBoundsTests

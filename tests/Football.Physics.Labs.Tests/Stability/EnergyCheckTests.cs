@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Physics.Labs.Stability;
+using FootballPhysics.Labs.Stability;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>The stress matrix's bound for the energy of a frame: it finds what it must, and honest frames come close to it.</summary>
 public sealed class EnergyCheckTests

@@ -1,6 +1,6 @@
-using Football.Physics.Labs.Stability;
+using FootballPhysics.Labs.Stability;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>What the stress matrix has found, by name, so that it stays found.</summary>
 public sealed class FoundByTheLabTests

@@ -1,9 +1,9 @@
-using Football.Physics.Labs.Fuzz;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Yardsticks;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>Inputs that are bytes or text, changed with what they mean in mind: refused, or answered rightly.</summary>
 public sealed class FuzzTests

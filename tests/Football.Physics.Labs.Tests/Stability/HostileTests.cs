@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Physics.Labs.Hostile;
+using FootballPhysics.Labs.Hostile;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>The hostile scenes: drawn as they always were, and checks that find what they are for.</summary>
 public sealed class HostileTests

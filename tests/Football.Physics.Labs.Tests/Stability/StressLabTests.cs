@@ -1,10 +1,10 @@
 using System.Text.Json;
-using Football.Physics.Labs.Fuzz;
-using Football.Physics.Labs.Goals;
-using Football.Physics.Labs.Stress;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Fuzz;
+using FootballPhysics.Labs.Goals;
+using FootballPhysics.Labs.Stress;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>The stress laboratory, small; and its own geometry, against the shapes of the scene and against known passages.</summary>
 public sealed class StressLabTests

@@ -1,8 +1,8 @@
-using Football.Physics.Labs.Stability;
+using FootballPhysics.Labs.Stability;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>A few thousand scenes of the stress matrix, and a search over its numbers that shrinks.</summary>
 public sealed class StressTests

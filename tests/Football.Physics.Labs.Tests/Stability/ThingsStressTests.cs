@@ -1,6 +1,6 @@
-using Football.Physics.Labs.Stability.Things;
+using FootballPhysics.Labs.Stability.Things;
 
-namespace Football.Physics.Labs.Tests.Stability;
+namespace FootballPhysics.Labs.Tests.Stability;
 
 /// <summary>A few of the scenes of football lab stability --things.</summary>
 public sealed class ThingsStressTests

@@ -1,7 +1,7 @@
-using Football.Physics.Labs.Goals;
-using Football.Physics.Yardsticks;
+using FootballPhysics.Labs.Goals;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Labs.Tests.Things;
+namespace FootballPhysics.Labs.Tests.Things;
 
 /// <summary>What is told to be a goal, and what is not.</summary>
 public sealed class GoalTests
@@ -166,7 +166,7 @@ public sealed class GoalTests
             var simulator = new Simulator(Scene.Measured);
             BallState ball = simulator.Launch(new Vector3d(0, 1, 0), Towards(aside, height), Vector3d.Zero);
             simulator.LookAhead(in ball, new LookAheadRequest(), path);
-            return new Football.Physics.Prediction.Interception().FindSave(path, new Player { Position = new Vector3d(9, 0, 9) }, s_goal).IsOnTarget;
+            return new FootballPhysics.Prediction.Interception().FindSave(path, new Player { Position = new Vector3d(9, 0, 9) }, s_goal).IsOnTarget;
         }
 
         Assert.True(IsOnTarget(3.6, 1.5) && IsOnTarget(0, 2.4));

@@ -1,6 +1,6 @@
-using Football.Physics.Labs.People;
+using FootballPhysics.Labs.People;
 
-namespace Football.Physics.Labs.Tests.Things;
+namespace FootballPhysics.Labs.Tests.Things;
 
 /// <summary>A ball among players, boards, posts and nets, two of them at a time, by checks that know nothing of the library's contacts.</summary>
 public sealed class PeopleTests

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Physics.Labs.Scenes;
+using FootballPhysics.Labs.Scenes;
 
-namespace Football.Physics.Labs.Tests.Things;
+namespace FootballPhysics.Labs.Tests.Things;
 
 /// <summary>The laboratory of random scenes, small; and the models that it judges by, against closed forms and printed values.</summary>
 public sealed class ScenesTests

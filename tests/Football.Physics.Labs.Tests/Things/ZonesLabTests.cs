@@ -1,6 +1,6 @@
-using Football.Physics.Labs.Zones;
+using FootballPhysics.Labs.Zones;
 
-namespace Football.Physics.Labs.Tests.Things;
+namespace FootballPhysics.Labs.Tests.Things;
 
 /// <summary>Zones against a dense sampling of the path.</summary>
 public sealed class ZonesLabTests

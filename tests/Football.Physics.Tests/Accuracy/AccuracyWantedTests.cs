@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>What is picked for a wanted accuracy keeps to it: random shots from the kick to the impact, against steps of 0.5 ms.</summary>
 public sealed class AccuracyWantedTests
@@ -31,7 +31,7 @@ public sealed class AccuracyWantedTests
         }
 
         BatchFlights reference = Fly(scene, launches, new BatchSettings { TimeStep = 5e-4, Precision = BatchPrecision.Double });
-        foreach ((Physics.Accuracy wanted, double metres) in Wanted())
+        foreach ((FootballPhysics.Accuracy wanted, double metres) in Wanted())
         {
             SolverSettings settings = SolverSettings.For(wanted, out double step);
             var one = new BatchSettings { Integrator = settings.Integrator, TimeStep = step, Precision = BatchPrecision.Double };
@@ -44,7 +44,7 @@ public sealed class AccuracyWantedTests
     public void A_coarser_accuracy_takes_larger_steps()
     {
         double longest = double.PositiveInfinity;
-        foreach ((Physics.Accuracy wanted, _) in Wanted())
+        foreach ((FootballPhysics.Accuracy wanted, _) in Wanted())
         {
             SolverSettings settings = SolverSettings.For(wanted, out double step);
             settings.Validate();
@@ -57,13 +57,13 @@ public sealed class AccuracyWantedTests
     [Fact]
     public void Refuses_what_is_none_of_them()
     {
-        string message = Assert.Throws<ArgumentOutOfRangeException>(() => SolverSettings.For((Physics.Accuracy)3, out _)).Message;
+        string message = Assert.Throws<ArgumentOutOfRangeException>(() => SolverSettings.For((FootballPhysics.Accuracy)3, out _)).Message;
         Assert.Contains("accuracy is 3", message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentOutOfRangeException>(() => BatchSettings.For((Physics.Accuracy)(-1)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => BatchSettings.For((FootballPhysics.Accuracy)(-1)));
     }
 
-    private static (Physics.Accuracy Wanted, double Metres)[] Wanted() =>
-        [(Physics.Accuracy.Millimetre, 1e-3), (Physics.Accuracy.TenthOfMillimetre, 1e-4), (Physics.Accuracy.Micrometre, 1e-6)];
+    private static (FootballPhysics.Accuracy Wanted, double Metres)[] Wanted() =>
+        [(FootballPhysics.Accuracy.Millimetre, 1e-3), (FootballPhysics.Accuracy.TenthOfMillimetre, 1e-4), (FootballPhysics.Accuracy.Micrometre, 1e-6)];
 
     private static BatchFlights Fly(Scene scene, BatchLaunches launches, BatchSettings settings)
     {

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>The landing point must not depend on the step (thesis 3.4.2): gaps between step sizes over 250 random shots.</summary>
 public sealed class ConsistencyTests

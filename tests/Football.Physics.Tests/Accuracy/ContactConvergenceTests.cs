@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>Measured orders of the methods in contact sets, between events: several surfaces and balls that press, in air, whose modes stay as they are.</summary>
 public sealed class ContactConvergenceTests

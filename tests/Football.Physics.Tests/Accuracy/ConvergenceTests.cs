@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Reference;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Reference;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>Measured orders of the methods, up to and including the impact, the jump of the drag law, and the end of a slide.</summary>
 public sealed class ConvergenceTests
@@ -88,7 +88,7 @@ public sealed class ConvergenceTests
         {
             Air = new Air { WindField = new WindByHeight(8, 1, 1, gusts: new Gusts { Seed = 5 }) },
             Forces = ForceSet.Measured with { KnuckleSeed = 17 },
-            Ground = Football.Physics.Ground.PublishedTurf with { Height = -20 },
+            Ground = FootballPhysics.Ground.PublishedTurf with { Height = -20 },
         };
         var random = new Shots(79);
         Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(_ =>
@@ -142,7 +142,7 @@ public sealed class ConvergenceTests
     [InlineData(Integrator.Rk4, 0.1, 3.8, 4.5)]
     public void A_slide_converges_at_the_order_of_the_method(Integrator integrator, double coarsest, double low, double high)
     {
-        Scene scene = Ground(new Vector3d(2, 0, -1)) with { Ground = Football.Physics.Ground.PublishedTurf with { Material = Football.Physics.Ground.PublishedTurf.Material with { SlidingFriction = 0.15 } } };
+        Scene scene = Ground(new Vector3d(2, 0, -1)) with { Ground = FootballPhysics.Ground.PublishedTurf with { Material = FootballPhysics.Ground.PublishedTurf.Material with { SlidingFriction = 0.15 } } };
         var random = new Shots(222);
         Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(_ =>
             OrderOnGround(scene, integrator, coarsest, 0.4, random.Velocity(18, 22, 0, 0), random.Uniform(5, 15) * random.Direction(), MotionState.Sliding))], low, high);

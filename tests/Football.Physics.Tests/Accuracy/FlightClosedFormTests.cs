@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>Flights whose equations have a solution in closed form.</summary>
 public sealed class FlightClosedFormTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>Shots near the corner of the drag law, which enter the law with spin and leave it again after a few milliseconds.</summary>
 public sealed class ShortVisitTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Accuracy;
+namespace FootballPhysics.Tests.Accuracy;
 
 /// <summary>Fifty shots without air, whose landing point is known (thesis 3.4.1).</summary>
 public sealed class VacuumLandingTests

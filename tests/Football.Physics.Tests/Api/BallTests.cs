@@ -1,7 +1,7 @@
 using System.Numerics;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>The front for games: kick, step, read.</summary>
 public sealed class BallTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>A clock that a step would not move is refused: nothing would ever end.</summary>
 public sealed class ClockTests

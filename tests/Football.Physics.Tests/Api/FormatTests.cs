@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>Values are written with the format and the culture that are asked for, and by default with the invariant one.</summary>
 public sealed class FormatTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>What a game says wrongly is refused with field, value and what is allowed, before anything changes.</summary>
 public sealed class GameRefusalTests

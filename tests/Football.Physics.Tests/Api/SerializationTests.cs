@@ -1,6 +1,6 @@
 using Newtonsoft.Json;
 
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>Scenes, requests and results come out of a serializer as they went in, without options or converters.</summary>
 public sealed class SerializationTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Api;
+namespace FootballPhysics.Tests.Api;
 
 /// <summary>A number out of range is refused with its field, its value and what is allowed.</summary>
 public sealed class ValidationTests

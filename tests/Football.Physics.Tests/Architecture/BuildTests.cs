@@ -1,7 +1,7 @@
 using System.Reflection.PortableExecutable;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>What a build is made from, and what it leaves behind.</summary>
 public sealed class BuildTests
@@ -23,7 +23,7 @@ public sealed class BuildTests
     [Fact]
     public void The_library_names_no_folder_of_the_machine_that_built_it()
     {
-        using var reader = new PEReader(File.OpenRead(Path.Combine(AppContext.BaseDirectory, "Football.Physics.dll")));
+        using var reader = new PEReader(File.OpenRead(Path.Combine(AppContext.BaseDirectory, "FootballPhysics.dll")));
         DebugDirectoryEntry symbols = reader.ReadDebugDirectory().First(entry => entry.Type == DebugDirectoryEntryType.CodeView);
         Assert.StartsWith("/_/", reader.ReadCodeViewDebugDirectoryData(symbols).Path);
         Assert.Contains(reader.ReadDebugDirectory(), entry => entry.Type == DebugDirectoryEntryType.Reproducible);

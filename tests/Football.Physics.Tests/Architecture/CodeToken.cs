@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>A word or a sign of code, and its line. Comments, strings, characters and directives are none.</summary>
 internal readonly record struct CodeToken(string Text, int Line)

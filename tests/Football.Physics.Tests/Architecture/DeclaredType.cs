@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>A type, or a part of one, that a file declares outside of any other.</summary>
 /// <param name="Name">Its name, without its type parameters.</param>

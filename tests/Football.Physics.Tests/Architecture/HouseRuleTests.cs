@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>The house rules that a text can show, of the library and of small trees that break them.</summary>
 public sealed class HouseRuleTests

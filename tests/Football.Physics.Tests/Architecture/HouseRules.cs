@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>What the house rules ask of the text of a source tree, and where it is broken.</summary>
 internal static class HouseRules

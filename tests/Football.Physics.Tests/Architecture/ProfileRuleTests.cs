@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>What is claimed of any ball is tried with the ball that a game gets: tests of the thesis' scenes alone are counted, and each class that has some says why.</summary>
 public sealed partial class ProfileRuleTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>The folders of the library form no circle: each knows only those below it.</summary>
 public sealed class RoomTests
@@ -67,7 +67,7 @@ public sealed class RoomTests
     {
         var tree = new Dictionary<string, string>(s_clean)
         {
-            ["Contact/Slip.cs"] = $"namespace Football.Physics;\n\n// A slip.\ninternal struct Slip\n{{\n    {member}\n}}\n",
+            ["Contact/Slip.cs"] = $"namespace FootballPhysics;\n\n// A slip.\ninternal struct Slip\n{{\n    {member}\n}}\n",
         };
         Assert.StartsWith("Contact/Slip.cs(6): Contact names ", Assert.Single(Violations(tree)), StringComparison.Ordinal);
     }
@@ -77,7 +77,7 @@ public sealed class RoomTests
     {
         var tree = new Dictionary<string, string>(s_clean)
         {
-            ["Contact/Sub/Slip.cs"] = "namespace Football.Physics;\n\ninternal sealed class Slip : Ball<int>\n{\n    public Vector3d Of(Kick kick) => default;\n}\n",
+            ["Contact/Sub/Slip.cs"] = "namespace FootballPhysics;\n\ninternal sealed class Slip : Ball<int>\n{\n    public Vector3d Of(Kick kick) => default;\n}\n",
             ["Elsewhere/Odd.cs"] = "internal sealed class Odd { }",
         };
         Assert.Equal(

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>The rooms of the library, and who names what he must not know.</summary>
 internal static class Rooms

@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 
-namespace Football.Physics.Tests.Architecture;
+namespace FootballPhysics.Tests.Architecture;
 
 /// <summary>IntelliSense shows a summary by itself: it says what a member is, and does not go on from the one before it in the file.</summary>
 public sealed partial class SummaryRuleTests

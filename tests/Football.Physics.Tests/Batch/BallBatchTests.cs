@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>Many balls at once do what the single ball does.</summary>
 public sealed class BallBatchTests

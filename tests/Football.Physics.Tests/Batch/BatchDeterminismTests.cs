@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>A result of a batch depends on its own launch alone.</summary>
 public sealed class BatchDeterminismTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>Scenes and launches for batches, the same in every run.</summary>
 internal static class BatchScenes

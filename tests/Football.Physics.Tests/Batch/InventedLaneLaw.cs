@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>
 /// A law that the library does not have, all of it in this file: C_D falls smoothly with the speed and rises with the spin parameter S,

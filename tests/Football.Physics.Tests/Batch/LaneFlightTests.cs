@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>Which laws fly in lanes, and how one more is brought in.</summary>
 public sealed class LaneFlightTests

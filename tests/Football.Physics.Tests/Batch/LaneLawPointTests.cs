@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Laws;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Laws;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>The laws in lanes at single points against the laws one by one, over the whole domain of speed and spin.</summary>
 public sealed class LaneLawPointTests

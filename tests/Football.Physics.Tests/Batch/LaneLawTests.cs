@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>The laws in lanes against those of the single ball, over their whole domain: what they do in a tenth of a second.</summary>
 public sealed class LaneLawTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>The functions of lanes: where their literals come from, and what they are worth.</summary>
 public sealed class LaneMathTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Batch;
+namespace FootballPhysics.Tests.Batch;
 
 /// <summary>Balls that are played to a plane, to rest or into a goal, on any number of threads.</summary>
 public sealed class PlayBatchTests

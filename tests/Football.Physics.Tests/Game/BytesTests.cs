@@ -2,7 +2,7 @@ using System.Numerics;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>Bytes from anywhere: what was changed is refused, and what is accepted is a ball that can be played.</summary>
 public sealed class BytesTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>The ball's clock jumps between two steps, or is rounded, while the game moves bodies by it.</summary>
 public sealed class ClockJumpTests

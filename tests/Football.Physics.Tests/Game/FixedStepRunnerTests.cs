@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 public sealed class FixedStepRunnerTests
 {

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>A segment is gone to at any tick, in few steps, with the recorded bits.</summary>
 public sealed class KeyframeTests

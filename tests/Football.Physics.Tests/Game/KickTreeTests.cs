@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>The order of kicks, against a sorted list; and kicks that are for no ball.</summary>
 public sealed class KickTreeTests

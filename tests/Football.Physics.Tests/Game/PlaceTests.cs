@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>Putting a ball somewhere, and states that are none.</summary>
 public sealed class PlaceTests

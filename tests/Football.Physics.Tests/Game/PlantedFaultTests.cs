@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>One bit of one field on one of two machines: it is named within the tick in which it happens.</summary>
 public sealed class PlantedFaultTests

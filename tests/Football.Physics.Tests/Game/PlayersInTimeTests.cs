@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>Twenty-two players who run while steps are played again.</summary>
 public sealed class PlayersInTimeTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>What a <see cref="Rollback"/> corrects is what would have happened, to the last bit.</summary>
 public sealed class RollbackRingTests

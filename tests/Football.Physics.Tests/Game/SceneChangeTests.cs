@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>A ball and a runner go on in another scene between steps.</summary>
 public sealed class SceneChangeTests

@@ -1,6 +1,6 @@
 using System.Reflection;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>A hash of a scene: the same for the same scene, another one for every number of it that is another one.</summary>
 public sealed class SceneHashTests

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>The sizes that the pages tell are those that there are.</summary>
 public sealed class SizeTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>What engines put together and draw: stages, keepers, nets, balls and lines.</summary>
 public sealed class StageTests

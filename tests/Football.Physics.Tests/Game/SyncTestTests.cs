@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>A state that comes out otherwise is named by its field, in one tick.</summary>
 public sealed class SyncTestTests

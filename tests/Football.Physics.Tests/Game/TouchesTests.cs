@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>The ball at a player's feet. football lab matches tells of a thousand of each.</summary>
 public sealed class TouchesTests

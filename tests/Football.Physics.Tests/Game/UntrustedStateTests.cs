@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>States that come from elsewhere: what no ball of the scene makes is refused, and what is not refused steps within its bounds.</summary>
 public sealed class UntrustedStateTests

@@ -1,6 +1,6 @@
 using System.Runtime;
 
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>After warming up a game compiles nothing any more, and nothing else is different.</summary>
 public sealed class WarmUpTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Game;
+namespace FootballPhysics.Tests.Game;
 
 /// <summary>A state in 24 bytes: what rounding changes, that bytes are then the state itself, and that everybody who plays the match has the same bits.</summary>
 public sealed class WireTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>What every form of the air promises to those who ask it.</summary>
 public sealed class AirContractTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Every aerodynamic law against its plain twin, over speeds to 200 m/s and spins to 1000 rad/s.</summary>
 public sealed class AirLawTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Directions of the forces and torques.</summary>
 public sealed class AirRatesTests
@@ -9,7 +9,7 @@ public sealed class AirRatesTests
     {
         Scene scene = s_scene with { Forces = forces };
         var flight = new FlightSystem { Around = new Surroundings(scene, SceneAir.Of(scene)), Branch = DragBranch.Spinning };
-        flight.Rates(0, new Football.Physics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
+        flight.Rates(0, new FootballPhysics.Motion(Vector3d.Zero, in u, in w), out MotionRates rates);
         return new MotionRates(rates.Acceleration - new Vector3d(0, flight.Around.Upward, 0), in rates.SpinAcceleration);
     }
 

@@ -2,9 +2,9 @@ using System.Diagnostics;
 using System.Reflection;
 using System.Runtime.Loader;
 using System.Text.RegularExpressions;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>
 /// A copy of the library whose drag law has another exponent, changed in one place: every kernel follows, and what compares them with the
@@ -60,7 +60,7 @@ public sealed class ChangedLawTests : IDisposable
     {
         foreach (string file in (string[])["Directory.Build.props", "Directory.Build.targets", "Directory.Packages.props", "global.json", "BannedSymbols.txt"])
         {
-            Write(file, Regex.Replace(RepositoryFiles.Text(file), "<Using Include=\"Football.Physics.(Thesis|Tracks)\" />", ""));
+            Write(file, Regex.Replace(RepositoryFiles.Text(file), "<Using Include=\"FootballPhysics.(Thesis|Tracks)\" />", ""));
         }
 
         string[] sources =

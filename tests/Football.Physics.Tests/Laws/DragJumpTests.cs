@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The surfaces of the published drag law's jump along a step, against surfaces whose zeros are known and against fine sampling.</summary>
 public sealed class DragJumpTests
@@ -44,8 +44,8 @@ public sealed class DragJumpTests
             Vector3d b = Any(30);
             const double Radius = 0.11;
             const double Dt = 1e-6;
-            DragJump At(double t) => DragJump.At(new Football.Physics.Motion(Vector3d.Zero, v + (t * a), w + (t * b)), in wind, Radius);
-            var motion = new Football.Physics.Motion(Vector3d.Zero, in v, in w);
+            DragJump At(double t) => DragJump.At(new FootballPhysics.Motion(Vector3d.Zero, v + (t * a), w + (t * b)), in wind, Radius);
+            var motion = new FootballPhysics.Motion(Vector3d.Zero, in v, in w);
             var rates = new MotionRates(in a, in b);
             var rate = DragJump.Rate(in motion, in rates, in wind, Radius);
             Assert.Equal((At(Dt).Speed - At(-Dt).Speed) / (2 * Dt), rate.Speed, 1e-3);
@@ -58,7 +58,7 @@ public sealed class DragJumpTests
         }
 
         Assert.InRange(largest, 0.6, 1);
-        var along = new Football.Physics.Motion(Vector3d.Zero, new Vector3d(10, 0, 0), new Vector3d(0, 30, 0));
+        var along = new FootballPhysics.Motion(Vector3d.Zero, new Vector3d(10, 0, 0), new Vector3d(0, 30, 0));
         Assert.Equal(
             (2 * 10 * 4) + (2 * 0.11 * 0.11 * 30 * 5 * 400),
             DragJump.RateScale(in along, new MotionRates(new Vector3d(-4, 0, 0), new Vector3d(0, 5, 0)), Vector3d.Zero, 0.11),

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Where one shot comes down by every form of the fitted laws: that of the single ball, of many balls, and both regularised.</summary>
 internal static class FlightEnds

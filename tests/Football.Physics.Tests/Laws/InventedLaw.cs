@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>A law that is nobody's: what the tables are made of must be this law's own functions.</summary>
 internal struct InventedLaw : ITableLaw

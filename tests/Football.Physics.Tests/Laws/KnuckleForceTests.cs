@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The knuckle force against values worked out with another calculator.</summary>
 public sealed class KnuckleForceTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Speeds and spins over the whole domain of the laws, close to their jumps too.</summary>
 internal static class LawGrid

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The measured laws against values worked out with another calculator.</summary>
 public sealed class MeasuredLawTests

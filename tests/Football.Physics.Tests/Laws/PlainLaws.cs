@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>
 /// The aerodynamic laws written down once more, plainly and slowly, from the equations: what the library's are compared with. The numbers

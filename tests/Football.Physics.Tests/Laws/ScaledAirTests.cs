@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Factors of drag and lift against coefficients that have them already.</summary>
 public sealed class ScaledAirTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Laws;
+namespace FootballPhysics.Tests.Laws;
 
 /// <summary>When a step keeps to the tables of the laws: against the worst that gravity, drag and lift can do within it.</summary>
 public sealed class TableRangeTests

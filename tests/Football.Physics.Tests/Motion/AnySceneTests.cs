@@ -1,8 +1,8 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>What holds in every scene that is allowed and for every kick: found by search, shrunk by FsCheck.</summary>
 public sealed class AnySceneTests

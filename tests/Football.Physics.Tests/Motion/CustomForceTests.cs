@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A force of the game's own, against what the library's do by themselves.</summary>
 public sealed class CustomForceTests

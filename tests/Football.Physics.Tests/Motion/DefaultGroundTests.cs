@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>The ball that everybody has, on the ground: how it turns, what presses it on, what grips it. In closed form.</summary>
 public sealed class DefaultGroundTests

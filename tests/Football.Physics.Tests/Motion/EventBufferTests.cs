@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A buffer of events has a size: beyond it they are counted.</summary>
 public sealed class EventBufferTests

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>What sound and effects ask of an event.</summary>
 public sealed class EventNumbersTests

@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Support;
-using Football.Physics.Tests.Things;
+using FootballPhysics.Tests.Support;
+using FootballPhysics.Tests.Things;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Explicit Euler comes down from a hop faster than it went up. Bounces end all the same: on objects, and on slopes.</summary>
 public sealed class HopTests

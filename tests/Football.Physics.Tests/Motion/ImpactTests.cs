@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>What every impact keeps, over thousands of random balls, grounds, velocities and spins, through the simulator.</summary>
 public sealed class ImpactTests

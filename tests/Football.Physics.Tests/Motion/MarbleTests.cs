@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Balls of 5 mm and of table football: they bounce, roll and rest as large ones do.</summary>
 public sealed class MarbleTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Impacts by the measured laws: check values worked out elsewhere, and what a skimming shot keeps.</summary>
 public sealed class MeasuredImpactTests

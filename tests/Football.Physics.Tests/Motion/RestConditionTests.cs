@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Rest is a condition, not a memory: a ball that nothing holds begins to move, however it came to lie there.</summary>
 public sealed class RestConditionTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A slide that crosses the jump of the published drag law crosses it at the same instant for steps of any length, also in its first piece and in its last.</summary>
 public sealed class SlideAcrossJumpTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Slides in closed form: without air the friction's direction never turns.</summary>
 public sealed class SlideTests

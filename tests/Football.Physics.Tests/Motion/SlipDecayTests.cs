@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>The closed form of a slide's end against small steps of ṡ = −k ŝ + c.</summary>
 public sealed class SlipDecayTests

@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Support;
-using Football.Physics.Tests.Game;
+using FootballPhysics.Tests.Support;
+using FootballPhysics.Tests.Game;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A game's own force may throw, or give what is no number: then nothing has happened.</summary>
 public sealed class ThrowingForceTests

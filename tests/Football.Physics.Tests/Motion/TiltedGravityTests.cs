@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>Gravity that is not straight down. A world with it, turned until its gravity points down, is a world with a slope: the same ball goes the same way in both.</summary>
 public sealed class TiltedGravityTests

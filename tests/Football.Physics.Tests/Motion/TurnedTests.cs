@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>The rotation of a step on the ground, by series, against sine and cosine.</summary>
 public sealed class TurnedTests

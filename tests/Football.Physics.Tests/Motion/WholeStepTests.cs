@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>
 /// On flat ground a step that nothing ends is taken whole; with a force of the game's own it is taken in pieces. Where that force is none, both are one motion.

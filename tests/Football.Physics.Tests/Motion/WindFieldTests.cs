@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Scenes;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Scenes;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Motion;
+namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A ball in wind by place and time, and the knuckle force.</summary>
 public sealed class WindFieldTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>Polynomials through a function's values at the Chebyshev points.</summary>
 public sealed class ChebyshevFitTests

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>Sums of two doubles against whole numbers of any length, in units of 2^−200.</summary>
 public sealed class DoubleDoubleTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>The library's own elementary functions against the runtime's, with the errors that they state.</summary>
 public sealed class ElementaryTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>The Hermite interpolants: what they were made of comes back, and polynomials of their degree are exact.</summary>
 public sealed class HermiteTests

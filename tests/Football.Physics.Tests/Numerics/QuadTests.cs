@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>Four sines at once, and logarithms by table.</summary>
 public sealed class QuadTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>The root finders on functions whose roots are known, kind ones and unkind ones.</summary>
 public sealed class RootsTests

@@ -1,7 +1,7 @@
 using System.Numerics;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Numerics;
+namespace FootballPhysics.Tests.Numerics;
 
 public sealed class VectorTests
 {

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>A result says what its kick does.</summary>
 public sealed class AimResultTests

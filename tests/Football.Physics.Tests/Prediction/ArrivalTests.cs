@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Prediction;
+namespace FootballPhysics.Tests.Prediction;
 
 /// <summary>Kicks that are to arrive with a speed, and targets on slopes: what is called a hit is one when it is played.</summary>
 public sealed class ArrivalTests

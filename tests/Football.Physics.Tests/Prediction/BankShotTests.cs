@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>Kicks after bounces and off things: how much it takes to find them, and what they do.</summary>
 public sealed class BankShotTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>A look-ahead is the simulation itself, dense in time.</summary>
 public sealed class LookAheadTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>What a path passes is found, and a look-ahead does not end before it.</summary>
 public sealed class PassingTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>A prediction is kept and extended while the ball keeps to it, and made anew only after a kick.</summary>
 public sealed class PredictionTests

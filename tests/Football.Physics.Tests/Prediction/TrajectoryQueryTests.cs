@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Predictors;
+namespace FootballPhysics.Tests.Predictors;
 
 /// <summary>Apex, every crossing, distance to a segment and samples of a path, against a dense look at it.</summary>
 public sealed class TrajectoryQueryTests

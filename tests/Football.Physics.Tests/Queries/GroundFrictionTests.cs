@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Queries;
+namespace FootballPhysics.Tests.Queries;
 
 /// <summary>Sliding and rolling friction from the track of passes along the ground, which the library simulates itself.</summary>
 public sealed class GroundFrictionTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Queries;
+namespace FootballPhysics.Tests.Queries;
 
 /// <summary>What the track of a whole match tells; football lab play tells of a thousand simulated minutes.</summary>
 public sealed class MatchFitTests

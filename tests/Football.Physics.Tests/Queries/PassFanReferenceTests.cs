@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Tests.Queries;
+namespace FootballPhysics.Tests.Queries;
 
 /// <summary>The best pass of a fan against every kick of it, flown exactly and asked who meets it.</summary>
 public sealed class PassFanReferenceTests
@@ -127,7 +127,7 @@ public sealed class PassFanReferenceTests
         int holding = 0;
         Each(scene, request, path =>
         {
-            var query = new Football.Physics.Prediction.Interception();
+            var query = new FootballPhysics.Prediction.Interception();
             int mate = query.FindFirst(path, mates, out PathPoint at);
             int opponent = query.FindFirst(path, opponents, out PathPoint lost);
             bool holds = mate >= 0 && (opponent < 0 || lost.Time - at.Time >= request.Margin);
@@ -144,7 +144,7 @@ public sealed class PassFanReferenceTests
         Each(scene, request, path =>
         {
             bool ends = path.TryGetRest(out _) || path.TryGetTouchdown(0, out _);
-            if (ends && new Football.Physics.Prediction.Interception().FindFirst(path, opponents, out _) < 0)
+            if (ends && new FootballPhysics.Prediction.Interception().FindFirst(path, opponents, out _) < 0)
             {
                 closest = Math.Min(closest, (path.Final.Position - request.Target!.Value).Horizontal.Length);
             }

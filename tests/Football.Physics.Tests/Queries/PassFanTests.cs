@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Queries;
+namespace FootballPhysics.Tests.Queries;
 
 /// <summary>The best pass of a fan.</summary>
 public sealed class PassFanTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Queries;
+namespace FootballPhysics.Tests.Queries;
 
 /// <summary>Where the kicks of a player go.</summary>
 public sealed class ScatterTests

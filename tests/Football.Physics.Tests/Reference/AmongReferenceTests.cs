@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>The default ball among posts, walls, moving bodies and slopes, against an independent solver: every event whole, and the end.</summary>
 public sealed class AmongReferenceTests

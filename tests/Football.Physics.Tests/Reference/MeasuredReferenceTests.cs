@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>Flights by the measured laws, up to their first impact, against an independent solver.</summary>
 public sealed class MeasuredReferenceTests

@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Scenarios;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>Whole runs of the measured profile, bounces, slides and rolls included, against an independent solver.</summary>
 public sealed class MeasuredRunTests

@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Football.Scenarios;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>What people have met with balls in games, as scenarios, each with the value that is right: seams, discs, slow bounces, piles, and balls placed in the ground.</summary>
 public sealed class PeopleTests

@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Football.Scenarios;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>A ball that several surfaces press, against two independent methods: alone, in groups and by a look-ahead, with RK4 at 10 ms.</summary>
 public sealed class PressedReferenceTests

@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>Every single reference case against a bound of its own, so that no other case hides it.</summary>
 public sealed class ReferenceBoundTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>A scenario and its exact result: a line of trajectories.ndjson.</summary>
 internal sealed class ReferenceCase

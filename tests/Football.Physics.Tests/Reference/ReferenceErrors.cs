@@ -1,7 +1,7 @@
 using System.Globalization;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>How far a reference case is off, at its worst instant: at its end or at one of its events.</summary>
 /// <param name="Position">Position and apex, m.</param>

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>An event of a reference case.</summary>
 internal sealed class ReferenceEvent

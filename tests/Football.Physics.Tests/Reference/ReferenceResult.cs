@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>What a reference case must lead to.</summary>
 internal sealed class ReferenceResult

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>A reference case played by the library.</summary>
 internal sealed class ReferenceRun

@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Scenarios;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Reference;
+namespace FootballPhysics.Tests.Reference;
 
 /// <summary>A reference case of any scene, played by the library, and how far it is off: the worst over every event and the end.</summary>
 internal sealed class WholeRun

@@ -1,7 +1,7 @@
-using Football.Physics.Tests.Support;
-using Football.Physics.Tests.Things;
+using FootballPhysics.Tests.Support;
+using FootballPhysics.Tests.Things;
 
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>The dials of a designer: what they change, by how much, and that they change nothing else.</summary>
 public sealed class DialsTests

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>The numbers of a scenario's scene as the code lists them: unit, range, default and its evidence.</summary>
 internal static class FieldTable

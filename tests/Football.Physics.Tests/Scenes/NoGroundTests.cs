@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>A scene without ground: every entry point that creates a ball puts it at height 0, in the air, and every query has numbers for an answer.</summary>
 public sealed class NoGroundTests

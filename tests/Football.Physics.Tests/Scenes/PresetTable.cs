@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>Every number of the measured profile's presets as the code has it, with what it rests on.</summary>
 internal static class PresetTable

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>What the two profiles are, and where they stand.</summary>
 public sealed class ProfileTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>The drag curve of a ball by its roughness.</summary>
 public sealed class RoughnessTests

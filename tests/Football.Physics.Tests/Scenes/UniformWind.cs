@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>A field that is the same everywhere and always.</summary>
 internal sealed class UniformWind(Vector3d wind) : IWind

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>Density and viscosity of the air by weather, against values worked out with another calculator.</summary>
 public sealed class WeatherTests

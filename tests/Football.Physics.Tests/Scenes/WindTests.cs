@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Scenes;
+namespace FootballPhysics.Tests.Scenes;
 
 /// <summary>Wind by height and gusts, against values worked out with another calculator.</summary>
 public sealed class WindTests

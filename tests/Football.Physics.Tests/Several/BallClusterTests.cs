@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that meet within a step: closed forms without air and weight, and long steps against short ones.</summary>
 public sealed class BallClusterTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>The impulse of two balls of different size and mass, against balances and closed forms.</summary>
 public sealed class BallContactTests
@@ -46,7 +46,7 @@ public sealed class BallContactTests
         Vector3d n = Draw(random).Normalized();
         BallState a = State((Small.Radius * n) + new Vector3d(1, 1, 1), (-4.0 * n) + (seed % 5 * Draw(random)), 30 * Draw(random));
         BallState b = State((-Large.Radius * n) + new Vector3d(1, 1, 1), Vector3d.Zero, 25 * Draw(random));
-        BallContact.Impact(Small, Large, in material, in n, in a, in b, out Physics.Motion first, out Physics.Motion second);
+        BallContact.Impact(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal(a.Position, first.Position);
         Assert.Equal(b.Position, second.Position);
 
@@ -60,9 +60,9 @@ public sealed class BallContactTests
         Nothing(turned + itsTurned);
 
         // Along the normal by e; along the surfaces by e_t where they grip, else by friction against the slip.
-        Vector3d Slips(Physics.Motion one, Physics.Motion two) =>
+        Vector3d Slips(FootballPhysics.Motion one, FootballPhysics.Motion two) =>
             one.Velocity + Vector3d.Cross(one.Spin, -Small.Radius * n) - two.Velocity - Vector3d.Cross(two.Spin, Large.Radius * n);
-        Vector3d before = Slips(new Physics.Motion(a.Position, a.Velocity, a.Spin), new Physics.Motion(b.Position, b.Velocity, b.Spin));
+        Vector3d before = Slips(new FootballPhysics.Motion(a.Position, a.Velocity, a.Spin), new FootballPhysics.Motion(b.Position, b.Velocity, b.Spin));
         Vector3d after = Slips(first, second);
         double came = -Vector3d.Dot(in before, in n);
         double left = Vector3d.Dot(in after, in n);
@@ -98,7 +98,7 @@ public sealed class BallContactTests
         var material = new ContactMaterial(SurfaceMaterial.GoalFrame with { DrillingLength = 0.5, SlidingFriction = 1 });
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(-3, 0, 0), new Vector3d(sign * 8, 0, 0));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(sign * -2, 0, 0));
-        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out Physics.Motion first, out Physics.Motion second);
+        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal(0, first.Spin.X - second.Spin.X, 1e-12);
         Assert.Equal((Small.MomentOfInertia * a.Spin.X) + (Large.MomentOfInertia * b.Spin.X), (Small.MomentOfInertia * first.Spin.X) + (Large.MomentOfInertia * second.Spin.X), 1e-14);
     }
@@ -111,7 +111,7 @@ public sealed class BallContactTests
         var material = new ContactMaterial(SurfaceMaterial.Ball);
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(speed, 3, 0), new Vector3d(1, 2, 3));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(5, 5, 5));
-        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out Physics.Motion first, out Physics.Motion second);
+        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal((a.Position, a.Velocity, a.Spin), (first.Position, first.Velocity, first.Spin));
         Assert.Equal((b.Position, b.Velocity, b.Spin), (second.Position, second.Velocity, second.Spin));
     }
@@ -126,8 +126,8 @@ public sealed class BallContactTests
             Vector3d n = Draw(random).Normalized();
             BallState a = State(default, -5.0 * n, 20 * Draw(random));
             BallState b = State(default, Draw(random), 20 * Draw(random));
-            BallContact.Impact(Small, Large, in material, in n, in a, in b, out Physics.Motion first, out Physics.Motion second);
-            BallContact.Impact(Large, Small, in material, -n, in b, in a, out Physics.Motion its, out Physics.Motion own);
+            BallContact.Impact(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+            BallContact.Impact(Large, Small, in material, -n, in b, in a, out FootballPhysics.Motion its, out FootballPhysics.Motion own);
             Assert.Equal((first.Velocity, first.Spin, second.Velocity, second.Spin), (own.Velocity, own.Spin, its.Velocity, its.Spin));
         }
     }

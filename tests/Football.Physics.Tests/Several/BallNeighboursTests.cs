@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Which balls are neighbours, against all pairs; and how long their spheres are good for.</summary>
 public sealed class BallNeighboursTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>The ways of two balls, piece by piece, and when they meet: against fine sampling and closed forms.</summary>
 public sealed class BallTrialTests

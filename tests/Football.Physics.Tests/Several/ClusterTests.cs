@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>A few balls that press each other go by whole steps of the method: closed forms, balances, counts.</summary>
 public sealed class ClusterTests

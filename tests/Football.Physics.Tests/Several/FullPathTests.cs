@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Look-aheads of several balls whose paths have more pieces than memory.</summary>
 public sealed class FullPathTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that are dropped onto each other within walls, and what is measured of them: depth in what stands still, overlap, energy, counts.</summary>
 internal sealed class Heap

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Bodies, obstacles and an engine's colliders that weigh something.</summary>
 public sealed class MassTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>How balls are numbered decides nothing, to the last bit, but of impacts at exactly one time.</summary>
 public sealed class NumberingTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Impulses of a pile against closed forms and balances.</summary>
 public sealed class PileSolverTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that lie on each other and against walls: nothing is entered, nothing gains, all come to rest, at a bounded cost.</summary>
 public sealed class PileTests

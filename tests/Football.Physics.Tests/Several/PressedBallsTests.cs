@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that a player presses against each other and against boards.</summary>
 public sealed class PressedBallsTests

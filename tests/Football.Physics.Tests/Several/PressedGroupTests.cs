@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Players of finite mass press and walk balls: a group of one is the ball alone, and only balls that can reach a pushed object end their steps at a push.</summary>
 public sealed class PressedGroupTests

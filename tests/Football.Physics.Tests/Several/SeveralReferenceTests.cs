@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Football.Physics.Tests.Reference;
-using Football.Scenarios;
-using Football.Scenarios.Input;
+using FootballPhysics.Tests.Reference;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>Several balls and bodies with a mass, against an independent solver: all that the scenario's reader and the result have of them.</summary>
 public sealed class SeveralReferenceTests

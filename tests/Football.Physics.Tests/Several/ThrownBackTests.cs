@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Several;
+namespace FootballPhysics.Tests.Several;
 
 /// <summary>A ball that another ball throws back onto the body that it has just hit: the second impact obeys the law of impacts as the first did.</summary>
 public sealed class ThrownBackTests

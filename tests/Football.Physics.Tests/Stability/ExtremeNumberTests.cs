@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Stability;
+namespace FootballPhysics.Tests.Stability;
 
 /// <summary>Numbers that are allowed lead to a ball that is somewhere, however large or small they are.</summary>
 public sealed class ExtremeNumberTests
@@ -39,7 +39,7 @@ public sealed class ExtremeNumberTests
     [ProfileData(Member = nameof(Integrators))]
     public void Scenes_at_the_ends_of_all_ranges_stay_finite(Profile profile, Integrator integrator)
     {
-        var random = new Football.Physics.Yardsticks.SeededRandom((int)integrator);
+        var random = new FootballPhysics.Yardsticks.SeededRandom((int)integrator);
         int refused = 0;
         for (int i = 0; i < 500; i++)
         {

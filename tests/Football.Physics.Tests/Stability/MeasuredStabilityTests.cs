@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Stability;
+namespace FootballPhysics.Tests.Stability;
 
 /// <summary>Energy by the measured laws.</summary>
 public sealed class MeasuredStabilityTests

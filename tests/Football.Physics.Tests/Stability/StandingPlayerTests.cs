@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Stability;
+namespace FootballPhysics.Tests.Stability;
 
 /// <summary>A ball between a board and a player who stands still: a body that does not move gives no energy, so the ball comes to rest without events.</summary>
 public sealed class StandingPlayerTests

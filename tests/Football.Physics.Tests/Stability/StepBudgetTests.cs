@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Stability;
+namespace FootballPhysics.Tests.Stability;
 
 /// <summary>Steps that once took thousands of pieces: no ball is stopped in mid-air, and no path leads into a stationary object.</summary>
 public sealed class StepBudgetTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Stability;
+namespace FootballPhysics.Tests.Stability;
 
 /// <summary>A steady wind presses balls to boards, and nothing else moves: they come to rest at a bounded cost, and nothing squeezes them.</summary>
 public sealed class WindAtBoardsTests

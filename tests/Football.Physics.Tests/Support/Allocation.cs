@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests;
+namespace FootballPhysics.Tests;
 
 /// <summary>Bytes that a call allocates once it is warm.</summary>
 internal static class Allocation

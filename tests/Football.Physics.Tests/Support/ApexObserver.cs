@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>The greatest height of the centre over a run, launch included.</summary>
 /// <remarks>It ends a run that would never end by itself.</remarks>

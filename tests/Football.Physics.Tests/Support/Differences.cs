@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Differences between results, as the reference cases define them.</summary>
 internal static class Differences

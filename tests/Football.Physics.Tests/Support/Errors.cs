@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Named errors of many cases, judged by percentile; a failure lists the worst cases.</summary>
 internal sealed class Errors

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Short ways to play a shot.</summary>
 internal static class Flight

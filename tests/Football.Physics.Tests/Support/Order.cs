@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Observed orders of convergence.</summary>
 internal static class Order

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Ends a step that would never end: after too many pieces of motion it asks for a halt, and says so.</summary>
 internal sealed class PieceLimit : PieceObserver

@@ -2,7 +2,7 @@ using System.Reflection;
 using Xunit.Sdk;
 using Xunit.v3;
 
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>A row of a theory for each profile, which is the first argument; the others are those given here, or the rows of a member.</summary>
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>What every claim about any ball is tried with: what a game gets that says nothing, and the thesis' laws.</summary>
 public enum Profile
@@ -11,11 +11,11 @@ public enum Profile
 internal static class Profiles
 {
     /// <summary>The ball of the wind tunnels on dry turf, by the measured laws: what cases with fixed numbers were made for.</summary>
-    public static Scene Tunnel { get; } = new() { Ball = BallProperties.Tunnel, Ground = Physics.Ground.Of(SurfaceMaterial.DryTurf) };
+    public static Scene Tunnel { get; } = new() { Ball = BallProperties.Tunnel, Ground = FootballPhysics.Ground.Of(SurfaceMaterial.DryTurf) };
 
     public static Profile[] All { get; } = Enum.GetValues<Profile>();
 
-    public static Scene Scene(this Profile profile) => profile == Profile.Default ? new Scene() : Physics.Scene.Published;
+    public static Scene Scene(this Profile profile) => profile == Profile.Default ? new Scene() : FootballPhysics.Scene.Published;
 
     public static ForceSet Forces(this Profile profile) => profile.Scene().Forces;
 

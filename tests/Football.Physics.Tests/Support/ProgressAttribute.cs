@@ -3,9 +3,9 @@ using System.Globalization;
 using System.Reflection;
 using Xunit.v3;
 
-[assembly: Football.Physics.Tests.Progress]
+[assembly: FootballPhysics.Tests.Progress]
 
-namespace Football.Physics.Tests;
+namespace FootballPhysics.Tests;
 
 /// <summary>Tells how many tests of an assembly are done, so that a run of minutes is no silence.</summary>
 [AttributeUsage(AttributeTargets.Assembly)]

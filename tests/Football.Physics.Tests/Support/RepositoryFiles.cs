@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Files of the repository that tests hold to what they make, or write anew when told to.</summary>
 internal static class RepositoryFiles

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Runs a line of a shell that knows the command football, in a folder of its own.</summary>
 internal sealed record Shell(int ExitCode, string Output, string Error)

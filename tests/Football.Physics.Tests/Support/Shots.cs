@@ -1,6 +1,6 @@
-using Football.Physics.Yardsticks;
+using FootballPhysics.Yardsticks;
 
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>Random shots, the same in every run: drawn from the numbers that these tests have always had.</summary>
 internal sealed class Shots(int seed) : SeededRandom(seed)

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Support;
+namespace FootballPhysics.Tests.Support;
 
 /// <summary>A clock that stands: nothing becomes due, however busy the machine is.</summary>
 internal sealed class StillTime : TimeProvider

@@ -1,9 +1,9 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using Football.Physics.Tests.Reference;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Reference;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Symmetry;
+namespace FootballPhysics.Tests.Symmetry;
 
 /// <summary>The state is one value: the same bytes in give the same bytes out, and nothing is allocated on the way.</summary>
 public sealed class DeterminismTests

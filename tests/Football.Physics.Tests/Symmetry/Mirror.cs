@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Symmetry;
+namespace FootballPhysics.Tests.Symmetry;
 
 /// <summary>A reflection of the world in x or in z: positions and velocities are polar vectors, spins axial ones.</summary>
 internal readonly struct Mirror

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Symmetry;
+namespace FootballPhysics.Tests.Symmetry;
 
 /// <summary>Reflecting a scene and a kick reflects the result to the last bit.</summary>
 public sealed class MirrorTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Symmetry;
+namespace FootballPhysics.Tests.Symmetry;
 
 /// <summary>A simulator holds nothing that a step changes: threads that share one need no lock, each with a ball and a log of its own.</summary>
 public sealed class ThreadTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>The tube along a ball's way in which no body is: for how long, how wide, how fast a ball it is good.</summary>
 public sealed class BodyTubeTests

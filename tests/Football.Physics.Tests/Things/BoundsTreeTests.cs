@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>The broad phase finds what looking at every box finds.</summary>
 public sealed class BoundsTreeTests

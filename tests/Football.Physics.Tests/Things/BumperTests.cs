@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Objects that return more than they get, and say how much.</summary>
 public sealed class BumperTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball on a carrier that moves, accelerates or turns, against closed forms: F acts at the contact point, so that only a share of the motion is passed on.</summary>
 public sealed class CarrierTests

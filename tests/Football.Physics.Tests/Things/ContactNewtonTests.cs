@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A step of Newton's method from close to the answer: what it leaves of an error is of the error's square.</summary>
 public sealed class ContactNewtonTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Balls with several contacts, drawn at random.</summary>
 internal static class ContactScenes

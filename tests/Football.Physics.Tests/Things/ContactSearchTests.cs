@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>The time of impact on paths that bend, against looking at every thing at four thousand places of the path.</summary>
 public sealed class ContactSearchTests

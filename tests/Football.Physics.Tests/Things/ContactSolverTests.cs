@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>
 /// The impulses of a contact set against what they must be, whoever found them: J_n ≥ 0, no contact closes, J_n only where it would, |J_t| ≤ μ J_n,

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Impacts in the frame of the contact.</summary>
 public sealed class CoulombImpactTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball in a crowd: many contacts at one instant.</summary>
 public sealed class CrowdTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Balls that slide and roll over the edges of boxes, where the load ends at once.</summary>
 public sealed class EdgeTests

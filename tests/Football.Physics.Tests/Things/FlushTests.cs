@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Surfaces that are flush, where a step begins within micrometres of the seam.</summary>
 public sealed class FlushTests

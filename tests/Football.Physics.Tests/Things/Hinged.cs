@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A shape that rotates steadily about its pivot, which may move, and a second model of it: exact rotation by the library of the runtime, distances from the shape itself.</summary>
 internal sealed record Hinged

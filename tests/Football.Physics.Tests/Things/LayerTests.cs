@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Batch;
+using FootballPhysics.Tests.Batch;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball passes through what it ignores, and nobody is told.</summary>
 public sealed class LayerTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Whole steps of a ball between stationary surfaces, against the general law: a force of the game's own, which does nothing, leaves a scene to that.</summary>
 public sealed class LineStepTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>An engine whose answers hold many colliders, most of them far from the ball.</summary>
 public sealed class ManyCollidersTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>What is found near a ball, and what a ball is put out of.</summary>
 public sealed class NearContactTests

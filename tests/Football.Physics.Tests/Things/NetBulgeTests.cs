@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>How nets bulge, for drawing.</summary>
 public sealed class NetBulgeTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A net by itself: its box, what it does to a ball at a depth, how fast, and how far a part of a step may go.</summary>
 public sealed class NetSheetTests
@@ -37,14 +37,14 @@ public sealed class NetSheetTests
         var spin = new Vector3d(3, -20, 7);
         foreach ((double inward, double along) in new[] { (0.0, 0.0), (0.3, 2.0), (-0.2, -1.0), (-3.0, 1.0) })
         {
-            MotionRates push = sheet.Push(new Football.Physics.Motion(place, (-side * inward * Normal) + (along * Along), in spin), side);
+            MotionRates push = sheet.Push(new FootballPhysics.Motion(place, (-side * inward * Normal) + (along * Along), in spin), side);
             double pull = Math.Max(0, Net.Stiffness * Depth * (1 + (Net.Damping * inward))) / Ball.Mass;
             Assert.Equal(side * pull, Vector3d.Dot(push.Acceleration, in Normal), 1e-9);
             Assert.Equal(-Net.TangentialDamping * Depth * along / Ball.Mass, Vector3d.Dot(push.Acceleration, in Along), 1e-9);
             Assert.Equal(0, (push.SpinAcceleration + (Net.SpinDamping * Depth / Ball.MomentOfInertia * spin)).Length, 1e-9);
         }
 
-        MotionRates off = sheet.Push(new Football.Physics.Motion(Net.Center + (side * 2 * Ball.Radius * Normal), Along, in spin), side);
+        MotionRates off = sheet.Push(new FootballPhysics.Motion(Net.Center + (side * 2 * Ball.Radius * Normal), Along, in spin), side);
         Assert.Equal(0, off.Acceleration.Length + off.SpinAcceleration.Length);
     }
 
@@ -57,7 +57,7 @@ public sealed class NetSheetTests
     {
         var sheet = new NetSheet(Net, Ball);
         Vector3d place = Net.Center + ((Ball.Radius - depth) * Normal);
-        MotionRates At(Vector3d velocity, Vector3d spin) => sheet.Push(new Football.Physics.Motion(in place, in velocity, in spin), 1);
+        MotionRates At(Vector3d velocity, Vector3d spin) => sheet.Push(new FootballPhysics.Motion(in place, in velocity, in spin), 1);
         double pull = Vector3d.Dot(At(Vector3d.Zero, Vector3d.Zero).Acceleration - At(0.1 * Normal, Vector3d.Zero).Acceleration, in Normal) / 0.1;
         double hold = -Vector3d.Dot(At(Along, Vector3d.Zero).Acceleration, in Along);
         double spin = -At(Vector3d.Zero, Vector3d.Up).SpinAcceleration.Y;
@@ -99,7 +99,7 @@ public sealed class NetSheetTests
         var world = new World(scene);
         var sheet = new NetSheet(Net, scene.Ball);
         double At(double depth, double speed, double jerk, ulong nets = 1, ulong sides = 3) =>
-            world.LongestPartInNets(nets, sides, new Football.Physics.Motion(Net.Center + ((Ball.Radius - depth) * Normal), speed * Along, Vector3d.Zero), jerk);
+            world.LongestPartInNets(nets, sides, new FootballPhysics.Motion(Net.Center + ((Ball.Radius - depth) * Normal), speed * Along, Vector3d.Zero), jerk);
         double slow = At(0, 0, 0) * sheet.RateAt(0);
         foreach ((double depth, double speed) in new[] { (0.0, 0.0), (0.05, 0.0), (0.05, 3.0), (0.1, 20.0) })
         {

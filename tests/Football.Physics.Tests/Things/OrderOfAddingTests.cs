@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>The order in which a game adds bodies, or an engine finds its colliders, does not decide where the ball goes.</summary>
 public sealed class OrderOfAddingTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Nets, mouths and lines of goals are met on whatever way a ball comes to its place; a kick, or another scene, takes it out of none.</summary>
 public sealed class PassageTests

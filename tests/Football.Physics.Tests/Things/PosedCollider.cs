@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>An object that a game sets before each step: where it is, how it is turned, and how fast it moves and turns. Here as a body, there as a collider of an engine.</summary>
 internal sealed class PosedCollider : IEngineColliders

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>What an impact pushed is met where it has got to, by a ball that was far from everything.</summary>
 public sealed class PushedObstacleTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Queries change nothing that a match can see: among bodies, obstacles and an engine's colliders that the ball pushes.</summary>
 public sealed class QueriesAreReadsTests

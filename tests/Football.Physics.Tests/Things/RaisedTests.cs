@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A ball in the ground is raised straight up, to the least height at which it is not in the ground, by every member that takes a position.</summary>
 public sealed class RaisedTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Bodies that come into play later, and leave it: added before the simulator is built, withdrawn, brought on by MoveTo.</summary>
 public sealed class ReserveTests

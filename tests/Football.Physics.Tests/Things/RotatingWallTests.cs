@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Shapes without bounds that rotate: a plane, and the hollow of a sphere in which the ball is.</summary>
 public sealed class RotatingWallTests

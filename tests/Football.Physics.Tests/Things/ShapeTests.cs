@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Shapes: the normal is the gradient of the distance, the curvature its Hessian.</summary>
 public sealed class ShapeTests

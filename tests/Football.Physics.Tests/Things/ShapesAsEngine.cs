@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A game engine as far as the ball sees it: shapes that move, and a sphere cast that is asked no more than it must answer.</summary>
 internal sealed class ShapesAsEngine : IEngineColliders

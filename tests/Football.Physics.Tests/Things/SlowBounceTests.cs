@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>A bounce that nothing presses back is a bounce, however slow: off walls, boards, kerbs and objects that give way.</summary>
 public sealed class SlowBounceTests

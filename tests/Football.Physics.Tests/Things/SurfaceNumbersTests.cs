@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>What a ball does that meets the surfaces a game has: the presets' numbers, seen from outside.</summary>
 public sealed class SurfaceNumbersTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Contacts that bear the same load: rolling resistance must not pass to and fro between them.</summary>
 public sealed class SymmetricSetTests

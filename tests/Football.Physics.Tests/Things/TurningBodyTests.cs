@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Objects that a game turns about their pivot hit a ball that lies still: a leg by its hip, a flipper, a bat, a door.</summary>
 /// <remarks>The expected velocities are v + (1 + e) u n at the first contact, from a dense sampling of the exact rotation; they hold to 3 %.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>What becomes of a ball at a contact: one contact at a time, without air.</summary>
 public sealed class WorldContactTests

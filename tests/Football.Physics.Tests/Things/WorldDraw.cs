@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Draws worlds: goals, posts, boxes, balls, walls, nets, slopes and bumps around the origin, and a shot among them.</summary>
 internal sealed class WorldDraw

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>The order of the integrator survives impacts with round things, both ends of a net, and curved ground.</summary>
 public sealed class WorldOrderTests

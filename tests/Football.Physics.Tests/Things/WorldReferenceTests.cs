@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Reference;
+using FootballPhysics.Tests.Reference;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Goals, nets, walls, things, slopes and bumps against trajectories computed by an independent solver: every event whole, and the end.</summary>
 public sealed class WorldReferenceTests

@@ -1,6 +1,6 @@
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Any world, any step: nothing is passed through, nothing gains energy, every step ends, every state can be gone back to.</summary>
 public sealed class WorldStabilityTests

@@ -1,4 +1,4 @@
-namespace Football.Physics.Tests.Things;
+namespace FootballPhysics.Tests.Things;
 
 /// <summary>Zones report the ball, and change nothing else.</summary>
 public sealed class ZoneTests

@@ -1,10 +1,10 @@
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Tool.Intercept;
-using Football.Physics.Tests.Reference;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Intercept;
+using FootballPhysics.Tests.Reference;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Tool.Tests.Reference;
+namespace FootballPhysics.Tool.Tests.Reference;
 
 /// <summary>Who meets the ball when, against windows computed by an independent solver.</summary>
 public sealed class InterceptReferenceTests

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests.Replay;
+namespace FootballPhysics.Tool.Tests.Replay;
 
 /// <summary>The rules of the glTF 2.0 specification for what such a file can hold, and where a file breaks them.</summary>
 /// <param name="text">The file.</param>

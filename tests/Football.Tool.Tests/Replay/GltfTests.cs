@@ -1,7 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 
-namespace Football.Tool.Tests.Replay;
+namespace FootballPhysics.Tool.Tests.Replay;
 
 /// <summary>football replay --gltf: the file follows the rules of glTF 2.0, and its animation is the shot.</summary>
 public sealed class GltfTests

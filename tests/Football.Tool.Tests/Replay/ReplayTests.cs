@@ -1,10 +1,10 @@
 using System.Numerics;
 using System.Text.Json;
-using Football.Tool.Replay;
-using Football.Scenarios;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Tool.Replay;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Tool.Tests.Replay;
+namespace FootballPhysics.Tool.Tests.Replay;
 
 /// <summary>football replay: the page holds the shots as they were played, and nothing from elsewhere.</summary>
 public sealed class ReplayTests

@@ -2,13 +2,13 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Buffers;
 using DuckDB.NET.Data;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep;
-using Football.Tool.Sweep.Formats;
-using Football.Tool.Sweep.Output;
-using Football.Tool.Sweep.Rows;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep;
+using FootballPhysics.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Sweep.Output;
+using FootballPhysics.Tool.Sweep.Rows;
 
-namespace Football.Tool.Tests.Sweep;
+namespace FootballPhysics.Tool.Tests.Sweep;
 
 /// <summary>football sweep --format parquet, read by a database; and what a folder, a cell and an output are held to.</summary>
 public sealed class ParquetTests : IDisposable

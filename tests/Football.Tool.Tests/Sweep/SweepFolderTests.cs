@@ -4,13 +4,13 @@ using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep;
-using Football.Tool.Sweep.Output;
-using Football.Tool.Sweep.Rows;
-using Football.Physics.Tests.Support;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep;
+using FootballPhysics.Tool.Sweep.Output;
+using FootballPhysics.Tool.Sweep.Rows;
+using FootballPhysics.Tests.Support;
 
-namespace Football.Tool.Tests.Sweep;
+namespace FootballPhysics.Tool.Tests.Sweep;
 
 /// <summary>football sweep --out: files, shards, interruptions.</summary>
 public sealed class SweepFolderTests : IDisposable

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Football.Tool.Sweep.Ranges;
+using FootballPhysics.Tool.Sweep.Ranges;
 
-namespace Football.Tool.Tests.Sweep;
+namespace FootballPhysics.Tool.Tests.Sweep;
 
 /// <summary>football sweep: what is drawn.</summary>
 public sealed class SweepRangesTests

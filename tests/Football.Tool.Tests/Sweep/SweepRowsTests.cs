@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Tests.Sweep;
+namespace FootballPhysics.Tool.Tests.Sweep;
 
 /// <summary>football sweep: what a row can say is what the other commands say of the same shot.</summary>
 public sealed class SweepRowsTests

@@ -1,5 +1,5 @@
 using System.Globalization;
-using Football.Physics;
+using FootballPhysics;
 
 // One ball, with whatever laws a scene may choose.
 var ball = new Ball();

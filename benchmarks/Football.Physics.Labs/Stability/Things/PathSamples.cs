@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability.Things;
+namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>Looks along the path of a ball how deep it is in anything: nothing is passed through.</summary>
 internal sealed class PathSamples(World world) : PieceObserver

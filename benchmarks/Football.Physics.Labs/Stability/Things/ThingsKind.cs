@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability.Things;
+namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>The kinds of scenes with things in them.</summary>
 internal enum ThingsKind

@@ -1,9 +1,9 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Globalization;
-using Football.Tool.Commands;
+using FootballPhysics.Tool.Commands;
 
-namespace Football.Physics.Labs.Stability.Things;
+namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>football lab stability --things: random scenes with obstacles, bodies, nets and slopes.</summary>
 internal static class ThingsLab

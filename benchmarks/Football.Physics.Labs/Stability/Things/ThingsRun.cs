@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Labs.Stability.Things;
+namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>Plays a scene with things in it, beside its mirror image, and checks frame by frame what must always hold.</summary>
 internal sealed class ThingsRun

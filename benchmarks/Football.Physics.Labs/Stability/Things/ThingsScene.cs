@@ -1,4 +1,4 @@
-namespace Football.Physics.Labs.Stability.Things;
+namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>A scene with things in it, and a shot among them: all of it from one number. Its mirror image in x has the same numbers, but for their signs.</summary>
 internal sealed class ThingsScene

@@ -2,7 +2,7 @@
 using System;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 public partial class FootballBall
 {

@@ -1,7 +1,7 @@
 #nullable enable
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 public partial class FootballBall
 {

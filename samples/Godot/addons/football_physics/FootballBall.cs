@@ -3,7 +3,7 @@ using System;
 using System.Collections.Generic;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A football: stepped in _PhysicsProcess, drawn in _Process. Its children move and turn with it; its scale and the way it stands at the start are kept.</summary>
 /// <remarks>

@@ -1,10 +1,10 @@
 #nullable enable
 using System.Collections.Generic;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>
 /// Godot's bodies as the ball meets them, found by PhysicsDirectSpaceState3D.CastMotion and GetRestInfo. Spheres, capsules and boxes are met exactly as they are; any

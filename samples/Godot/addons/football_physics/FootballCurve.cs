@@ -4,10 +4,10 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>The drag coefficient of a preset from 0 to 40 m/s, up to 0.6: without spin, and grey with 60 rad/s; below it, where its numbers come from.</summary>
 [Tool]
@@ -94,7 +94,7 @@ public partial class FootballCurve : Control
             return "";
         }
 
-        XElement? summary = XDocument.Load(file).Descendants("member").FirstOrDefault(member => (string?)member.Attribute("name") == $"P:Football.Physics.{type}.{name}")?.Element("summary");
+        XElement? summary = XDocument.Load(file).Descendants("member").FirstOrDefault(member => (string?)member.Attribute("name") == $"P:FootballPhysics.{type}.{name}")?.Element("summary");
         return summary is null ? "" : $"{name}: {string.Join(' ', summary.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries))}\n";
     }
 }

@@ -1,10 +1,10 @@
 #nullable enable
 using System;
 using System.Collections.Generic;
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>What a thing looks like: meshes below it in world coordinates, which are in no scene file.</summary>
 internal sealed class FootballDrawing

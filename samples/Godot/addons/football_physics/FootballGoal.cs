@@ -1,11 +1,11 @@
 #nullable enable
 using System;
 using System.Collections.Generic;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A goal: posts and bar that stop a ball, a net that bulges and is drawn so, and signals when a ball is in. It opens towards its own back (+z), so that who looks along −z shoots at it.</summary>
 /// <remarks>Its place is the middle of the goal line on the ground; its scale does not count.</remarks>

@@ -2,7 +2,7 @@
 #nullable enable
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Adds to the inspector of a preset the drag curve that its numbers make, and where those of its ball and ground come from.</summary>
 [Tool]

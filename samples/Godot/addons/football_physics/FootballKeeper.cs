@@ -1,11 +1,11 @@
 #nullable enable
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Prediction;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Prediction;
+using FootballPhysics.Shapes;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A goalkeeper who stands where this node is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]

@@ -2,7 +2,7 @@
 using System;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>The path ahead in the game: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
 /// <remarks>It shows the kick of <see cref="ShowKick"/> while it is aimed, else the ball's own way while it flies.</remarks>

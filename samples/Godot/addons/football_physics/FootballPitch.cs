@@ -1,10 +1,10 @@
 #nullable enable
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A pitch: its ground is the ground of every football, at the height of this node; its lines are drawn, and it has boards where they have a height. Goals are nodes of their own.</summary>
 /// <remarks>Its place is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>

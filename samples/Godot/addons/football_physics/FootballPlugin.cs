@@ -2,7 +2,7 @@
 #nullable enable
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>What the project's settings switch on: a dock that plays recordings, and the drag curve in the inspector of a preset. The nodes and the resource are global classes: Godot registers them itself, and once.</summary>
 [Tool]

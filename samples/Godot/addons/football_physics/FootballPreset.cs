@@ -1,9 +1,9 @@
 #nullable enable
 using System;
-using Football.Physics.Laws;
+using FootballPhysics.Laws;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Ball, air, ground and method as a resource that any number of balls share.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]

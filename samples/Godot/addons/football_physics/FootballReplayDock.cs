@@ -2,11 +2,11 @@
 #nullable enable
 using System;
 using System.Globalization;
-using Football.Physics.Engines;
-using Football.Physics.Netcode;
+using FootballPhysics.Engines;
+using FootballPhysics.Netcode;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Plays a recorded match segment, goes to any tick of it, and says whether this machine plays it to the same bits. Its scene is that of the edited scene's first ball.</summary>
 [Tool]

@@ -1,10 +1,10 @@
 #nullable enable
 using System.Collections.Generic;
-using Football.Physics.Engines;
-using Football.Physics.Prediction;
+using FootballPhysics.Engines;
+using FootballPhysics.Prediction;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>The scene of one ball: its preset, the things that stand in Godot's tree, and Godot's bodies.</summary>
 internal sealed class FootballScene

@@ -1,7 +1,7 @@
 #nullable enable
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Counts and shows the goals of the tree, and puts a ball that was in, or lies still, back for the next shot.</summary>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]

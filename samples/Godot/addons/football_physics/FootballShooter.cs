@@ -2,7 +2,7 @@
 using System;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]

@@ -3,7 +3,7 @@ using System;
 using System.Collections.Generic;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A thing that every football in the tree meets: a goal, a pitch, a wall, a keeper. It is drawn as it is hit, in the editor too.</summary>
 /// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>

@@ -1,10 +1,10 @@
 #nullable enable
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>A wall of players side by side along x, who stand still and stop a ball.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]

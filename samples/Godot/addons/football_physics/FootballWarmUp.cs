@@ -2,7 +2,7 @@
 using System.Threading;
 using System.Threading.Tasks;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Has the library's code compiled on a thread of its own while the game loads, so that no frame waits for it.</summary>
 public static class FootballWarmUp

@@ -1,8 +1,8 @@
 #nullable enable
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>Conversions between the library's types and Godot's, through the one mapping of handedness.</summary>
 public static class GodotFrame

@@ -2,7 +2,7 @@ using System.Globalization;
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>The inspector of a ball: what it is doing while the game runs; before that its kick, with a handle in the scene and the path that it makes.</summary>
     [CustomEditor(typeof(FootballBall))]

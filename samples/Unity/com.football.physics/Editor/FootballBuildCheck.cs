@@ -3,7 +3,7 @@ using UnityEditor.Build;
 using UnityEditor.Build.Reporting;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>Says before a build what would make the ball several times slower.</summary>
     public sealed class FootballBuildCheck : IPreprocessBuildWithReport

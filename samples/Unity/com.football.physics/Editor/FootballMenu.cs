@@ -1,7 +1,7 @@
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>GameObject → Football: the prefabs of the package, where they belong to.</summary>
     public static class FootballMenu

@@ -4,7 +4,7 @@ using System.Xml.Linq;
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>What the library's documentation says of a preset, with where each number comes from.</summary>
     public static class FootballNotes
@@ -29,7 +29,7 @@ namespace Football.Physics.Unity.Editor
                 s_documentation = XDocument.Parse(file.text);
             }
 
-            string member = "P:Football.Physics." + type + "." + name;
+            string member = "P:FootballPhysics." + type + "." + name;
             XElement summary = s_documentation.Descendants("member").FirstOrDefault(item => (string)item.Attribute("name") == member)?.Element("summary");
             return summary == null ? "" : string.Join(" ", Text(summary).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries));
         }

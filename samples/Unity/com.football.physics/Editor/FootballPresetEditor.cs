@@ -1,10 +1,10 @@
 using System;
 using System.Globalization;
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>The inspector of a preset: its fields, the drag curve that they make, and where the numbers of its ball and ground come from.</summary>
     [CustomEditor(typeof(FootballPreset))]

@@ -1,12 +1,12 @@
 using System;
 using System.Globalization;
 using System.IO;
-using Football.Physics.Engines;
-using Football.Physics.Netcode;
+using FootballPhysics.Engines;
+using FootballPhysics.Netcode;
 using UnityEditor;
 using UnityEngine;
 
-namespace Football.Physics.Unity.Editor
+namespace FootballPhysics.Unity.Editor
 {
     /// <summary>Window → Football → Replay: plays a recorded match segment, goes to any tick of it, and says whether this machine plays it to the same bits.</summary>
     public sealed class FootballReplayWindow : EditorWindow

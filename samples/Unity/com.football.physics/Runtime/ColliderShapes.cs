@@ -1,9 +1,9 @@
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using System;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>The library's shapes of Unity's colliders, in the frame of their transform without its scale.</summary>
     internal static class ColliderShapes

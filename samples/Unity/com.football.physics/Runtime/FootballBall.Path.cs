@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <content>Where the ball goes.</content>
     public sealed partial class FootballBall

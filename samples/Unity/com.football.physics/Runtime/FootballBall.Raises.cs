@@ -1,6 +1,6 @@
 using System;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <content>What the ball tells.</content>
     public sealed partial class FootballBall

@@ -1,9 +1,9 @@
 using System;
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 using Unity.Profiling;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A football on a game object: stepped in FixedUpdate in the time of the game, drawn in Update, all in Unity's frame.</summary>
     /// <remarks>

@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>What happens to a ball, as events that are wired up in the inspector.</summary>
     [Serializable]

@@ -1,9 +1,9 @@
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using System;
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>
     /// Unity's colliders as the ball meets them, found by Physics.SphereCastNonAlloc. Spheres, capsules and boxes are met exactly as they are; anything else (meshes,

@@ -1,11 +1,11 @@
 using System;
 using System.Collections.Generic;
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.SceneManagement;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>What a thing looks like: objects of their own in its scene, made when it is enabled and in no file, for children must not be made or destroyed while their parent is switched on or off.</summary>
     internal sealed class FootballDrawing

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Something that happened to a ball, in Unity's frame.</summary>
     public readonly struct FootballEvent

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Finds what a component was not given.</summary>
     internal static class FootballFinder

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A goal: posts and bar that stop a ball, a net that bulges and is drawn so, and events when a ball is in. It opens towards its own back (−z), so that who looks along z shoots at it.</summary>
     /// <remarks>Its transform is the middle of the goal line on the ground; its scale does not count.</remarks>

@@ -1,10 +1,10 @@
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Prediction;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Prediction;
+using FootballPhysics.Shapes;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A goalkeeper who stands where this object is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
     [AddComponentMenu("Football/Football Keeper"), DisallowMultipleComponent, ExecuteAlways]

@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A kick in numbers, for the inspector.</summary>
     [Serializable]

@@ -1,7 +1,7 @@
 using System;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>The path ahead in the game view: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
     /// <remarks>It shows the kick of <see cref="Show"/> while it is aimed, else the ball's own way while it flies.</remarks>

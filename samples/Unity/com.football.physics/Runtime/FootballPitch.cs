@@ -1,9 +1,9 @@
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A pitch: its ground is the ground of every football, at the height of this object; its lines are drawn, and it has boards where they have a height. Goals are objects of their own.</summary>
     /// <remarks>Its transform is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>

@@ -3,7 +3,7 @@ using UnityEngine;
 using UnityEngine.InputSystem;
 #endif
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>The mouse and one key, by whichever input system the project has.</summary>
     internal static class FootballPointer

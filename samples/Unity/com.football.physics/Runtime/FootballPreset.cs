@@ -1,8 +1,8 @@
 using System;
-using Football.Physics.Laws;
+using FootballPhysics.Laws;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Ball, air, ground, method and time step as an asset that any number of balls share.</summary>
     [CreateAssetMenu(menuName = "Football/Preset", fileName = "FootballPreset")]
@@ -127,7 +127,7 @@ namespace Football.Physics.Unity
             Trionda,
         }
 
-        /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Physics.Ground"/>, and one of your own.</summary>
+        /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="FootballPhysics.Ground"/>, and one of your own.</summary>
         public enum GroundChoice
         {
             OfProfile,
@@ -234,7 +234,7 @@ namespace Football.Physics.Unity
         /// <param name="own">The ground of the profile.</param>
         internal static Ground GroundOf(GroundChoice choice, Ground own)
         {
-            return choice == GroundChoice.OfProfile || choice == GroundChoice.Custom ? own : Physics.Ground.Presets[NameOf(choice.ToString())];
+            return choice == GroundChoice.OfProfile || choice == GroundChoice.Custom ? own : FootballPhysics.Ground.Presets[NameOf(choice.ToString())];
         }
 
         /// <summary>The name of a preset as the library has it: with a small first letter.</summary>

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
-using Football.Physics.Engines;
-using Football.Physics.Prediction;
+using FootballPhysics.Engines;
+using FootballPhysics.Prediction;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>The scene of one ball: its preset, the things that stand in Unity's scene, and Unity's colliders.</summary>
     internal sealed class FootballScene

@@ -1,7 +1,7 @@
 using System.Globalization;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Counts and shows the goals of the scene, and puts a ball that was in, or lies still, back for the next shot.</summary>
     [AddComponentMenu("Football/Football Score"), DisallowMultipleComponent]

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Shoots by mouse: press where the ball is to go and hold, the longer the faster; with the right button it bends to the left. R puts the ball back.</summary>
     [AddComponentMenu("Football/Football Shooter"), DisallowMultipleComponent]

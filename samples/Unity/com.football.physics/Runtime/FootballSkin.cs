@@ -1,8 +1,8 @@
 using System;
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>What a football looks like: a sphere of its radius with the classic pattern, by which one sees it spin. Made when it is enabled; no texture, no model.</summary>
     [AddComponentMenu("Football/Football Skin"), DisallowMultipleComponent, ExecuteAlways, RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]

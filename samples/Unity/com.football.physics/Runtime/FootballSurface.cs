@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>What a collider is made of, for the ball that hits it. Without one it is as a goal's frame.</summary>
     [AddComponentMenu("Football/Football Surface"), DisallowMultipleComponent]

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A thing that every football in the scene meets as long as it is enabled: a goal, a pitch, a wall, a keeper. It is drawn as it is hit.</summary>
     /// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>

@@ -1,7 +1,7 @@
 using System;
 using UnityEngine.Events;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>An event of a ball for the inspector.</summary>
     [Serializable]

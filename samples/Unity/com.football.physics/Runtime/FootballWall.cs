@@ -1,9 +1,9 @@
 using System;
-using Football.Physics.Engines;
-using Football.Physics.Shapes;
+using FootballPhysics.Engines;
+using FootballPhysics.Shapes;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>A wall of players side by side along x, who stand still and stop a ball.</summary>
     [AddComponentMenu("Football/Football Wall"), DisallowMultipleComponent, ExecuteAlways]

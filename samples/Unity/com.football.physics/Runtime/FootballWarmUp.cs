@@ -2,7 +2,7 @@ using System.Threading;
 using System.Threading.Tasks;
 using UnityEngine;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Has the library's code compiled on a thread of its own while the first scene loads, so that no frame of the game waits for it.</summary>
     public static class FootballWarmUp

@@ -1,6 +1,6 @@
-using Football.Physics.Engines;
+using FootballPhysics.Engines;
 
-namespace Football.Physics.Unity
+namespace FootballPhysics.Unity
 {
     /// <summary>Conversions between the library's types and Unity's, through the one mapping of handedness.</summary>
     public static class UnityFrame

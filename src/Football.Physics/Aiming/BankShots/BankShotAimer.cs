@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Finds kicks that reach a target after bounces, and off named things: one bounce and in, off the wall, in off the post.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Kicks among all there is in a scene, nets included, flown until they have met what they are to meet and come closest to the target: that miss, by elevation and azimuth, is a

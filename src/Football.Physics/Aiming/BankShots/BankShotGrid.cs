@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The last resort: kicks over all directions that can meet the first thing are flown in long steps, few at first, more where those lead to no hit; from the closest of

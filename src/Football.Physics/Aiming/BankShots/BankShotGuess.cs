@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Guesses where a kick touches what it is to touch: the ground in hops that get shorter, all else where the way from what is before to what comes after is shortest,

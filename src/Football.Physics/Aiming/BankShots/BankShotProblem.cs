@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// A kick in legs, each from one contact to the next and the last to the target, flown among nothing but the ground, and that only where it is to be met: there is always

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The library's own solver for one target: Newton's method on the crossing of the target's plane, which mostly takes one flight. Where

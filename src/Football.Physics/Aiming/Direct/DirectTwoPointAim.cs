@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The library's own solver for a point on the way and a target: Newton's method in four unknowns, spins within their limits. Where it does not converge, the target comes

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// A flight in which drag and lift are quadratics of |u|² through the laws' own values at three speeds, and fall with the spin as the time goes:

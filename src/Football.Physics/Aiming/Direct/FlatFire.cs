@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// A flight in closed form: quadratic drag along the path, gravity and Magnus force as displacements across it, damped by the same

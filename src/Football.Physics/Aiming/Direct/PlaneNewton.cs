@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Newton's method on the crossings of a <see cref="PlaneProblem"/>. It starts in closed form; the first corrections are rehearsed in fitted air; the first Jacobian is read

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The boundary-value problem of a kick of given speed: which elevation and azimuth make it cross the vertical plane through the target in the target itself, and, where it is to

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Flies kicks without ground to the vertical plane through the target, and to that of a point on the way. Without ground the crossing moves

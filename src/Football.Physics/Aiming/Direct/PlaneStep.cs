@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// One Newton step of a <see cref="PlaneProblem"/>, and how its residuals move with its unknowns. Through a point by the active-set method: a spin that would pass its limit is

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The start of a two-point kick in closed form. The way bends sideways like a parabola of the time, so the two bearings give azimuth and side

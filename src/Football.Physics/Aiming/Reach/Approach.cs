@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A kick, and its closest approach to the target before its first impact.</summary>
 internal struct Approach

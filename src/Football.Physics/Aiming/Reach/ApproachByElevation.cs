@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>The closest approach to a target as a function of the elevation: each kick with the azimuth that brings it closest.</summary>
 internal sealed class ApproachByElevation

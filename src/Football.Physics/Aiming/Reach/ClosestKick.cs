@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// Which kick comes closest to a target, over all elevations within the bounds. The signed miss distance is a smooth function of the elevation:

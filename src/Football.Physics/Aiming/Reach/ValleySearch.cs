@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>The least miss distance around three elevations, by successive parabolas; at a bound through the two nearest.</summary>
 internal sealed class ValleySearch

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>Flies kicks in directions all around, and lists those that come closer than their neighbours: where to begin a search that knows nothing.</summary>
 internal sealed class DirectionScan

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The general way to aim, where <see cref="DirectAim"/> does not lead to a kick: any of its numbers may be unknown, and what a closed form is too far from is sought

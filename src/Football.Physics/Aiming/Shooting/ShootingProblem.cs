@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The boundary-value problem of a kick in its most general form: the ball is to be at the target at a time, and perhaps at a point on the way before. Elevation,

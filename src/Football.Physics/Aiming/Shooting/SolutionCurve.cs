@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The kicks that hit a target, with their speed free, are a curve in elevation, azimuth, speed and time. It is followed by pseudo-arclength continuation: a step along

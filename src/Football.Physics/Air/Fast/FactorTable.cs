@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Up to four functions of one number by table: its exponent and top mantissa bits choose a segment, on it a cubic a function, through

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A smooth law by its tables in air that varies: each stage of a step asks whether they hold, for nobody knows how fast the wind changes along it.</summary>
 /// <typeparam name="TLaw">The law; it has no regions.</typeparam>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The functions of a law as tables that need no root of their argument.</summary>
 internal sealed class LawTables

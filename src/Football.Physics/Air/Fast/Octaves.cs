@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Numbers from 2^From to 2^To, every octave in 2^SegmentBits equal segments.</summary>
 internal readonly record struct Octaves(int From, int To, int SegmentBits)

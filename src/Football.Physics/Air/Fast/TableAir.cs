@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// A law by the tables of its functions, where <see cref="Covers"/> says that they hold: two indices, a handful of cubics, and the law's own

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Drag with a constant coefficient, F_D = −½ ρ C_D A |u| u.</summary>
 internal struct ConstantDrag : IAirLaw

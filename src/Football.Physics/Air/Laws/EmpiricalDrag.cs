@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Drag with the fitted coefficient, F_D = −½ ρ C_D A |u| u (thesis 2.3, with the density it lacks).</summary>
 internal struct EmpiricalDrag : IAirLaw

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Magnus force with the fitted lift coefficient, F_M = ½ ρ C_L A |u|² (ω̂ × û) (thesis 2.8 to 2.10, corrected).</summary>
 internal struct EmpiricalMagnus : IAirLaw

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Spin decay by skin friction on two plates (Tuplin; thesis 2.11 to 2.15, with |U±|).</summary>
 internal struct EmpiricalSpinDecay : IAirLaw

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The constants and branches of the drag coefficient fitted to measurements (Goff; thesis 2.6, 2.7).</summary>
 internal static class FittedDrag

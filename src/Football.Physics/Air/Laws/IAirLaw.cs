@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>One aerodynamic force or torque: drag, Magnus force or spin decay. It knows nothing of the others.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// All aerodynamic laws of a scene as data for one kernel: functions of the speed alone, functions of the spin parameter alone, and how the

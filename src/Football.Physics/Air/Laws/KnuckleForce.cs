@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The side force on a ball with little spin, a smooth pure function of seed, distance flown through the air, air velocity and spin (fitted to

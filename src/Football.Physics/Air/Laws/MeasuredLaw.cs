@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.

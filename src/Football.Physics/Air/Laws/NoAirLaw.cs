@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A force or torque that is left out.</summary>
 internal struct NoAirLaw : IAirLaw

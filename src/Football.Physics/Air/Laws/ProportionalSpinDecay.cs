@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Spin decay by speed times spin, T_D = −(β π ρ r⁴ |u| + I ε ρ/1.2) ω, which never reverses a spin.</summary>
 internal struct ProportionalSpinDecay : IAirLaw

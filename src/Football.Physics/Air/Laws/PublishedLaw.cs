@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The published laws (<see cref="EmpiricalDrag"/>, <see cref="EmpiricalMagnus"/>, <see cref="EmpiricalSpinDecay"/>), taken apart into functions of the

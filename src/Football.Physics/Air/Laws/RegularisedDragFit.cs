@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The weights by which the jumps of the fitted C_D are smoothed over 0.25 m/s and 0.0025 of spin parameter.</summary>
 internal static class RegularisedDragFit

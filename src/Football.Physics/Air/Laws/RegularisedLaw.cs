@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The published laws with the regularised drag coefficient (<see cref="RegularisedDragFit"/>, <see cref="EmpiricalMagnus"/>,

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The drag coefficient of a ball without spin by Reynolds number, through its drag crisis.</summary>
 internal readonly struct ReynoldsDrag

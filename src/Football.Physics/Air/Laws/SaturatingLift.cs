@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The lift by spin across the motion, which tends to a limit: C_L = L S/√(S² + S₀²) (1 − (1 − η₀) q),

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The laws that a scene names, prepared for it: for what is computed once a scene.</summary>
 internal static class SceneLaws

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Drag coefficient that spin across the motion adds, C_D = … + D S/√(S² + S_D²) (1 − (1 − κ₀) q).</summary>
 /// <remarks>It has a kink at S = 0, as |S| has: the force is continuous there, its slope is not.</remarks>

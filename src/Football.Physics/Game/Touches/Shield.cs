@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A player who keeps the ball from his opponents by standing between.</summary>
 public sealed record ShieldRequest

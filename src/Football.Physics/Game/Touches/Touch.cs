@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A touch of the ball that was found: how the foot moves, what the ball does then, and how surely. Whatever the status, it is the best one found, and finite.</summary>
 public readonly struct Touch : IFormattable

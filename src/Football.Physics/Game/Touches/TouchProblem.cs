@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A touch as a problem of least squares: what the foot is to give the ball is sought, and what becomes of the ball then is looked at.</summary>
 internal abstract class TouchProblem : ILeastSquares

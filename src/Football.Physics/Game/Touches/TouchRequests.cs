@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>A dribbling touch: a running player pushes the ball on, to have it before him when he is there.</summary>
 public sealed record DribbleRequest

@@ -1,4 +1,4 @@
-namespace Football.Physics.Aiming;
+namespace FootballPhysics.Aiming;
 
 /// <summary>
 /// The ball at a player's feet: the dribbling touch, the trap, the first-time shot of a moving ball, and where it is shielded. Each answer is the motion of the foot, what the ball

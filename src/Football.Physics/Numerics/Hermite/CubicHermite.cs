@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The cubic Hermite interpolant of a number over 0 ≤ s ≤ 1, c₀ + c₁ s + c₂ s² + c₃ s³: values and slopes at both ends.</summary>
 internal readonly struct CubicHermite

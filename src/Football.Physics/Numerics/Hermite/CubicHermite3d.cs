@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The cubic Hermite interpolant of a motion: positions and velocities at both ends.</summary>
 internal readonly struct CubicHermite3d

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The quintic Hermite interpolant of a motion: positions, velocities and accelerations at both ends.</summary>
 internal readonly struct QuinticHermite3d

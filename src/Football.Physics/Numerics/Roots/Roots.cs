@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Root finders that never leave the bracket they are given. What they evaluate is a struct that they are compiled for.</summary>
 internal static class Roots

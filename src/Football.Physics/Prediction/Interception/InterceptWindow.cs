@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A time during which a runner can meet the ball.</summary>
 public readonly struct InterceptWindow

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Who gets to the ball, and when: answers on a predicted path. Its memory is made once and used again; a query allocates nothing once there is room.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A goalkeeper's answer to a shot.</summary>
 public readonly struct KeeperAnswer

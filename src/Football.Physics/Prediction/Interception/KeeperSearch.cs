@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Finds what a goalkeeper can do about a shot.</summary>
 internal readonly struct KeeperSearch

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>One of the conditions of a meeting over a span of path, positive until it changes: the squared distance, or the height.</summary>
 internal readonly struct MeetingMargin : IDifferentiableFunction

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>The conditions of a meeting at one instant, and their rates.</summary>
 internal struct MeetingPoint

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A piece of path as a polynomial of degree five in the fraction of its length, with bounds of how fast it goes and turns.</summary>
 internal struct PathSpan

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>A path as spans without a gap, up to a time: a ball that came to rest stays there. Its memory is used again.</summary>
 internal sealed class PathSpans

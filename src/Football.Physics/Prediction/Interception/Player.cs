@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>
 /// A player who goes for the ball. Until his reaction time he goes on as he does; from there he can be anywhere within

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Where a runner can be at a time: within a circle that is carried along until he reacts, and grows from then on.</summary>
 internal readonly struct RunnerMotion

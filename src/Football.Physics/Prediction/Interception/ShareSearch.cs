@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Who owns which part of the ball's way, by when each of those who can meet the ball could have been there.</summary>
 internal sealed class ShareSearch

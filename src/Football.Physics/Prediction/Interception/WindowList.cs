@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Windows as they are found, in memory that is used again.</summary>
 internal sealed class WindowList

@@ -1,4 +1,4 @@
-namespace Football.Physics.Prediction;
+namespace FootballPhysics.Prediction;
 
 /// <summary>
 /// Finds all times at which one runner can meet the ball. Far from him and close to him a path goes on unasked for as long as the bounds of both speeds

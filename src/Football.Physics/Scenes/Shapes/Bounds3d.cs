@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>A box along the axes of the world.</summary>
 public readonly struct Bounds3d

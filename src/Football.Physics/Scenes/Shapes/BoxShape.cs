@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>A box at any angle: a board, a dummy, a wall of players.</summary>
 public sealed class BoxShape : IShape

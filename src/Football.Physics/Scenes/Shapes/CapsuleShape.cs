@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>A segment with a radius: a post, a bar, a leg, an arm.</summary>
 public sealed class CapsuleShape : IShape

@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights. Beyond the grid it goes on as at its border.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>The shape of a thing that can be hit: a function of a point. A game's own shape is one such function.</summary>
 /// <remarks>It is asked several times a step where the ball is near, so it should be a pure function that allocates nothing.</remarks>

@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>A half-space: a wall, a board, a tilted pitch.</summary>
 public sealed class PlaneShape : IShape

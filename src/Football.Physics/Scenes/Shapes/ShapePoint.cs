@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>The answer of a shape about a point: signed distance, normal, and how the normal turns.</summary>
 public readonly struct ShapePoint

@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>A sphere: a head, a fist.</summary>
 public sealed class SphereShape : IShape

@@ -1,4 +1,4 @@
-namespace Football.Physics.Shapes;
+namespace FootballPhysics.Shapes;
 
 /// <summary>Approximation of a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
 internal sealed class TangentShape : IShape

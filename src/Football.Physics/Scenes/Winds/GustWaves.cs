@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>Twelve sines a component with a Dryden spectrum: the gusts as a function of the distance along the wind.</summary>
 internal sealed class GustWaves

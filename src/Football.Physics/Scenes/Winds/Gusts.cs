@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>Gusts of a wind: turbulence of a Dryden spectrum, drifting with the mean wind; a pure function of seed, place and time.</summary>
 public sealed record Gusts

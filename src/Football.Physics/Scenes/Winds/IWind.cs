@@ -1,4 +1,4 @@
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>Wind by place and time.</summary>
 /// <remarks>

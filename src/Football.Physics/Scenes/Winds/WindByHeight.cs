@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace Football.Physics.Laws;
+namespace FootballPhysics.Laws;
 
 /// <summary>
 /// Wind that grows with the height over the ground, u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀), with or without gusts: a pure

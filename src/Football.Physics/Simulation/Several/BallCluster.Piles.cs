@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>Piles of the cluster.</content>
 internal sealed partial class BallCluster

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>What balls push.</content>
 internal sealed partial class BallCluster

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>Where the balls go, and what happens first there.</content>
 internal sealed partial class BallCluster

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Balls that may meet in a step, played again from before it: always the first that happens among them, to the last bit by the balls' own steps.</summary>
 internal sealed partial class BallCluster

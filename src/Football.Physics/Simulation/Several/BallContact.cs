@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The contact of two balls: how near they are, and the impulse that both get.</summary>
 internal static class BallContact

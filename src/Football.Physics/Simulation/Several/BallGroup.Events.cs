@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>Events of all balls, in order.</content>
 public sealed partial class BallGroup

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>The steps of all balls as if there were no other, and the balls that must be played together.</content>
 public sealed partial class BallGroup

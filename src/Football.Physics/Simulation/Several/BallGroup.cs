@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Several balls among the same things, stepped together: they hit one another at exact times, in exact order. A training ground's fifty, or two.</summary>
 /// <remarks>

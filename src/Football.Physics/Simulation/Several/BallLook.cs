@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball that is followed to a time within its step.</summary>
 internal sealed class BallLook

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>When the balls of a cluster meet, pair by pair: of those whose ways have not changed since it was asked, what was found then holds.</summary>
 internal sealed class BallMeetings

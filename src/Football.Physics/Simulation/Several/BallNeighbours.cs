@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Which of several balls may meet in a step. Around each is a sphere that it does not leave for some steps; balls whose spheres touch are neighbours, and only

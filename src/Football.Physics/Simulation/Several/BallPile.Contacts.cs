@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>Contacts of the pile.</content>
 internal sealed partial class BallPile

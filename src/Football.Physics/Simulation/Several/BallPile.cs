@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end. A few whose contacts keep their modes go by whole steps of the

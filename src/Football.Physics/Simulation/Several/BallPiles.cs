@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The piles of a group in one step, and which ball is of which.</summary>
 internal sealed class BallPiles

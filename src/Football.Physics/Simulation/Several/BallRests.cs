@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Which balls lie on each other before a step. Those that touch and move are a pile. Those that came to rest in one lie still as long as all are there that they touched: each

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The time at which two balls touch, by their own steps, and the states of both at that time.</summary>
 /// <param name="simulators">The scenes of the balls.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball's path from its position within a step to the step's end, or to where it pushes an object that another ball may reach, as if there were no other ball.</summary>
 internal sealed class BallTrial : PieceObserver

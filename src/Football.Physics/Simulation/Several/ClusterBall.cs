@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>A ball of a cluster that is solved together, in one step of the method.</summary>
 internal struct ClusterBall

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> finds them for one ball: which of them bear a load, which stick, which balls

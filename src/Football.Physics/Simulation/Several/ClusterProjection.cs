@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Puts the balls of a cluster back onto the contacts that bear: what the method leaves of them is within its own error.</summary>
 internal static class ClusterProjection

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <content>The forces of the contacts: one linear system for all of them.</content>
 internal sealed partial class ClusterSystem

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// Balls that press each other, as one system, with the contacts and their modes locked (contacts.md, Balls on balls). With n and ṅ of the line of centres two balls

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Something that happens to one ball, or to two.</summary>
 internal readonly struct Happening(double time, int ball, int other)

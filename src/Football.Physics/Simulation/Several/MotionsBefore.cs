@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The motions, before a step, of all objects that balls push. They are read at the first push: a step without pushes does not pay for them.</summary>
 /// <param name="world">All that can be met.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Impacts within a pile, between its balls and with all else.</summary>
 internal sealed class PileBounces

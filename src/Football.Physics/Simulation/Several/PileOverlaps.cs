@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Puts the balls of a pile where there is room for them after a part: what stands still is never entered.</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>What a ball of a pile does by itself: the forces on it beside its contacts, its way through nets and goals, and what becomes of it after the pile.</summary>
 internal sealed class PilePhase

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>
 /// The impulses of all contacts of a pile over a short time, Coulomb's law at all of them at once: no contact closes by more than its gap, none pulls, and friction is at

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Whole steps of a pile by the method: of a few balls whose contacts keep their modes all along (contacts.md, Balls on balls).</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The balls that can reach an object that is pushed in a step and that another ball can reach as well: only their steps end at a push.</summary>
 /// <param name="pushed">The motions of all objects that balls push.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>Motions of all that balls push: before and after a push, and as they are put back after a look at what would come.</summary>
 /// <param name="world">All that can be met.</param>

@@ -1,4 +1,4 @@
-namespace Football.Physics;
+namespace FootballPhysics;
 
 /// <summary>The time that a step of a group takes.</summary>
 /// <param name="start">The time of its start, s.</param>

@@ -1,7 +1,7 @@
 using System.Buffers.Binary;
 using System.Text.Json.Nodes;
 
-namespace Football.Tool.Replay.Gltf;
+namespace FootballPhysics.Tool.Replay.Gltf;
 
 /// <summary>The binary part of a glTF file: numbers in one buffer, and what says where they are.</summary>
 internal sealed class GltfData

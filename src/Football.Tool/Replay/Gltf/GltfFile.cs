@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
-using Football.Drawing;
-using Football.Scenarios.Input;
+using FootballPhysics.Drawing;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Replay.Gltf;
+namespace FootballPhysics.Tool.Replay.Gltf;
 
 /// <summary>A moving picture as a glTF 2.0 file: right-handed, y up, metres and seconds, as the library has them.</summary>
 internal sealed class GltfFile

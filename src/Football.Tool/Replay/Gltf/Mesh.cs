@@ -1,4 +1,4 @@
-namespace Football.Tool.Replay.Gltf;
+namespace FootballPhysics.Tool.Replay.Gltf;
 
 /// <summary>Triangles, counter-clockwise seen from outside, with normals at their corners.</summary>
 internal sealed class Mesh

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Columns;
+namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>A column of a data set.</summary>
 /// <param name="Name">Its name.</param>

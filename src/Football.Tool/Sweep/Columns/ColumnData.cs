@@ -1,6 +1,6 @@
 using System.Runtime.InteropServices;
 
-namespace Football.Tool.Sweep.Columns;
+namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>The values of a column for some rows.</summary>
 /// <param name="column">The column.</param>

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Columns;
+namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>What the values of a column are.</summary>
 internal enum ColumnKind

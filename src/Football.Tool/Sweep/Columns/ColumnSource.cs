@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Columns;
+namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>A column that rows can have, and where its values come from.</summary>
 /// <param name="Column">The column.</param>

@@ -1,9 +1,9 @@
 using System.Buffers;
 using System.Buffers.Text;
 using System.Text;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>A line of names, and one of values for each row (RFC 4180); nothing where a number is none.</summary>
 internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat

@@ -1,9 +1,9 @@
 using System.Buffers;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>One JSON object a line; null where a number is none.</summary>
 internal sealed class NdjsonFormat : RowFormat

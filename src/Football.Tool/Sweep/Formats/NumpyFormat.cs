@@ -1,7 +1,7 @@
 using System.Buffers;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>A file a column, as NumPy writes arrays: the first axis is the row's.</summary>
 internal sealed class NumpyFormat(IReadOnlyList<Column> columns) : RowFormat

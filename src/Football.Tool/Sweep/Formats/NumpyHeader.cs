@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>The header of a .npy file, version 1.0: eight bytes of magic and version, a length of two, and a Python dictionary.</summary>
 internal static class NumpyHeader

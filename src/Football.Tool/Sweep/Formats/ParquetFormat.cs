@@ -1,9 +1,9 @@
 using System.Buffers;
 using System.Buffers.Binary;
 using System.Text;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>
 /// One Parquet file: a column for each number of a row, words as text by a dictionary. Values lie as they are, in row groups of a fixed number of rows, so that every length follows from the

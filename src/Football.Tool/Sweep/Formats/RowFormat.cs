@@ -1,8 +1,8 @@
 using System.Buffers;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>How rows are written.</summary>
 internal abstract class RowFormat

@@ -1,7 +1,7 @@
 using System.Buffers;
 using System.Text;
 
-namespace Football.Tool.Sweep.Formats;
+namespace FootballPhysics.Tool.Sweep.Formats;
 
 /// <summary>Writes structures as Thrift's compact protocol does, which Parquet's headers and footers are in: fields in ascending order, each with its type and its distance from the one before.</summary>
 internal sealed class ThriftWriter

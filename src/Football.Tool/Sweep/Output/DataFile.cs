@@ -1,7 +1,7 @@
 using System.Security.Cryptography;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>A file that grows, and the hash of what is in it.</summary>
 internal sealed class DataFile : IDisposable

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>A file of a data set, or what there is of it.</summary>
 /// <param name="Name">Its name.</param>

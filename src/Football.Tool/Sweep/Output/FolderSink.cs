@@ -1,9 +1,9 @@
 using System.Buffers;
-using Football.Tool.Commands;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Formats;
+using FootballPhysics.Tool.Commands;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Formats;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>
 /// Rows that go to the files of a folder. A checkpoint says how much of each is certain; who comes back after an interruption goes on from there. The

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>What says which bytes a data set has: parts that differ in it do not belong together.</summary>
 /// <param name="Program">The program and its version.</param>

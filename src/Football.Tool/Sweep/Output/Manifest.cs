@@ -1,9 +1,9 @@
 using System.Buffers;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>What a folder holds: of which sweep, which part, how many rows, in which files.</summary>
 /// <param name="Identity">The sweep.</param>

@@ -1,6 +1,6 @@
 using System.Buffers;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>Where rows go.</summary>
 internal abstract class RowSink : IDisposable

@@ -2,11 +2,11 @@ using System.Buffers;
 using System.Security.Cryptography;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Columns;
-using Football.Tool.Sweep.Formats;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Formats;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>What the columns of a data set are: names, files, types, units, words.</summary>
 internal static class Schema

@@ -1,6 +1,6 @@
 using System.Buffers;
 
-namespace Football.Tool.Sweep.Output;
+namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>Rows that go to the standard output.</summary>
 internal sealed class StreamSink : RowSink

@@ -1,6 +1,6 @@
 using System.Text.Json;
 
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>One of some values: drawn from a list, or in turn from a grid.</summary>
 internal sealed class ChoiceRange : FieldRange

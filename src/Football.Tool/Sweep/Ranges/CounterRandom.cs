@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>splitmix64 as a counter generator: a number of a field depends on the seed, the field's name and the row, and on nothing else.</summary>
 internal static class CounterRandom

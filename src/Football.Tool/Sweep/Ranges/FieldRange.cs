@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>What a field's values are drawn from.</summary>
 internal abstract class FieldRange

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>A value that was drawn.</summary>
 /// <param name="Number">The number; not a number where it is none.</param>

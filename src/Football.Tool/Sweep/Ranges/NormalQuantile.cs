@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>The quantiles of the normal distribution, with the same bits on every machine.</summary>
 internal static class NormalQuantile

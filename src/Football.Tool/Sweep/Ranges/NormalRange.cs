@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>Numbers around a mean, normally distributed; those outside of a range do not occur.</summary>
 internal sealed class NormalRange : FieldRange

@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Text.Json;
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>Reads a range: [low, high], {"uniform"}, {"normal"}, {"list"} or {"grid"}.</summary>
 internal static class RangeInput

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Ranges;
+namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>Every number between two is as likely as any other.</summary>
 internal sealed class UniformRange(double low, double high) : FieldRange

@@ -1,8 +1,8 @@
-using Football.Scenarios.Input;
-using Football.Tool.Aim;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Aim;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Kicks that are looked for one by one.</summary>
 internal sealed class AimRows : RowMaker

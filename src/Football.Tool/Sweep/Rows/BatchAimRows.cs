@@ -1,6 +1,6 @@
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Kicks that are looked for many at a time.</summary>
 internal sealed class BatchAimRows : RowMaker

@@ -1,6 +1,6 @@
-using Football.Scenarios.Input;
+using FootballPhysics.Scenarios.Input;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>The scenes of rows, compiled; one that comes again is not compiled again.</summary>
 /// <typeparam name="T">A compiled scene.</typeparam>

@@ -1,6 +1,6 @@
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Flights to the first impact, in lanes.</summary>
 internal sealed class FlightRows : LaunchRows

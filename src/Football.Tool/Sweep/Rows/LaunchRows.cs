@@ -1,7 +1,7 @@
-using Football.Scenarios;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Scenarios;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Rows of launches.</summary>
 internal abstract class LaunchRows : RowMaker

@@ -1,4 +1,4 @@
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>The end of a flight by the single ball.</summary>
 internal struct PlayEnd

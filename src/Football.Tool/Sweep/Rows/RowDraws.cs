@@ -1,6 +1,6 @@
-using Football.Tool.Sweep.Ranges;
+using FootballPhysics.Tool.Sweep.Ranges;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>What was drawn for some rows.</summary>
 internal sealed class RowDraws

@@ -1,7 +1,7 @@
-using Football.Scenarios.Input;
-using Football.Tool.Sweep.Columns;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Sweep.Columns;
 
-namespace Football.Tool.Sweep.Rows;
+namespace FootballPhysics.Tool.Sweep.Rows;
 
 /// <summary>Makes rows, on one thread.</summary>
 internal abstract class RowMaker

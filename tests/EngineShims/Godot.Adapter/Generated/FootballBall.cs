@@ -1,6 +1,6 @@
 using Godot;
 
-namespace Football.Physics.GodotAddon;
+namespace FootballPhysics.GodotAddon;
 
 /// <summary>What Godot's source generator adds: the names of the signals that the node declares.</summary>
 public partial class FootballBall

@@ -1,10 +1,10 @@
 using System.Collections;
-using Football.Physics.Netcode;
+using FootballPhysics.Netcode;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
 
-namespace Football.Physics.Unity.Tests
+namespace FootballPhysics.Unity.Tests
 {
     /// <summary>Play-mode tests of the package: Window → General → Test Runner → PlayMode, with "testables": ["com.football.physics"] in the project's manifest.</summary>
     public sealed class FootballPlayModeTests
