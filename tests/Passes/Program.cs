@@ -89,7 +89,7 @@ bool Compile()
         File.Copy(path, Path.Combine(work, Path.GetFileName(path)));
     }
 
-    using FileStream image = File.Create(Path.Combine(work, "FootballPhysics.dll"));
+    using FileStream image = File.Create(Path.Combine(work, "Football.Physics.dll"));
     Diagnostic[] errors = compilation.Emit(image).Diagnostics.Where(at => at.Severity == DiagnosticSeverity.Error).ToArray();
     foreach (Diagnostic error in errors)
     {

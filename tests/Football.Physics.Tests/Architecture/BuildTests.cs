@@ -23,7 +23,7 @@ public sealed class BuildTests
     [Fact]
     public void The_library_names_no_folder_of_the_machine_that_built_it()
     {
-        using var reader = new PEReader(File.OpenRead(Path.Combine(AppContext.BaseDirectory, "FootballPhysics.dll")));
+        using var reader = new PEReader(File.OpenRead(Path.Combine(AppContext.BaseDirectory, "Football.Physics.dll")));
         DebugDirectoryEntry symbols = reader.ReadDebugDirectory().First(entry => entry.Type == DebugDirectoryEntryType.CodeView);
         Assert.StartsWith("/_/", reader.ReadCodeViewDebugDirectoryData(symbols).Path);
         Assert.Contains(reader.ReadDebugDirectory(), entry => entry.Type == DebugDirectoryEntryType.Reproducible);
