@@ -6,7 +6,7 @@ internal static class AimAnything
     /// <summary>Scenes that the requests are spread over.</summary>
     public const int Scenes = 100;
 
-    private static readonly ForceSet[] Laws = [ForceSet.Published, ForceSet.Regularised, ForceSet.Constant, ForceSet.Published with { Magnus = ForceLaw.Constant }, ForceSet.None];
+    private static readonly ForceSet[] Laws = [ForceSet.Published, ForceSet.Regularized, ForceSet.Constant, ForceSet.Published with { Magnus = ForceLaw.Constant }, ForceSet.None];
 
     /// <summary>One of the scenes.</summary>
     public static Scene Scene(int seed, int index)

@@ -140,7 +140,7 @@ internal sealed class AimExperiments(int seed, bool quick)
             Charts =
             [
                 AimCharts.Over("Miss at the target against speed", "speed, m/s", "mm", shot => shot.Request.Speed, shot => Math.Max(1e-3, 1e3 * shot.Miss), rows, AxisScale.Logarithmic),
-                AimCharts.Over("Miss at the point against speed", "speed, m/s", "m", shot => shot.Request.Speed, shot => shot.Result.ThroughMiss ?? 0, rows),
+                AimCharts.Over("Miss at the point against speed", "speed, m/s", "m", shot => shot.Request.Speed, shot => shot.Result.WaypointMiss ?? 0, rows),
                 AimCharts.Over("Sidespin against speed", "speed, m/s", "rad/s", shot => shot.Request.Speed, shot => shot.SideSpin, rows),
                 AimCharts.Over("Topspin against speed", "speed, m/s", "rad/s", shot => shot.Request.Speed, shot => shot.TopSpin, rows),
                 AimCharts.Over("Time against speed", "speed, m/s", "µs", shot => shot.Request.Speed, shot => shot.Microseconds, rows, AxisScale.Logarithmic),

@@ -78,7 +78,7 @@ internal static class AimLab
                 foreach (AimShot shot in row.Shots)
                 {
                     report.Rows.Add(
-                        section.Title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.ThroughMiss,
+                        section.Title, row.Name, shot.Distance, shot.Request.Speed, Words.Of(shot.Result.Status), shot.Miss, shot.Result.WaypointMiss,
                         shot.Elevation, shot.TopSpin, shot.SideSpin, shot.Result.Iterations, shot.Result.Simulations, shot.Microseconds);
                 }
             }

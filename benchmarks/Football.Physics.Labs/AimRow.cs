@@ -11,8 +11,8 @@ internal sealed class AimRow
         OutOfReach = shots.Count(shot => shot.Result.Status == AimStatus.OutOfReach);
         IReadOnlyList<AimShot> counted = Hits > 0 ? [.. shots.Where(shot => shot.Result.Status != AimStatus.OutOfReach)] : shots;
         Miss = new Spread(counted.Select(shot => shot.Miss));
-        ThroughMiss = shots.Any(shot => shot.Result.ThroughMiss is not null && shot.Request.Through is not null)
-            ? new Spread(counted.Select(shot => shot.Result.ThroughMiss ?? 0))
+        ThroughMiss = shots.Any(shot => shot.Result.WaypointMiss is not null && shot.Request.Waypoint is not null)
+            ? new Spread(counted.Select(shot => shot.Result.WaypointMiss ?? 0))
             : null;
         Iterations = new Spread(shots.Select(shot => (double)shot.Result.Iterations));
         Simulations = new Spread(shots.Select(shot => (double)shot.Result.Simulations));

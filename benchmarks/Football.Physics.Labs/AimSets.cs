@@ -101,7 +101,7 @@ internal static class AimSets
     private static AimRequest[] FreeKick(Vector3d through, Vector3d target, int count) => [.. Enumerable.Range(0, count).Select(i => new AimRequest
     {
         From = new Vector3d(-25, Radius, 0),
-        Through = through,
+        Waypoint = through,
         Target = target,
         Speed = 20 + (20.0 * i / (count - 1)),
     })];
@@ -121,7 +121,7 @@ internal static class AimSets
                 && path.TryGetCrossing(new Plane3d(new Vector3d(way, 0, 0), new Vector3d(1, 0, 0)), out PathPoint through)
                 && target.Position.Y > 0.2)
             {
-                return new AimRequest { From = new Vector3d(0, Radius, 0), Through = through.Position, Target = target.Position, Speed = speed };
+                return new AimRequest { From = new Vector3d(0, Radius, 0), Waypoint = through.Position, Target = target.Position, Speed = speed };
             }
         }
     }

@@ -34,7 +34,7 @@ internal static class ConsistencyLab
         {
             foreach ((string law, ForceSet forces, bool locate) in new[]
             {
-                ("published, jump located", ForceSet.Published, true), ("published, jump not located", ForceSet.Published, false), ("regularised", ForceSet.Regularised, true),
+                ("published, jump located", ForceSet.Published, true), ("published, jump not located", ForceSet.Published, false), ("regularised", ForceSet.Regularized, true),
             })
             {
                 foreach (Integrator method in new[] { Integrator.Rk2, Integrator.Rk4 })

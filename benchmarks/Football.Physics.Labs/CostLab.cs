@@ -57,7 +57,7 @@ internal static class CostLab
                 double top = spread.Percentile(0.99);
                 double mean = times.Where(time => time <= top).Average();
                 double thesis = Thesis(method);
-                table.Add(method, motion, spread.Percentile(0.05), spread.Median, spread.P95, top, mean, thesis, motion == MotionState.Stopped ? null : thesis / mean);
+                table.Add(method, motion, spread.Percentile(0.05), spread.Median, spread.P95, top, mean, thesis, motion == MotionState.Rest ? null : thesis / mean);
                 if (motion == MotionState.Airborne)
                 {
                     shown.Add((method, [.. times.Where(time => time <= top)]));
@@ -86,7 +86,7 @@ internal static class CostLab
     /// <summary>The states before so many steps of each motion in which nothing happens, from kick to rest and kicked again.</summary>
     private static Dictionary<MotionState, BallState[]> Collect(Simulator simulator, long seed, int frames)
     {
-        var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Squeezed).ToDictionary(motion => motion, _ => new List<BallState>(frames));
+        var found = Enum.GetValues<MotionState>().Where(motion => motion != MotionState.Pinned).ToDictionary(motion => motion, _ => new List<BallState>(frames));
         var random = new SeededRandom(SeededRandom.Mix(seed, 343));
         var log = new StepLog();
         while (found.Values.Any(list => list.Count < frames))
@@ -107,7 +107,7 @@ internal static class CostLab
                     list.Add(before);
                 }
 
-                stopped += before.Motion == MotionState.Stopped ? 1 : 0;
+                stopped += before.Motion == MotionState.Rest ? 1 : 0;
                 if (onlySlides && before.Motion == MotionState.Rolling)
                 {
                     break;

@@ -16,7 +16,7 @@ internal sealed record KnownKick(AimRequest Request, double Time, Vector3d Betwe
     /// <summary>The same request with its point on the way, and the spins to be found.</summary>
     public AimRequest TwoPoint => Request with
     {
-        Through = Between,
+        Waypoint = Between,
         TopSpin = 0,
         SideSpin = 0,
         MaximumTopSpin = Math.Max(40, 1.05 * Math.Abs(Request.TopSpin)),

@@ -70,7 +70,7 @@ internal sealed class KnownKickCounts
             AimResult exact = aimer.FindAtTime(request, kick.Time);
             AimResult slowest = aimer.FindSlowest(request with { Speed = more * request.Speed });
             AimResult two = aimer.Find(kick.TwoPoint);
-            bool passes = two.Miss <= request.Tolerance && two.ThroughMiss <= request.ThroughTolerance;
+            bool passes = two.Miss <= request.Tolerance && two.WaypointMiss <= request.WaypointTolerance;
             int falseHits = FalseHit(truth, request, in low, index, kick, scene) + FalseHit(truth, request, in high, index, kick, scene)
                 + FalseHit(truth, request, in slowest, index, kick, scene) + FalseHit(truth, kick.TwoPoint, in two, index, kick, scene);
             lock (_lock)

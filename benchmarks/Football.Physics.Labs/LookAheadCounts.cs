@@ -185,7 +185,7 @@ internal sealed class LookAheadCounts
                 ? depth > 0 ? (-friction * ball.Velocity) + (stiffness * new Vector3d(0, 0, depth)) : Vector3d.Zero
                 : -friction * ball.Velocity;
         });
-        var simulator = new Simulator(scene with { Forces = scene.Forces with { Custom = [net] } });
+        var simulator = new Simulator(scene with { Forces = scene.Forces with { CustomForces = [net] } });
         BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
         var request = new LookAheadRequest { Duration = 1, StopAt = StopAt.Impact };
         bool refused = false;

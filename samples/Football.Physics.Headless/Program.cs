@@ -21,14 +21,14 @@ foreach (Shot shot in Shots.All())
     var marks = new List<BallEvent>();
     Console.WriteLine($"{shot.Name}: {shot.Velocity.Length:F0} m/s");
 
-    while (ball.Motion != MotionState.Stopped && ball.Time < 12)
+    while (ball.Motion != MotionState.Rest && ball.Time < 12)
     {
         log.Clear();
         simulator.Step(ref ball, Frame, log);
         path.Add(ball.Position);
         foreach (BallEvent happened in log.Events.Span)
         {
-            string what = $"{happened.Kind} {simulator.NameOf(happened.Thing)}".TrimEnd();
+            string what = $"{happened.Kind} {simulator.NameOf(happened.ColliderIndex)}".TrimEnd();
             Console.WriteLine($"  {happened.Time,5:F2} s  {what,-20} {happened.Velocity.Length,5:F1} m/s at {happened.Position:F2}");
             marks.Add(happened);
         }

@@ -41,8 +41,8 @@ internal static class Shots
         {
             From = spot,
             Target = corner,
-            Through = new Vector3d(-1.2, 2.3, -9.15),
-            ThroughTolerance = 0.3,
+            Waypoint = new Vector3d(-1.2, 2.3, -9.15),
+            WaypointTolerance = 0.3,
             Speed = 25,
             TopSpin = -5,
             SideSpin = 45,

@@ -24,7 +24,7 @@ if (path.TryGetCrossing(goalLine, out PathPoint crossing))
 }
 
 // The loop of a game: a step a frame, and what happened in it.
-while (ball.Motion != MotionState.Stopped)
+while (ball.Motion != MotionState.Rest)
 {
     ball.Step(1.0 / 60.0);
     foreach (BallEvent happened in ball.Events)

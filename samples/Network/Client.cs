@@ -4,7 +4,7 @@ namespace FootballPhysics.Network;
 
 /// <summary>
 /// Plays ahead of the server, so that what its player does is seen at once and comes in time; what the others do it guesses, and plays again from the first tick in which it guessed wrongly.
-/// Two calls of the library do it: the step, and <see cref="Rollback.PlayFrom"/>.
+/// Two calls of the library do it: the step, and <see cref="Rollback.ResimulateFrom"/>.
 /// </summary>
 public sealed class Client(int seed, HashLog hashes, string? otherVersion = null)
 {
@@ -41,7 +41,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
 
         if (_rollback is null)
         {
-            ulong hash = otherVersion is null ? _match.Runner.MatchHash : 1;
+            ulong hash = otherVersion is null ? _match.Runner.SessionHash : 1;
             return now % 10 == 0 && Refused is null ? [Packets.Of(PacketKind.Join, writer => writer.Write(hash))] : [];
         }
 
@@ -141,7 +141,7 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
                 _match.MovePlayers(tick);
             }
 
-            rollback.PlayFrom(begin);
+            rollback.ResimulateFrom(begin);
             Corrections.Compare(rollback, begin);
             _view.Corrected(_match.Runner.State);
         }
@@ -164,12 +164,12 @@ public sealed class Client(int seed, HashLog hashes, string? otherVersion = null
             return;
         }
 
-        BallState theirs = bytes.Length == Snapshot.WireSize ? _match.Runner.ReadWire(bytes) : Snapshot.Read(bytes);
+        BallState theirs = bytes.Length == Snapshot.QuantizedSize ? _match.Runner.ReadQuantized(bytes) : Snapshot.Read(bytes);
         Corrections.Checked++;
         if (Snapshot.Difference(theirs, rollback.StateAt(tick)) is { } difference)
         {
             Corrections.Diverged($"tick {tick}, {difference}");
-            rollback.Correct(tick, in theirs);
+            rollback.ApplyServerState(tick, in theirs);
         }
     }
 }

@@ -36,7 +36,7 @@ public sealed class Match
     private const double Reach = 1.5;
     private const double Acceleration = 9;
 
-    private readonly Bodies _bodies = new();
+    private readonly KinematicBodies _bodies = new();
     private readonly Player[][] _players = [.. Enumerable.Range(0, Kept).Select(_ => new Player[Players])];
     private readonly TeamInput[][] _inputs = [.. Enumerable.Range(0, Kept).Select(_ => new[] { TeamInput.Stand, TeamInput.Stand })];
 
@@ -59,7 +59,7 @@ public sealed class Match
                 Wall(new Vector3d(0, 0, -56), new Vector3d(0, 0, 1)), Wall(new Vector3d(0, 0, 56), new Vector3d(0, 0, -1)),
             ],
         };
-        Runner = new FixedStepRunner(new Simulator(scene), Step) { WireTicks = WireTicks, BodiesAt = PutPlayers };
+        Runner = new FixedStepRunner(new Simulator(scene), Step) { QuantizationInterval = WireTicks, MoveBodies = PutPlayers };
     }
 
     public FixedStepRunner Runner { get; }

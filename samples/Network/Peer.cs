@@ -76,7 +76,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         // The first of the two is there from the start; the second asks to be let in.
         if (_game is null && team == 1)
         {
-            return now % 10 == 0 ? [Packets.Of(PacketKind.Join, writer => writer.Write(_match.Runner.MatchHash))] : [];
+            return now % 10 == 0 ? [Packets.Of(PacketKind.Join, writer => writer.Write(_match.Runner.SessionHash))] : [];
         }
 
         _game ??= new MatchCallbacks(_match);
@@ -158,7 +158,7 @@ public sealed class Peer(int team, int seed, HashLog hashes)
         using var reader = new BinaryReader(new MemoryStream(packet));
         switch ((PacketKind)reader.ReadByte())
         {
-            case PacketKind.Join when _game is not null && reader.ReadUInt64() == _match.Runner.MatchHash:
+            case PacketKind.Join when _game is not null && reader.ReadUInt64() == _match.Runner.SessionHash:
                 // Who joins begins where both teams' inputs end that are known: nothing before it changes any more.
                 _joinAt = _joinAt < 0 ? Math.Min(_confirmed, _game.Frame) : _joinAt;
                 _begun = true;

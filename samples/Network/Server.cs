@@ -58,9 +58,9 @@ public sealed class Server(int seed, HashLog hashes)
         {
             // The ball as it is at this tick, in 24 bytes; in a net, or between two feet, it takes the whole snapshot.
             BallState ball = _match.Runner.State;
-            _ball = new byte[Snapshot.WireSize];
+            _ball = new byte[Snapshot.QuantizedSize];
             Short++;
-            if (!_match.Runner.TryWriteWire(in ball, _ball))
+            if (!_match.Runner.TryWriteQuantized(in ball, _ball))
             {
                 Short--;
                 Whole++;
@@ -78,7 +78,7 @@ public sealed class Server(int seed, HashLog hashes)
     {
         if (_otherHash != 0)
         {
-            return [Packets.Of(PacketKind.Refuse, writer => writer.Write(_match.Runner.MatchHash))];
+            return [Packets.Of(PacketKind.Refuse, writer => writer.Write(_match.Runner.SessionHash))];
         }
 
         if (_joins)
@@ -113,7 +113,7 @@ public sealed class Server(int seed, HashLog hashes)
         if ((PacketKind)reader.ReadByte() == PacketKind.Join)
         {
             ulong hash = reader.ReadUInt64();
-            _otherHash = hash == _match.Runner.MatchHash ? 0 : hash;
+            _otherHash = hash == _match.Runner.SessionHash ? 0 : hash;
             _confirmed = _joins ? _confirmed : _match.Tick;
             _joins = true;
             _received = Math.Max(_received, _match.Tick);

@@ -32,13 +32,13 @@ internal sealed class Flight
     }
 
     /// <summary>Whether there is no more to come.</summary>
-    public bool IsOver => _ball.Motion == MotionState.Stopped || _ball.Time >= Longest;
+    public bool IsOver => _ball.Motion == MotionState.Rest || _ball.Time >= Longest;
 
     /// <summary>Where the flight is, s.</summary>
     public double Time => _ball.Time;
 
     /// <summary>The library's goalkeeper's answer; null where there is none.</summary>
-    public KeeperAnswer? Answer => _keeper?.Answer;
+    public KeeperResult? Answer => _keeper?.Answer;
 
     /// <summary>Name of what an event tells of.</summary>
     public string NameOf(int thing) => _ball.Simulator.NameOf(thing) ?? "";
@@ -54,7 +54,7 @@ internal sealed class Flight
             foreach (BallEvent happened in _ball.Events)
             {
                 Tell(happened.Position, happened.VelocityBefore, happened.Velocity, happened.Spin, happened.Time);
-                _told.AddRange([(double)Row.Event, (double)happened.Kind, happened.Thing, happened.Time, happened.Position.X, happened.Position.Y, happened.Position.Z, happened.VelocityBefore.Length, happened.Velocity.Length]);
+                _told.AddRange([(double)Row.Event, (double)happened.Kind, happened.ColliderIndex, happened.Time, happened.Position.X, happened.Position.Y, happened.Position.Z, happened.VelocityBefore.Length, happened.Velocity.Length]);
             }
 
             BallState state = _ball.State;

@@ -12,8 +12,8 @@ internal sealed class Keeper
 
     private readonly Player _player;
     private readonly Goal _goal;
-    private readonly Body _trunk;
-    private readonly Body _gloves;
+    private readonly KinematicBody _trunk;
+    private readonly KinematicBody _gloves;
     private readonly Vector3d _feet;
     private readonly Vector3d _ready;
     private Vector3d _reached;
@@ -30,17 +30,17 @@ internal sealed class Keeper
         _goal = goal;
         _feet = goal.Center + new Vector3d(0, 0, 0.5);
         _ready = _feet + new Vector3d(0, 1.2, 0.25);
-        _player = new Player { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, HighestHeight = 2.6 };
+        _player = new Player { Position = _feet, Reaction = reaction, Acceleration = 14, Speed = speed, Reach = 0.6, MaximumHeight = 2.6 };
         _trunk = Bodies.Add("keeper", new CapsuleShape(new Vector3d(0, -0.6, 0), new Vector3d(0, 0.6, 0), 0.2), SurfaceMaterial.Boot);
         _gloves = Bodies.Add("gloves", new SphereShape(Vector3d.Zero, 0.17), SurfaceMaterial.Glove);
         MoveTo(0);
     }
 
     /// <summary>What the ball can hit of him; for the scene.</summary>
-    public Bodies Bodies { get; } = [];
+    public KinematicBodies Bodies { get; } = [];
 
     /// <summary>The library's answer to the shot he dives for.</summary>
-    public KeeperAnswer Answer { get; private set; }
+    public KeeperResult Answer { get; private set; }
 
     /// <summary>Sees a shot, and makes up his mind.</summary>
     /// <param name="path">Where the ball goes if he does nothing, from now on.</param>
@@ -58,7 +58,7 @@ internal sealed class Keeper
         _until = Math.Max(Answer.Crossing.Time, _from + 0.25);
 
         // All the way where he gets there in time; else as far as he covers.
-        double covers = Math.Max(Math.Abs(Answer.CoversFrom), Math.Abs(Answer.CoversTo)) - _player.Reach;
+        double covers = Math.Max(Math.Abs(Answer.ReachLeft), Math.Abs(Answer.ReachRight)) - _player.Reach;
         double share = Answer.Saves ? 1 : Math.Clamp(covers / Math.Max(Math.Abs(aside), 1e-9), 0.2, 0.9);
         var target = new Vector3d(Answer.Crossing.Position.X, Math.Max(0.15, Answer.Crossing.Position.Y), _feet.Z - 0.1);
         _reached = Vector3d.Lerp(_ready, target, share);

@@ -93,7 +93,7 @@ internal static partial class Playground
     internal static string Answer(int number) => s_flights[number].Answer switch
     {
         { Crosses: true, IsOnTarget: true, Saves: true } answer => FormattableString.Invariant($"The keeper can get there if he dives by {answer.LatestReaction:F2} s."),
-        { Crosses: true, IsOnTarget: true } answer => FormattableString.Invariant($"Out of the keeper's reach: he covers {answer.CoversTo:F1} m, it is {Math.Abs(answer.Aside):F1} m aside."),
+        { Crosses: true, IsOnTarget: true } answer => FormattableString.Invariant($"Out of the keeper's reach: he covers {answer.ReachRight:F1} m, it is {Math.Abs(answer.LateralOffset):F1} m aside."),
         { Crosses: true } => "Off target.",
         _ => "",
     };

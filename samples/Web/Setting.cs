@@ -49,7 +49,7 @@ internal sealed record Setting(
     public Keeper? NewKeeper() => Keeper == 0 ? null : new Keeper(Goal, Reaction, GloveSpeed);
 
     /// <summary>The scene, with a goalkeeper's bodies or without.</summary>
-    public Scene Scene(Bodies? bodies) => (Profile == "published" ? FootballPhysics.Scene.Published : FootballPhysics.Scene.Measured) with
+    public Scene Scene(KinematicBodies? bodies) => (Profile == "published" ? FootballPhysics.Scene.Published : FootballPhysics.Scene.Measured) with
     {
         Ball = BallProperties.Presets[Ball],
         Ground = FootballPhysics.Ground.Presets[GroundName],

@@ -6,7 +6,7 @@ namespace FootballPhysics.Batch;
 /// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
 /// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things that move, ground that is not level or not the same
 /// everywhere, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are flown ball by ball, in double. So is every
-/// ball that may meet a goal or an obstacle on its way; <see cref="FlownSingly"/> counts them.
+/// ball that may meet a goal or an obstacle on its way; <see cref="ScalarFallbackCount"/> counts them.
 /// </remarks>
 public sealed class BallBatch
 {
@@ -51,10 +51,10 @@ public sealed class BallBatch
 
     /// <summary>True when the balls of a scene fly side by side in a batch: laws that lanes have, wind that is the same everywhere, no forces of a game's own. Others fly one by one.</summary>
     /// <param name="scene">The scene.</param>
-    public static bool FliesSideBySide(Scene scene) => LaneFlight.Covers(scene);
+    public static bool SupportsSimd(Scene scene) => LaneFlight.Covers(scene);
 
     /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
-    public int FlownSingly
+    public int ScalarFallbackCount
     {
         get
         {

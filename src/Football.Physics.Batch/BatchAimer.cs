@@ -42,7 +42,7 @@ public sealed class BatchAimer
     public Scene Scene { get; }
 
     /// <summary>How many of the last requests were handed to the single aimer.</summary>
-    public int FlownSingly
+    public int ScalarFallbackCount
     {
         get
         {

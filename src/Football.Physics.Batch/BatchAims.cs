@@ -11,8 +11,8 @@ public sealed class BatchAims
     public BatchAims(int capacity)
     {
         Check.AtLeast(nameof(capacity), capacity, 0);
-        From = new VectorArrays(capacity);
-        Target = new VectorArrays(capacity);
+        From = new Vector3dColumns(capacity);
+        Target = new Vector3dColumns(capacity);
         Speed = new double[capacity];
         TopSpin = new double[capacity];
         SideSpin = new double[capacity];
@@ -22,10 +22,10 @@ public sealed class BatchAims
     public int Capacity => Speed.Length;
 
     /// <summary>Where the balls are, m; components within ±1e6. A place in the ground is raised straight up out of it.</summary>
-    public VectorArrays From { get; }
+    public Vector3dColumns From { get; }
 
     /// <summary>Where they are to go, m; components within ±1e6.</summary>
-    public VectorArrays Target { get; }
+    public Vector3dColumns Target { get; }
 
     /// <summary>Speeds of the kicks, m/s. Above 0, at most 1000.</summary>
     public double[] Speed { get; }

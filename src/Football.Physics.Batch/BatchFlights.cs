@@ -9,11 +9,11 @@ public sealed class BatchFlights
     public BatchFlights(int capacity)
     {
         Check.AtLeast(nameof(capacity), capacity, 0);
-        Position = new VectorArrays(capacity);
-        Velocity = new VectorArrays(capacity);
-        Spin = new VectorArrays(capacity);
-        VelocityAfter = new VectorArrays(capacity);
-        SpinAfter = new VectorArrays(capacity);
+        Position = new Vector3dColumns(capacity);
+        Velocity = new Vector3dColumns(capacity);
+        Spin = new Vector3dColumns(capacity);
+        VelocityAfter = new Vector3dColumns(capacity);
+        SpinAfter = new Vector3dColumns(capacity);
         End = new BatchEnd[capacity];
         Time = new double[capacity];
         Apex = new double[capacity];
@@ -29,19 +29,19 @@ public sealed class BatchFlights
     public double[] Time { get; }
 
     /// <summary>Positions of the centres then, m.</summary>
-    public VectorArrays Position { get; }
+    public Vector3dColumns Position { get; }
 
     /// <summary>Velocities then, m/s; before the impact.</summary>
-    public VectorArrays Velocity { get; }
+    public Vector3dColumns Velocity { get; }
 
     /// <summary>Spins then, rad/s, world frame; before the impact.</summary>
-    public VectorArrays Spin { get; }
+    public Vector3dColumns Spin { get; }
 
     /// <summary>Velocities just after the impact, m/s; the same as before where there was none.</summary>
-    public VectorArrays VelocityAfter { get; }
+    public Vector3dColumns VelocityAfter { get; }
 
     /// <summary>Spins just after the impact, rad/s; the same as before where there was none.</summary>
-    public VectorArrays SpinAfter { get; }
+    public Vector3dColumns SpinAfter { get; }
 
     /// <summary>The greatest heights of the centres, m, where <see cref="BatchSettings.FindApex"/> asks for them; else 0.</summary>
     public double[] Apex { get; }

@@ -10,8 +10,8 @@ public sealed class BatchKicks
     {
         Check.AtLeast(nameof(capacity), capacity, 0);
         Status = new AimStatus[capacity];
-        Velocity = new VectorArrays(capacity);
-        Spin = new VectorArrays(capacity);
+        Velocity = new Vector3dColumns(capacity);
+        Spin = new Vector3dColumns(capacity);
         Miss = new double[capacity];
         Time = new double[capacity];
     }
@@ -23,10 +23,10 @@ public sealed class BatchKicks
     public AimStatus[] Status { get; }
 
     /// <summary>Velocities of the kicks, m/s.</summary>
-    public VectorArrays Velocity { get; }
+    public Vector3dColumns Velocity { get; }
 
     /// <summary>Spins of the kicks, rad/s, world frame.</summary>
-    public VectorArrays Spin { get; }
+    public Vector3dColumns Spin { get; }
 
     /// <summary>The method's estimates of the misses, m.</summary>
     public double[] Miss { get; }

@@ -8,22 +8,22 @@ public sealed class BatchLaunches
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchLaunches(int capacity)
     {
-        Position = new VectorArrays(capacity);
-        Velocity = new VectorArrays(capacity);
-        Spin = new VectorArrays(capacity);
+        Position = new Vector3dColumns(capacity);
+        Velocity = new Vector3dColumns(capacity);
+        Spin = new Vector3dColumns(capacity);
     }
 
     /// <summary>How many there is room for.</summary>
     public int Capacity => Position.Length;
 
     /// <summary>Positions of the centres, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</summary>
-    public VectorArrays Position { get; }
+    public Vector3dColumns Position { get; }
 
     /// <summary>Velocities, m/s; speeds at most 1000.</summary>
-    public VectorArrays Velocity { get; }
+    public Vector3dColumns Velocity { get; }
 
     /// <summary>Spins, rad/s, world frame; sizes at most 10 000.</summary>
-    public VectorArrays Spin { get; }
+    public Vector3dColumns Spin { get; }
 
     /// <summary>Sets a launch.</summary>
     /// <param name="index">Which; 0 … <see cref="Capacity"/> − 1.</param>

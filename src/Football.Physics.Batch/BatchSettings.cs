@@ -29,9 +29,9 @@ public sealed record BatchSettings
         Check.Defined(nameof(accuracy), accuracy, (int)accuracy, 3);
         return accuracy switch
         {
-            Accuracy.Millimetre => new BatchSettings { TimeStep = 0.04 },
-            Accuracy.TenthOfMillimetre => new BatchSettings { TimeStep = 0.02 },
-            Accuracy.Micrometre => new BatchSettings { TimeStep = 0.005, Precision = BatchPrecision.Double },
+            Accuracy.Millimeter => new BatchSettings { TimeStep = 0.04 },
+            Accuracy.TenthOfMillimeter => new BatchSettings { TimeStep = 0.02 },
+            Accuracy.Micrometer => new BatchSettings { TimeStep = 0.005, Precision = BatchPrecision.Double },
             _ => throw Check.Unknown(nameof(accuracy), accuracy),
         };
     }

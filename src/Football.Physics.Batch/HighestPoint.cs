@@ -9,7 +9,7 @@ internal sealed class HighestPoint : PieceObserver
     /// <summary>Starts again from a launch.</summary>
     public void Reset(in BallState launch) => Apex = launch.Position.Y;
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         Apex = Math.Max(Apex, piece.Apex);
         return false;

@@ -32,7 +32,7 @@ public sealed class KeeperDive
     /// <summary>A shot that goes to within this of where he dives to, m, needs no new dive.</summary>
     private const double SamePlace = 0.2;
 
-    private readonly Body _body;
+    private readonly KinematicBody _body;
     private readonly Interception _interception = new();
     private readonly TrajectoryCache _path;
     private readonly Player _abilities;
@@ -53,7 +53,7 @@ public sealed class KeeperDive
     /// <param name="abilities">How fast he reacts and moves, how far he reaches, and from and to which height over his feet; his place and velocity do not count. Default null: <see cref="Typical"/>.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public KeeperDive(Body body, Goal goal, Simulator ahead, Vector3d feet, Player? abilities = null)
+    public KeeperDive(KinematicBody body, Goal goal, Simulator ahead, Vector3d feet, Player? abilities = null)
     {
         Check.Given(nameof(body), body);
         Check.Given(nameof(goal), goal);
@@ -80,13 +80,13 @@ public sealed class KeeperDive
     };
 
     /// <summary>Abilities of a good keeper: reaction 0.2 s, 8 m/s², at most 5 m/s, 1.9 m of reach in a dive, up to 2.6 m. Evidence: guess.</summary>
-    public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, HighestHeight = 2.6 };
+    public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
 
     /// <summary>The goal that he guards.</summary>
     public Goal Goal { get; }
 
     /// <summary>His answer to the last shot that he has seen.</summary>
-    public KeeperAnswer Answer { get; private set; }
+    public KeeperResult Answer { get; private set; }
 
     /// <summary>True from the moment at which he dives until he is back.</summary>
     public bool Dives => _now >= _start && _now < _end + Stays + Returns;
@@ -125,7 +125,7 @@ public sealed class KeeperDive
         Pose present = At(now);
         Vector3d feet = Feet(in present);
         Player self = Standing(in feet);
-        KeeperAnswer answer = _interception.FindSave(_path.Path, in self, Goal, now);
+        KeeperResult answer = _interception.FindSave(_path.Path, in self, Goal, now);
         if (!answer.Crosses || !answer.IsOnTarget)
         {
             return;
@@ -154,8 +154,8 @@ public sealed class KeeperDive
         Acceleration = _abilities.Acceleration,
         Speed = _abilities.Speed,
         Reach = _abilities.Reach,
-        LowestHeight = _feet.Y + _abilities.LowestHeight,
-        HighestHeight = _feet.Y + _abilities.HighestHeight,
+        MinimumHeight = _feet.Y + _abilities.MinimumHeight,
+        MaximumHeight = _feet.Y + _abilities.MaximumHeight,
     };
 
     /// <summary>How he lies when his hands are where the ball will be, or as near to it as he comes.</summary>
@@ -169,7 +169,7 @@ public sealed class KeeperDive
         double run = left <= speeding ? 0.5 * _abilities.Acceleration * left * left : _abilities.Speed * (left - (0.5 * speeding));
         double share = Math.Min(1, (run + _abilities.Reach) / Math.Max(distance, 1e-9));
         double low = feet.Y + Radius;
-        double high = feet.Y + _abilities.HighestHeight;
+        double high = feet.Y + _abilities.MaximumHeight;
         Vector3d hands = feet + (share * aside) + new Vector3d(0, Math.Max(low, Math.Min(high, ball.Y)) - feet.Y, 0);
         double length = 2.0 * (HalfAxis + Radius) - Hands;
         if (distance <= StandsUpTo)

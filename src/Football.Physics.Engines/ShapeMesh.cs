@@ -29,7 +29,7 @@ public sealed class ShapeMesh
     public ReadOnlySpan<Vector3d> Normals => _normals;
 
     /// <summary>Place of each corner in a picture, from the left and from the top, 0 … 1, two numbers each: that of <see cref="BallPattern"/> on a ball; none where there is no picture.</summary>
-    public ReadOnlySpan<double> Picture => _picture;
+    public ReadOnlySpan<double> TextureCoordinates => _picture;
 
     /// <summary>The triangles: indices of three points each, clockwise seen from outside. A mirrored frame keeps that, for it is seen mirrored too.</summary>
     public ReadOnlySpan<int> Triangles => _triangles;

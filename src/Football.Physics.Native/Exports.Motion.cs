@@ -413,7 +413,7 @@ internal static unsafe partial class Exports
             ref readonly BallEvent from = ref events[i];
             NativeEvent* to = into + i;
             to->Kind = (int)from.Kind;
-            to->Thing = from.Thing;
+            to->Thing = from.ColliderIndex;
             to->Time = from.Time;
             Put(from.Position, to->Position);
             Put(from.VelocityBefore, to->VelocityBefore);

@@ -46,9 +46,9 @@ public sealed class ThesisAimer
         }
 
         Direct.Begin(request);
-        if (method == AimMethod.TwoPoint && request.Through is null)
+        if (method == AimMethod.TwoPoint && request.Waypoint is null)
         {
-            throw Check.Refusal("aim.through", "null", "a point, with method twoPoint");
+            throw Check.Refusal("aim.waypoint", "null", "a point, with method twoPoint");
         }
 
         AimSolution solution = method switch

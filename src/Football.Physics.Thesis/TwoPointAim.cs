@@ -36,7 +36,7 @@ internal sealed class TwoPointAim
 
     public AimSolution Find(AimRequest request)
     {
-        Vector3d through = request.Through.GetValueOrDefault();
+        Vector3d through = request.Waypoint.GetValueOrDefault();
         _request = request;
         _frame = _context.Frame(request);
         _bounds = ElevationBounds.Of(request);
@@ -71,7 +71,7 @@ internal sealed class TwoPointAim
             double targetMiss = _frames.Target.Miss;
             double throughMiss = _frames.Through.Miss;
             idle = targetMiss < Progress * bestMiss ? 0 : idle + 1;
-            bool passes = throughMiss <= request.ThroughTolerance && targetMiss <= Margin * request.Tolerance;
+            bool passes = throughMiss <= request.WaypointTolerance && targetMiss <= Margin * request.Tolerance;
             if (targetMiss < bestMiss || saturated || passes)
             {
                 best = _kick;
@@ -137,7 +137,7 @@ internal sealed class TwoPointAim
     private void Turn(in Vector3d through, FrameApproach approach)
     {
         _kick.Vectors(1.0, in _frame.Forward, out Vector3d direction, out _);
-        if (approach.Miss > 0.01 * _request.ThroughTolerance
+        if (approach.Miss > 0.01 * _request.WaypointTolerance
             && AngleCorrection.Turn(approach.Closest - _frame.From, through - _frame.From, ref direction))
         {
             _kick = _frame.Turned(in _kick, in direction, in _bounds);

@@ -73,7 +73,7 @@ internal sealed class FlightFinder
             (double drag, double crisis) = Balls[i];
             DragCurve curve = scene.Ball.DragCurve;
             Scene tried = crisis == 1 ? scene : scene with { Ball = scene.Ball with { DragCurve = curve.WithCrisisAt(crisis * curve.CriticalReynolds) } };
-            ForceSet forces = tried.Forces with { Custom = [.. tried.Forces.Custom, new ScaledAir(tried, drag, 1)] };
+            ForceSet forces = tried.Forces with { CustomForces = [.. tried.Forces.CustomForces, new ScaledAir(tried, drag, 1)] };
             _fits[i] = new SharedFit(system, new MatchModel(drag == 1 ? tried : tried with { Forces = forces }, Nothing));
         }
     }

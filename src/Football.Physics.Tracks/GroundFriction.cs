@@ -99,10 +99,10 @@ internal sealed class GroundFriction
     private void FindRolling(List<GroundWindow> rolls)
     {
         // 1. c₁ as it is likely, c₀ by the median. 2. Both downhill, weights by how far each window is off. 3. Negative numbers become zero.
-        double[] start = [.. rolls.Select(w => w.Resistance - (Ground.Material.RollingFrictionBySpeed * w.Speed))];
+        double[] start = [.. rolls.Select(w => w.Resistance - (Ground.Material.RollingResistancePerSpeed * w.Speed))];
         double middle = Median(start);
         double level = middle;
-        double growth = Ground.Material.RollingFrictionBySpeed;
+        double growth = Ground.Material.RollingResistancePerSpeed;
         double scatter = Math.Max(RollScatter, Scatter(start, middle));
         double a = 0, b = 0, c = 0;
         for (int round = 0; round < Rounds; round++)
@@ -110,8 +110,8 @@ internal sealed class GroundFriction
             a = 1 / (KnownRolling * KnownRolling);
             b = 0;
             c = 1 / (KnownBySpeed * KnownBySpeed);
-            double x = a * Ground.Material.RollingFriction;
-            double y = c * Ground.Material.RollingFrictionBySpeed;
+            double x = a * Ground.Material.RollingResistance;
+            double y = c * Ground.Material.RollingResistancePerSpeed;
             foreach (GroundWindow window in rolls)
             {
                 double weight = Weight(window, scatter);
@@ -134,7 +134,7 @@ internal sealed class GroundFriction
         RollingDeviation = Math.Sqrt((c - (2 * b * RollingSpeed) + (a * RollingSpeed * RollingSpeed)) / size);
         Add("rollingFriction", level, Math.Sqrt(c / size));
         Add("rollingFrictionBySpeed", growth, Math.Sqrt(a / size));
-        Ground = Ground with { Material = Ground.Material with { RollingFriction = level, RollingFrictionBySpeed = growth } };
+        Ground = Ground with { Material = Ground.Material with { RollingResistance = level, RollingResistancePerSpeed = growth } };
     }
 
     private void Add(string name, double value, double deviation)
@@ -144,7 +144,7 @@ internal sealed class GroundFriction
         _deviations.Add(deviation);
     }
 
-    private static double Weight(GroundWindow window, double scatter) => 1 / ((window.Deviation * window.Deviation) + (scatter * scatter));
+    private static double Weight(GroundWindow window, double scatter) => 1 / ((window.StandardError * window.StandardError) + (scatter * scatter));
 
     private static double Scatter(double[] values, double middle) => Mad * Median([.. values.Select(value => Math.Abs(value - middle))]);
 

@@ -7,10 +7,10 @@ public sealed record GroundWindow
     public MotionState Motion { get; init; }
 
     /// <summary>The time at which it begins, s.</summary>
-    public double From { get; init; }
+    public double StartTime { get; init; }
 
     /// <summary>The time at which it ends, s.</summary>
-    public double To { get; init; }
+    public double EndTime { get; init; }
 
     /// <summary>Number of points of the track in it.</summary>
     public int Points { get; init; }
@@ -22,5 +22,5 @@ public sealed record GroundWindow
     public double Resistance { get; init; }
 
     /// <summary>Standard deviation of <see cref="Resistance"/>, from the scatter of the points and a share of the air's force.</summary>
-    public double Deviation { get; init; }
+    public double StandardError { get; init; }
 }

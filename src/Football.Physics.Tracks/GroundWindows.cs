@@ -81,7 +81,7 @@ internal sealed class GroundWindows
         _trim = (int)Math.Max(LeastTrim, Math.Min(runs.Points.Length, Math.Ceiling(Math.Sqrt(2 * _noise / EndOfSlide) / _wait)));
 
         // The geometric mean of both resistances; the rolling one at 4 m/s.
-        double rolling = ground.Material.RollingFriction + (4 * ground.Material.RollingFrictionBySpeed);
+        double rolling = ground.Material.RollingResistance + (4 * ground.Material.RollingResistancePerSpeed);
         _threshold = Math.Max(LeastThreshold, Math.Sqrt(ground.Material.SlidingFriction * Math.Max(1e-3, Math.Min(rolling, ground.Material.SlidingFriction / LeastContrast))));
     }
 
@@ -98,7 +98,7 @@ internal sealed class GroundWindows
         {
             if (piece.Kind == MatchPieceKind.Ground && piece.Points >= LeastPoints + (2 * _trim))
             {
-                Divide((TrackPoint[])piece.Seen, windows);
+                Divide((TrackPoint[])piece.Observed, windows);
             }
         }
 
@@ -137,12 +137,12 @@ internal sealed class GroundWindows
                 windows.Add(new GroundWindow
                 {
                     Motion = slides ? MotionState.Sliding : MotionState.Rolling,
-                    From = pieces[i][0].Time,
-                    To = pieces[i][^1].Time,
+                    StartTime = pieces[i][0].Time,
+                    EndTime = pieces[i][^1].Time,
                     Points = pieces[i].Length,
                     Speed = measured.Speed,
                     Resistance = slides ? Math.Sqrt((measured.Along * measured.Along) + (measured.Across * measured.Across)) : measured.Along,
-                    Deviation = measured.Deviation,
+                    StandardError = measured.Deviation,
                 });
             }
         }

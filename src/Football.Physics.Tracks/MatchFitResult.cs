@@ -60,7 +60,7 @@ public sealed class MatchFitResult
     /// <summary>Standard deviation of a number: by the scatter of the distances and how long they stay on one side.</summary>
     /// <param name="index">Which of <see cref="Names"/>, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is out of range.</exception>
-    public double Deviation(int index)
+    public double StandardError(int index)
     {
         Check.Index(nameof(index), index, Names.Count);
         return _deviations[index];

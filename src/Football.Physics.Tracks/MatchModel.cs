@@ -45,7 +45,7 @@ internal sealed class MatchModel
         _windAt = request.Wind ? Add("wind.x", scene.Air.Wind.X, request.WindDeviation) : -1;
         _ = request.Wind ? Add("wind.z", scene.Air.Wind.Z, request.WindDeviation) : -1;
         _dragAt = request.Drag ? Add("drag", 1, request.FactorDeviation) : -1;
-        bool crisis = (request.Drag || request.Crisis) && scene.Forces.Coefficients == CoefficientForm.Measured;
+        bool crisis = (request.Drag || request.Crisis) && scene.Forces.Coefficients == AerodynamicModel.Measured;
         _crisisAt = crisis ? Add("crisis", scene.Ball.DragCurve.CriticalReynolds, request.CrisisDeviation) : -1;
         _liftAt = request.Lift ? Add("lift", 1, request.FactorDeviation) : -1;
         Names = [.. names];
@@ -104,7 +104,7 @@ internal sealed class MatchModel
             Ball = _crisisAt < 0 ? _scene.Ball : _scene.Ball with { DragCurve = _scene.Ball.DragCurve.WithCrisisAt(values[_crisisAt]) },
         };
         return _drag || _lift
-            ? scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(scene, Drag(values), _lift ? values[_liftAt] : 1)] } }
+            ? scene with { Forces = scene.Forces with { CustomForces = [.. scene.Forces.CustomForces, new ScaledAir(scene, Drag(values), _lift ? values[_liftAt] : 1)] } }
             : scene;
     }
 

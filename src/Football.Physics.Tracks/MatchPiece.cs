@@ -7,10 +7,10 @@ public sealed record MatchPiece
     public MatchPieceKind Kind { get; init; }
 
     /// <summary>When it begins, s; the instant of an impact or a touch.</summary>
-    public double From { get; init; }
+    public double StartTime { get; init; }
 
     /// <summary>When it ends, s.</summary>
-    public double To { get; init; }
+    public double EndTime { get; init; }
 
     /// <summary>Points of the track in it; none in an impact, a touch or a gap.</summary>
     public int Points { get; init; }
@@ -19,7 +19,7 @@ public sealed record MatchPiece
     public double Rms { get; init; }
 
     /// <summary>The largest of those distances, m.</summary>
-    public double Worst { get; init; }
+    public double MaximumResidual { get; init; }
 
     /// <summary>Where the ball's centre is at the beginning, m.</summary>
     public Vector3d Position { get; init; }
@@ -46,16 +46,16 @@ public sealed record MatchPiece
     public double? Restitution { get; init; }
 
     /// <summary>Of an impact: speed along the ground after by that before; 1 where there was none, 0 where it is no impact.</summary>
-    public double Kept { get; init; }
+    public double SpeedRetained { get; init; }
 
     /// <summary>The points of the track in it.</summary>
-    public IReadOnlyList<TrackPoint> Seen { get; init; } = [];
+    public IReadOnlyList<TrackPoint> Observed { get; init; } = [];
 
-    /// <summary>Where the fit has the ball at each of <see cref="Seen"/>, m: by the laws of flight, elsewhere by cubics in time.</summary>
+    /// <summary>Where the fit has the ball at each of <see cref="Observed"/>, m: by the laws of flight, elsewhere by cubics in time.</summary>
     public IReadOnlyList<Vector3d> Fitted { get; init; } = [];
 
     /// <summary>How long it takes, s.</summary>
-    public double Duration => To - From;
+    public double Duration => EndTime - StartTime;
 }
 
 /// <summary>Kinds of pieces of a match's track.</summary>

@@ -184,17 +184,17 @@ internal sealed class MatchPieces
         return new MatchPiece
         {
             Kind = MatchPieceKind.Flight,
-            From = _track[flight.First].Time,
-            To = _track[flight.End - 1].Time,
+            StartTime = _track[flight.First].Time,
+            EndTime = _track[flight.End - 1].Time,
             Points = flight.Count,
             Rms = flight.Rms,
-            Worst = flight.Worst,
+            MaximumResidual = flight.Worst,
             Position = flight.Position,
             Velocity = flight.Velocity,
             Spin = flight.Spin,
             VelocityDeviation = Deviations(flight, 3),
             SpinDeviation = Deviations(flight, 6),
-            Seen = Points(flight.First, flight.End),
+            Observed = Points(flight.First, flight.End),
             Fitted = fitted,
         };
     }
@@ -252,9 +252,9 @@ internal sealed class MatchPieces
 
     private void AddGap(List<MatchPiece> steady, List<FlightPath?> paths, int at)
     {
-        if (at > 0 && _runs.IsGap(_track[at - 1].Time, _track[at].Time) && (steady.Count == 0 || steady[steady.Count - 1].To < _track[at].Time))
+        if (at > 0 && _runs.IsGap(_track[at - 1].Time, _track[at].Time) && (steady.Count == 0 || steady[steady.Count - 1].EndTime < _track[at].Time))
         {
-            steady.Add(new MatchPiece { Kind = MatchPieceKind.Lost, From = _track[at - 1].Time, To = _track[at].Time, Position = _track[at - 1].Position });
+            steady.Add(new MatchPiece { Kind = MatchPieceKind.Lost, StartTime = _track[at - 1].Time, EndTime = _track[at].Time, Position = _track[at - 1].Position });
             paths.Add(null);
         }
     }
@@ -340,14 +340,14 @@ internal sealed class MatchPieces
         return new MatchPiece
         {
             Kind = kind,
-            From = time,
-            To = _track[end - 1].Time,
+            StartTime = time,
+            EndTime = _track[end - 1].Time,
             Points = end - first,
             Rms = Math.Sqrt(squares / (end - first)),
-            Worst = Math.Sqrt(worst),
+            MaximumResidual = Math.Sqrt(worst),
             Position = _track[first].Position,
             Velocity = few - first > 1 ? start.VelocityAt(time) : Vector3d.Zero,
-            Seen = Points(first, end),
+            Observed = Points(first, end),
             Fitted = fitted,
         };
     }
@@ -358,7 +358,7 @@ internal sealed class MatchPieces
         if (a is null && b is null)
         {
             bool touched = before.Kind == MatchPieceKind.Ground && after.Kind == MatchPieceKind.Ground;
-            return touched ? Touch(after.From, after.Position, EndVelocity(before), Vector3d.Zero, after.Velocity, Vector3d.Zero) : null;
+            return touched ? Touch(after.StartTime, after.Position, EndVelocity(before), Vector3d.Zero, after.Velocity, Vector3d.Zero) : null;
         }
 
         if (before.Points == 0 || after.Points == 0)
@@ -369,31 +369,31 @@ internal sealed class MatchPieces
         if (a is not null && b is not null)
         {
             Meet(_track, a, b, _upward, out double time, out Vector3d place, out Vector3d from, out Vector3d to);
-            time = Math.Min(after.From, Math.Max(before.To, time));
+            time = Math.Min(after.StartTime, Math.Max(before.EndTime, time));
             return (to - from).Length < SeamVelocity
-                ? new MatchPiece { Kind = MatchPieceKind.Lost, From = before.To, To = after.From, Position = place, Velocity = to }
+                ? new MatchPiece { Kind = MatchPieceKind.Lost, StartTime = before.EndTime, EndTime = after.StartTime, Position = place, Velocity = to }
                 : ImpactOr(time, place, from, a.Last.Spin, to, b.Spin, b);
         }
 
         if (a is not null)
         {
             // To the ground, or into somebody's hands
-            double fall = Math.Max(0, after.From - before.To);
+            double fall = Math.Max(0, after.StartTime - before.EndTime);
             Vector3d speed = a.Last.Velocity + (0.5 * fall * new Vector3d(0, _upward, 0));
             var to = new Vector3d(after.Velocity.X, Math.Max(0, after.Velocity.Y), after.Velocity.Z);
             return after.Kind == MatchPieceKind.Ground
-                ? ImpactOr(0.5 * (before.To + after.From), after.Position, speed, a.Last.Spin, to, Vector3d.Zero, null)
-                : Touch(after.From, after.Position, speed, a.Last.Spin, after.Velocity, Vector3d.Zero);
+                ? ImpactOr(0.5 * (before.EndTime + after.StartTime), after.Position, speed, a.Last.Spin, to, Vector3d.Zero, null)
+                : Touch(after.StartTime, after.Position, speed, a.Last.Spin, after.Velocity, Vector3d.Zero);
         }
 
         return before.Kind == MatchPieceKind.Ground || (b!.Velocity - EndVelocity(before)).Length > TouchVelocity
-            ? Touch(after.From, b!.Position, EndVelocity(before), Vector3d.Zero, b.Velocity, b.Spin)
+            ? Touch(after.StartTime, b!.Position, EndVelocity(before), Vector3d.Zero, b.Velocity, b.Spin)
             : null;
     }
 
     private static Vector3d EndVelocity(MatchPiece piece)
     {
-        TrackPoint[] points = (TrackPoint[])piece.Seen;
+        TrackPoint[] points = (TrackPoint[])piece.Observed;
         int few = Math.Min(points.Length, 8);
         return few < 2 ? Vector3d.Zero : TrackPolynomial.Of(points, points.Length - few, points.Length, 1).VelocityAt(points[points.Length - 1].Time);
     }
@@ -401,8 +401,8 @@ internal sealed class MatchPieces
     private static MatchPiece Touch(double time, Vector3d place, Vector3d before, Vector3d spinBefore, Vector3d after, Vector3d spin) => new()
     {
         Kind = MatchPieceKind.Touch,
-        From = time,
-        To = time,
+        StartTime = time,
+        EndTime = time,
         Position = place,
         VelocityBefore = before,
         SpinBefore = spinBefore,
@@ -426,7 +426,7 @@ internal sealed class MatchPieces
         {
             Kind = MatchPieceKind.Impact,
             Restitution = flight is null ? null : restitution,
-            Kept = kept,
+            SpeedRetained = kept,
             VelocityDeviation = flight is null ? Vector3d.Zero : Deviations(flight, 3),
             SpinDeviation = flight is null ? Vector3d.Zero : Deviations(flight, 6),
         };

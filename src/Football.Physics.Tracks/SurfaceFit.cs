@@ -65,7 +65,7 @@ internal sealed class SurfaceFit
     private void Find()
     {
         // 1. Downhill, weights by how far each impact is off. 2. The scatter that is left, and the uncertainty from it.
-        double[] likely = [_ground.Material.NormalRestitution, _ground.Material.RestitutionRise, Math.Min(_ground.Material.ImpactFriction, 2)];
+        double[] likely = [_ground.Material.NormalRestitution, _ground.Material.GrazingRestitutionGain, Math.Min(_ground.Material.ImpactFriction, 2)];
         double[] values = (double[])likely.Clone();
         double[] normal = new double[Numbers * Numbers];
         double[] right = new double[Numbers];
@@ -112,7 +112,7 @@ internal sealed class SurfaceFit
 
     private Ground With(double[] values) => _ground with
     {
-        Material = _ground.Material with { NormalRestitution = values[0], RestitutionRise = values[1], ImpactFriction = values[2] },
+        Material = _ground.Material with { NormalRestitution = values[0], GrazingRestitutionGain = values[1], ImpactFriction = values[2] },
     };
 
     private static void Fill(double[] normal, double[] right, double[] system)
@@ -153,7 +153,7 @@ internal sealed class SurfaceFit
             double approach = -before.Y;
             double speed = before.Horizontal.Length;
             Shares(in at, impact, out double bounce, out double kept);
-            double[] misses = [impact.Restitution!.Value - bounce, speed > LeastAlong ? impact.Kept - kept : 0];
+            double[] misses = [impact.Restitution!.Value - bounce, speed > LeastAlong ? impact.SpeedRetained - kept : 0];
             double[] sizes = [approach, speed];
             for (int row = 0; row < (speed > LeastAlong ? 2 : 1); row++)
             {

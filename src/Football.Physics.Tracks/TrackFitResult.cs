@@ -25,7 +25,7 @@ public sealed class TrackFitResult
         _covariance = covariance;
         Time = time;
         ChiSquared = chiSquared;
-        Freedom = freedom;
+        DegreesOfFreedom = freedom;
         Iterations = iterations;
         Converged = converged;
     }
@@ -45,11 +45,11 @@ public sealed class TrackFitResult
     /// <summary>Its spin then, rad/s.</summary>
     public Vector3d Spin => new(_values[6], _values[7], _values[8]);
 
-    /// <summary>Σ (seen − fitted)²/noise² over all coordinates: about <see cref="Freedom"/> where scene and noise are as they were said to be.</summary>
+    /// <summary>Σ (seen − fitted)²/noise² over all coordinates: about <see cref="DegreesOfFreedom"/> where scene and noise are as they were said to be.</summary>
     public double ChiSquared { get; }
 
     /// <summary>Coordinates seen less numbers found.</summary>
-    public int Freedom { get; }
+    public int DegreesOfFreedom { get; }
 
     /// <summary>Steps of the search.</summary>
     public int Iterations { get; }
@@ -76,8 +76,8 @@ public sealed class TrackFitResult
         !Converged ? TrackVerdict.NotConverged
         : Probability < Rare && !ByBall.Any(other => ProbabilityOf(other.ChiSquared) >= Rare) ? TrackVerdict.Poor
         : OtherSpin is not null && !(Probability < Rare) ? TrackVerdict.Ambiguous
-        : ByBall.Any(other => other.Worse < -LikelierBy) ? TrackVerdict.OtherBall
-        : Probability > 1.0 - Rare ? TrackVerdict.TooWell
+        : ByBall.Any(other => other.DeltaChiSquared < -LikelierBy) ? TrackVerdict.OtherBall
+        : Probability > 1.0 - Rare ? TrackVerdict.NoiseOverestimated
         : TrackVerdict.AsExpected;
 
     /// <summary>The verdict in a sentence, with its numbers.</summary>
@@ -85,14 +85,14 @@ public sealed class TrackFitResult
     {
         get
         {
-            string chi = FormattableString.Invariant($"χ² is {ChiSquared:0.0} of {Freedom} expected");
+            string chi = FormattableString.Invariant($"χ² is {ChiSquared:0.0} of {DegreesOfFreedom} expected");
             return Verdict switch
             {
                 TrackVerdict.NotConverged => $"{chi}; the search did not end: neither numbers nor deviations are to be relied on.",
                 TrackVerdict.Poor => $"{chi}, which noise alone gives less than once in a thousand: the scene (ball, air, wind, ground) or the noise is not what was said. Deviations are those of noise alone; the truth may be many of them away.",
                 TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce. More points, or a known spin, tell them apart."),
                 TrackVerdict.OtherBall => $"{chi}, but another ball fits better: deviations are too small; DeviationOverBalls has what the balls differ by.",
-                TrackVerdict.TooWell => $"{chi}, less than the noise that was said would leave: deviations are too large.",
+                TrackVerdict.NoiseOverestimated => $"{chi}, less than the noise that was said would leave: deviations are too large.",
                 TrackVerdict.AsExpected => $"{chi}, as it should be. Deviations are those of noise alone: they hold for the scene that was given.",
                 _ => throw Check.Unknown("verdict", Verdict),
             };
@@ -101,19 +101,19 @@ public sealed class TrackFitResult
 
     /// <summary>
     /// Standard deviation of a number with what is not known of the ball: that of the noise, and the differences of the numbers between the balls that fit no worse (χ² within 9).
-    /// Without other balls in the request it is <see cref="Deviation"/>.
+    /// Without other balls in the request it is <see cref="StandardError"/>.
     /// </summary>
     /// <param name="index">Which, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
     public double DeviationOverBalls(int index)
     {
-        double noise = Deviation(index);
+        double noise = StandardError(index);
         double squares = noise * noise;
         int fitting = 0;
         double off = 0;
         foreach (TrackFitByBall other in ByBall)
         {
-            if (other.Worse <= AsGood)
+            if (other.DeltaChiSquared <= AsGood)
             {
                 double difference = other.Values[index] - _values[index];
                 off += difference * difference;
@@ -136,7 +136,7 @@ public sealed class TrackFitResult
     /// <summary>Its standard deviation.</summary>
     /// <param name="index">Which, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
-    public double Deviation(int index)
+    public double StandardError(int index)
     {
         Check.Index(nameof(index), index, _values.Length);
         return Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
@@ -148,7 +148,7 @@ public sealed class TrackFitResult
     /// </summary>
     /// <param name="index">Which, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
-    public bool IsIdentified(int index) => Deviation(index) < Identified * _model.KnownDeviation(index);
+    public bool IsIdentified(int index) => StandardError(index) < Identified * _model.KnownDeviation(index);
 
     /// <summary>The covariance of two numbers.</summary>
     /// <param name="row">One, from 0.</param>
@@ -164,14 +164,14 @@ public sealed class TrackFitResult
     private double ProbabilityOf(double chiSquared)
     {
         // (χ²/f)^⅓ is about normal, of mean 1 − 2/(9f) and variance 2/(9f).
-        double width = 2.0 / (9.0 * Math.Max(1, Freedom));
-        double share = Math.Max(1e-300, chiSquared / Math.Max(1, Freedom));
+        double width = 2.0 / (9.0 * Math.Max(1, DegreesOfFreedom));
+        double share = Math.Max(1e-300, chiSquared / Math.Max(1, DegreesOfFreedom));
         return 1.0 - NormalDistribution.Integral((Elementary.Pow(share, 1.0 / 3.0) - (1.0 - width)) / Math.Sqrt(width));
     }
 
     /// <inheritdoc/>
     public override string ToString() => FormattableString.Invariant(
-        $"{(Converged ? "converged" : "not converged")}: {Velocity:0.###} m/s, {Spin:0.###} rad/s from {Position:0.###}, χ² {ChiSquared:0.##} of {Freedom}");
+        $"{(Converged ? "converged" : "not converged")}: {Velocity:0.###} m/s, {Spin:0.###} rad/s from {Position:0.###}, χ² {ChiSquared:0.##} of {DegreesOfFreedom}");
 }
 
 /// <summary>Verdicts on a fit.</summary>
@@ -184,7 +184,7 @@ public enum TrackVerdict
     Poor = 1,
 
     /// <summary>χ² is smaller than noise leaves once in a thousand tracks: the noise is less than was said.</summary>
-    TooWell = 2,
+    NoiseOverestimated = 2,
 
     /// <summary>Another launch, with another bounce, fits about as well.</summary>
     Ambiguous = 3,
@@ -200,5 +200,5 @@ public enum TrackVerdict
 /// <param name="Ball">The ball.</param>
 /// <param name="Values">Its numbers, in the order of <see cref="TrackFitResult.Names"/>.</param>
 /// <param name="ChiSquared">Its χ².</param>
-/// <param name="Worse">How much worse it fits, χ² with what was known before; negative where it fits better.</param>
-public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double Worse);
+/// <param name="DeltaChiSquared">How much worse it fits, χ² with what was known before; negative where it fits better.</param>
+public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double DeltaChiSquared);

@@ -110,7 +110,7 @@ internal sealed class TrackModel
         };
         if (_request.Drag || _request.Lift)
         {
-            scene = scene with { Forces = scene.Forces with { Custom = [.. scene.Forces.Custom, new ScaledAir(_scene, Math.Max(0, drag), lift)] } };
+            scene = scene with { Forces = scene.Forces with { CustomForces = [.. scene.Forces.CustomForces, new ScaledAir(_scene, Math.Max(0, drag), lift)] } };
         }
 
         _factors = (drag, lift, restitution, friction);

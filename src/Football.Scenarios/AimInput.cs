@@ -17,7 +17,7 @@ public static class AimInput
         {
             From = aim.Vector("from"),
             Target = aim.Vector("target"),
-            Through = aim.OptionalVector("through"),
+            Waypoint = aim.OptionalVector("through"),
             Speed = aim.Number("speed"),
             TargetVelocity = aim.Vector("targetVelocity", request.TargetVelocity),
             KickTime = aim.Number("kickTime", request.KickTime),
@@ -30,7 +30,7 @@ public static class AimInput
             MaximumTopSpin = maxSpin.Number("top", request.MaximumTopSpin),
             MaximumSideSpin = maxSpin.Number("side", request.MaximumSideSpin),
             Tolerance = aim.Number("tolerance", request.Tolerance),
-            ThroughTolerance = aim.Number("throughTolerance", request.ThroughTolerance),
+            WaypointTolerance = aim.Number("throughTolerance", request.WaypointTolerance),
             MaximumIterations = aim.Whole("maxIterations", request.MaximumIterations),
         };
     }

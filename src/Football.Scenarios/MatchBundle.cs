@@ -6,7 +6,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>A match as it comes with an issue: what <see cref="MatchSegment.ToBundle"/> wrote.</summary>
+/// <summary>A match as it comes with an issue: what <see cref="Recording.ToBundle"/> wrote.</summary>
 public sealed class MatchBundle
 {
     /// <summary>A bundle has so many bytes at most, ...</summary>
@@ -32,7 +32,7 @@ public sealed class MatchBundle
 
     private readonly JsonElement _about;
 
-    private MatchBundle(JsonElement about, MatchSegment segment)
+    private MatchBundle(JsonElement about, Recording segment)
     {
         _about = about;
         Segment = segment;
@@ -52,7 +52,7 @@ public sealed class MatchBundle
     public string System { get; }
 
     /// <summary>The match.</summary>
-    public MatchSegment Segment { get; }
+    public Recording Segment { get; }
 
     /// <summary>Reads a bundle.</summary>
     /// <param name="file">The zip file; it can seek.</param>
@@ -79,7 +79,7 @@ public sealed class MatchBundle
                 throw new RefusedException("match.json", fault.Value, fault.Expected);
             }
 
-            return new MatchBundle(root, MatchSegment.FromBytes(Entry(zip, "match.segment", LargestSegment)));
+            return new MatchBundle(root, Recording.FromBytes(Entry(zip, "match.segment", LargestSegment)));
         }
         catch (InvalidDataException)
         {

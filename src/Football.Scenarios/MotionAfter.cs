@@ -6,11 +6,11 @@ public static class MotionAfter
     /// <summary>Its motion; a net, the line of a goal and a zone leave it as it was.</summary>
     public static MotionState Of(BallEventKind kind, MotionState before) => kind switch
     {
-        BallEventKind.Impact or BallEventKind.Leave => MotionState.Airborne,
+        BallEventKind.Impact or BallEventKind.ContactEnd => MotionState.Airborne,
         BallEventKind.Slide => MotionState.Sliding,
         BallEventKind.Roll => MotionState.Rolling,
-        BallEventKind.Rest => MotionState.Stopped,
-        BallEventKind.Squeezed => before == MotionState.Squeezed ? MotionState.Airborne : MotionState.Squeezed,
+        BallEventKind.Rest => MotionState.Rest,
+        BallEventKind.Pinned => before == MotionState.Pinned ? MotionState.Airborne : MotionState.Pinned,
         BallEventKind.Net or BallEventKind.Goal or BallEventKind.EnterZone or BallEventKind.ExitZone => before,
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, null),
     };

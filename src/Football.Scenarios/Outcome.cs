@@ -33,7 +33,7 @@ public sealed record Outcome
     public required Func<int, string?> NameOf { get; init; }
 
     /// <summary>The name of what a ball meets in an event: a thing of the scene, or another ball; null for none.</summary>
-    public string? SurfaceOf(in BallEvent item) => item.OtherBall >= 0 ? FormattableString.Invariant($"ball {item.OtherBall}") : NameOf(item.Thing);
+    public string? SurfaceOf(in BallEvent item) => item.OtherBall >= 0 ? FormattableString.Invariant($"ball {item.OtherBall}") : NameOf(item.ColliderIndex);
 
     /// <summary>Impacts, those of events that were missed included.</summary>
     public required long Bounces { get; init; }

@@ -100,7 +100,7 @@ public static class ScenarioRun
     {
         IReadOnlyList<Obstacle> obstacles = scenario.Scene.Obstacles;
         bool Tells(int thing) => thing > 0 && (several || (thing <= obstacles.Count && double.IsFinite(obstacles[thing - 1].Mass)));
-        return item => item.Kind == BallEventKind.Impact && Tells(item.Thing) ? item.Impulse(ballOf(item.Ball)) : null;
+        return item => item.Kind == BallEventKind.Impact && Tells(item.ColliderIndex) ? item.Impulse(ballOf(item.Ball)) : null;
     }
 
     private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(
@@ -114,7 +114,7 @@ public static class ScenarioRun
     {
         var final = Moment.Of(in state);
         BallEventKind? kind = scenario.StopAt == StopAt.Impact && ended ? BallEventKind.Impact
-            : state.Motion == MotionState.Stopped ? BallEventKind.Rest
+            : state.Motion == MotionState.Rest ? BallEventKind.Rest
             : null;
         for (int i = events.Count - 1; kind is not null && i >= 0; i--)
         {
@@ -124,7 +124,7 @@ public static class ScenarioRun
                 continue;
             }
 
-            bool bounces = kind == BallEventKind.Impact && last.Thing == 0 && Vector3d.Dot(last.Velocity, last.Normal) >= scenario.Scene.Ground.MinimumBounceSpeed;
+            bool bounces = kind == BallEventKind.Impact && last.ColliderIndex == 0 && Vector3d.Dot(last.Velocity, last.Normal) >= scenario.Scene.Ground.MinimumBounceSpeed;
             return final with
             {
                 State = bounces ? MotionState.Airborne : final.State,
@@ -161,7 +161,7 @@ public static class ScenarioRun
     {
         public double Apex { get; private set; } = height;
 
-        public override bool Add(in PathPiece piece)
+        public override bool Add(in PathSegment piece)
         {
             Apex = Math.Max(Apex, piece.Apex);
             return false;

@@ -13,10 +13,10 @@ public static class WorldInput
     public static IReadOnlyList<Zone> Zones(InputObject root) => [.. root.Objects("zones").Select(Zone).OfType<Zone>()];
 
     /// <summary>The bodies, which the game moves; null where there are none.</summary>
-    public static Bodies? Bodies(InputObject root)
+    public static KinematicBodies? Bodies(InputObject root)
     {
         IReadOnlyList<InputObject> items = root.Objects("bodies");
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         for (int i = 0; i < items.Count; i++)
         {
             string name = items[i].Text("name", FormattableString.Invariant($"body {i}"));

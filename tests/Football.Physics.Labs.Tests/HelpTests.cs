@@ -34,7 +34,7 @@ public sealed class HelpTests
     private static string Bundle()
     {
         var runner = new FixedStepRunner();
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         for (int i = 0; i < 1250; i++)
         {
             runner.Step();

@@ -99,6 +99,16 @@ internal sealed partial class CHeader
         return _text.ToString();
     }
 
+    /// <summary>C keeps the names of members that C# has renamed.</summary>
+    private static string NameInC(Type type, string member) => (type.Name, member) switch
+    {
+        (nameof(BallEventKind), nameof(BallEventKind.ContactEnd)) => "Leave",
+        (_, "Pinned") => "Squeezed",
+        (nameof(MotionState), nameof(MotionState.Rest)) => "Stopped",
+        (_, "WaypointMissed") => "TargetOnly",
+        _ => member,
+    };
+
     private void Enumeration(Type type, string name, string prefix)
     {
         Comment(Summary("T:" + type.FullName));
@@ -108,7 +118,7 @@ internal sealed partial class CHeader
         {
             Comment(Summary($"F:{type.FullName}.{members[i]}"), "    ");
             int value = Convert.ToInt32(Enum.Parse(type, members[i]), CultureInfo.InvariantCulture);
-            Line($"    {prefix}{Snake(members[i]).ToUpperInvariant()} = {value}{(i < members.Length - 1 ? "," : "")}");
+            Line($"    {prefix}{Snake(NameInC(type, members[i])).ToUpperInvariant()} = {value}{(i < members.Length - 1 ? "," : "")}");
         }
 
         Line($"}} {name};");

@@ -39,13 +39,13 @@ public sealed class KickTests
         var velocity = new Vector3d((50 * Draw(ref seed)) - 25, (50 * Draw(ref seed)) - 25, (50 * Draw(ref seed)) - 25);
         var spin = new Vector3d((120 * Draw(ref seed)) - 60, (120 * Draw(ref seed)) - 60, (120 * Draw(ref seed)) - 60);
         BallState state = simulator.Launch(position, velocity, spin);
-        for (int i = 0; i < Ticks && state.Motion != MotionState.Stopped; i++)
+        for (int i = 0; i < Ticks && state.Motion != MotionState.Rest; i++)
         {
             log.Clear();
             simulator.Step(ref state, 1.0 / 60, log);
             foreach (ref readonly BallEvent e in log.Events)
             {
-                hash = Mix(hash, ((ulong)(uint)e.Kind << 32) | (uint)e.Thing);
+                hash = Mix(hash, ((ulong)(uint)e.Kind << 32) | (uint)e.ColliderIndex);
                 hash = Mix(hash, BitConverter.DoubleToUInt64Bits(e.Time));
                 foreach (Vector3d v in (ReadOnlySpan<Vector3d>)[e.Position, e.VelocityBefore, e.Velocity, e.SpinBefore, e.Spin, e.Normal])
                 {

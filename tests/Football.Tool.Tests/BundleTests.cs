@@ -16,7 +16,7 @@ public sealed class BundleTests : IDisposable
     private static readonly Dictionary<string, Func<Scene>> s_scenes = new()
     {
         ["default"] = () => Scene.Default,
-        ["published"] = () => Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.Presets["publishedCourt"] },
+        ["published"] = () => Scene.Published with { Forces = ForceSet.Regularized, Ground = Ground.Presets["publishedCourt"] },
         ["stadium"] = () => Pitch.Stadium.On(),
         ["cage, beach ball"] = () => Pitch.Cage.On(new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Of(SurfaceMaterial.Indoor) }),
         ["storm"] = () => new Scene
@@ -75,7 +75,7 @@ public sealed class BundleTests : IDisposable
     public void A_match_that_another_machine_played_otherwise_is_told_by_tick_and_field_and_ends_with_1()
     {
         var runner = new FixedStepRunner(timeStep: 1.0 / 60);
-        MatchSegment recorded = runner.Record();
+        Recording recorded = runner.Record();
         runner.QueueKick(new Vector3d(1, 6, -20), new Vector3d(0, 30, 0));
         runner.Kicks.Add(new KickInput(40, new Vector3d(1, 2, -3), Vector3d.Zero));
         for (int i = 0; i < 200; i++)
@@ -196,10 +196,10 @@ public sealed class BundleTests : IDisposable
     [Fact]
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
-        Scene own = Scene.Default with { Forces = ForceSet.Measured with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
+        Scene own = Scene.Default with { Forces = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
         Assert.StartsWith("scene: forces.custom[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
         var runner = new FixedStepRunner();
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator(Scene.Published)));
         Assert.Throws<ArgumentNullException>(() => segment.ToBundle(null!));
     }
@@ -208,16 +208,16 @@ public sealed class BundleTests : IDisposable
 
     private static byte[] Bundle(Scene scene, out FixedStepRunner runner)
     {
-        var bodies = new Bodies();
-        Body head = bodies.Add("head", BodyKind.Head);
-        Body player = bodies.Add("player", BodyKind.Player);
-        runner = new FixedStepRunner(new Simulator(scene with { Bodies = bodies }, new SolverSettings { Integrator = Integrator.Rk2 }), 1.0 / 60) { WireTicks = 6 };
-        runner.BodiesAt = time =>
+        var bodies = new KinematicBodies();
+        KinematicBody head = bodies.Add("head", BodyKind.Head);
+        KinematicBody player = bodies.Add("player", BodyKind.Player);
+        runner = new FixedStepRunner(new Simulator(scene with { Bodies = bodies }, new SolverSettings { Integrator = Integrator.Rk2 }), 1.0 / 60) { QuantizationInterval = 6 };
+        runner.MoveBodies = time =>
         {
             head.MoveTo(new Vector3d(0.3 * time, 1.7, -6), new Vector3d(0.3, 0, 0), time);
             player.MoveTo(new Vector3d(2 - time, 0, -3), new Vector3d(-1, 0, 0), time);
         };
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         runner.QueueKick(new Vector3d(1, 5, -17), new Vector3d(3, 30, 0));
         while (runner.Tick < 200)
         {

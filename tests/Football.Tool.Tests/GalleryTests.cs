@@ -134,7 +134,7 @@ public sealed class GalleryTests
         Outcome Played(string id) => new Flight(GalleryShots.All.Single(shot => shot.Id == id).Scenario).Outcome;
         Assert.Contains(Played("keeper-beaten").Events, item => item.Kind == BallEventKind.Goal);
         Assert.DoesNotContain(Played("keeper-saves").Events, item => item.Kind == BallEventKind.Goal);
-        Assert.Contains(Played("keeper-saves").Events, item => item.Kind == BallEventKind.Impact && item.Thing != 0);
+        Assert.Contains(Played("keeper-saves").Events, item => item.Kind == BallEventKind.Impact && item.ColliderIndex != 0);
     }
 
     internal static void AssertPassesOver(IEnumerable<Vector3d> way, GalleryShot shot)

@@ -182,7 +182,7 @@ public sealed class MatchTests
         var simulator = new Simulator(new Scene
         {
             Ball = BallProperties.Modern,
-            Ground = Ground.Of(SurfaceMaterial.MatchTurf with { SlidingFriction = 0.4, RollingFriction = 0.06, RollingFrictionBySpeed = 0.002 }),
+            Ground = Ground.Of(SurfaceMaterial.MatchTurf with { SlidingFriction = 0.4, RollingResistance = 0.06, RollingResistancePerSpeed = 0.002 }),
         });
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), Vector3d.Zero, Vector3d.Zero);

@@ -73,7 +73,7 @@ public static class GoldenGames
             // Bodies belong to one match: every shot has a scene of its own.
             foreach (string name in new[] { "roll", "volley" })
             {
-                var bodies = new Bodies();
+                var bodies = new KinematicBodies();
                 bodies.Add("leg", new CapsuleShape(new Vector3d(0, 0.15, 0), new Vector3d(0, 0.9, 0), 0.1));
                 var simulator = new Simulator(Plain with { Bodies = bodies }, new SolverSettings { Integrator = integrator });
                 double height = name == "roll" ? simulator.ContactHeight : 0.7;
@@ -161,7 +161,7 @@ public static class GoldenGames
             hash = GoldenShots.MixStep(hash, runner);
             for (int i = 0; i < runner.Events.Count; i++)
             {
-                met.Add(simulator.NameOf(runner.Events[i].Thing) ?? "ground");
+                met.Add(simulator.NameOf(runner.Events[i].ColliderIndex) ?? "ground");
             }
         }
 
@@ -174,7 +174,7 @@ public static class GoldenGames
         var aimer = new Aimer(Plain);
         var free = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(2.5, 1.9, -22), Speed = 26, TopSpin = -5, SideSpin = 30 };
         yield return GoldenShots.Named("aim at", Mix(aimer.Find(free)));
-        yield return GoldenShots.Named("aim through", Mix(aimer.Find(free with { Through = new Vector3d(1.6, 2.3, -10) })));
+        yield return GoldenShots.Named("aim through", Mix(aimer.Find(free with { Waypoint = new Vector3d(1.6, 2.3, -10) })));
         yield return GoldenShots.Named("aim leading", Mix(aimer.Find(free with { TargetVelocity = new Vector3d(-3, 0, 2) })));
         yield return GoldenShots.Named("aim high", Mix(aimer.Find(free with { Arc = AimArc.High, MaximumElevationDegrees = 80 })));
         yield return GoldenShots.Named("aim slowest", Mix(aimer.FindSlowest(free)));

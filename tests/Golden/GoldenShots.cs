@@ -53,12 +53,12 @@ public static class GoldenShots
     private static IEnumerable<KeyValuePair<string, Scene>> Scenes()
     {
         yield return Named("published", Scene.Published);
-        yield return Named("regularised", Scene.Published with { Forces = ForceSet.Regularised });
+        yield return Named("regularised", Scene.Published with { Forces = ForceSet.Regularized });
         yield return Named("constant", Scene.Published with { Forces = ForceSet.Constant });
         yield return Named("vacuum", Scene.Vacuum);
         yield return Named("windy", Scene.Published with { Air = new Air { Wind = new Vector3d(3.5, 0.5, 6) } });
         IForce gust = IForce.From(ball => new Vector3d(0.3 * ball.Position.Y, 0, 0.01 * ball.AirVelocity.Z));
-        yield return Named("custom", Scene.Published with { Forces = ForceSet.Published with { Custom = new[] { gust } }, Ground = Ground.Presets["publishedWetTurf"] });
+        yield return Named("custom", Scene.Published with { Forces = ForceSet.Published with { CustomForces = new[] { gust } }, Ground = Ground.Presets["publishedWetTurf"] });
     }
 
     internal static IEnumerable<KeyValuePair<string, BallState>> Shots(Simulator simulator)

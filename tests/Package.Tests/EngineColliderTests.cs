@@ -75,7 +75,7 @@ public sealed class EngineColliderTests : IDisposable
         }
 
         (BallEvent own, string name) = OnOwn(thing, ball.Runner);
-        Assert.Equal(thing, ball.Runner.Simulator.NameOf(hit.Thing));
+        Assert.Equal(thing, ball.Runner.Simulator.NameOf(hit.ColliderIndex));
         Assert.Equal(thing, name);
         double near = thing is "plane" or "moving" ? 1e-5 : 1e-9;
         Assert.Equal(own.Time, hit.Time, near);
@@ -114,7 +114,7 @@ public sealed class EngineColliderTests : IDisposable
         }
 
         (BallEvent own, string name) = OnOwn(thing, ball.Runner);
-        Assert.Equal(thing, ball.Runner.Simulator.NameOf(hit.Thing));
+        Assert.Equal(thing, ball.Runner.Simulator.NameOf(hit.ColliderIndex));
         Assert.Equal(thing, name);
         double near = thing is "plane" or "moving" ? 1e-5 : 1e-9;
         Assert.Equal(own.Time, hit.Time, near);
@@ -145,8 +145,8 @@ public sealed class EngineColliderTests : IDisposable
             godot._PhysicsProcess(0.02);
         }
 
-        Assert.Equal(MotionState.Stopped, unity.Motion);
-        Assert.Equal(MotionState.Stopped, godot.Motion);
+        Assert.Equal(MotionState.Rest, unity.Motion);
+        Assert.Equal(MotionState.Rest, godot.Motion);
         Assert.Equal(1.11, unity.Runner.State.Position.Y, 1e-4);
         Assert.Equal(1.11, godot.Runner.State.Position.Y, 1e-4);
     }
@@ -156,7 +156,7 @@ public sealed class EngineColliderTests : IDisposable
         for (int i = 0; i < runner.Events.Count; i++)
         {
             BallEvent happened = runner.Events[i];
-            if (before.Time == 0 && happened.Kind == BallEventKind.Impact && happened.Thing > 0)
+            if (before.Time == 0 && happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0)
             {
                 return happened;
             }
@@ -187,6 +187,6 @@ public sealed class EngineColliderTests : IDisposable
             hit = FirstHit(runner, hit);
         }
 
-        return (hit, runner.Simulator.NameOf(hit.Thing)!);
+        return (hit, runner.Simulator.NameOf(hit.ColliderIndex)!);
     }
 }

@@ -158,8 +158,8 @@ public sealed class EngineTests
             godot._PhysicsProcess(0.02);
         }
 
-        Assert.Equal(MotionState.Stopped, unity.Motion);
-        Assert.Equal(MotionState.Stopped, godot.Motion);
+        Assert.Equal(MotionState.Rest, unity.Motion);
+        Assert.Equal(MotionState.Rest, godot.Motion);
         Assert.Equal(BallEventKind.Impact, heard[0].Kind);
         Assert.Equal(BallEventKind.Rest, heard[^1].Kind);
         Assert.Contains(heard, happened => happened.Kind == BallEventKind.Roll);

@@ -323,7 +323,7 @@ public sealed class GodotPlayTests : IDisposable
         var after = (Vector3)ball.Emitted[0].Arguments[2].Value;
         double closing = 4 - before.Z;
         double e = SurfaceMaterial.GoalFrame.NormalRestitution;
-        double v = SurfaceMaterial.GoalFrame.RestitutionSpeed;
+        double v = SurfaceMaterial.GoalFrame.RestitutionSpeedScale;
         double restitution = e * Math.Sqrt(1 + (36 / (v * v))) / Math.Sqrt(1 + (closing * closing / (v * v)));
         Assert.Equal(4 + (restitution * closing), after.Z, 0.2);
     }
@@ -414,7 +414,7 @@ public sealed class GodotPlayTests : IDisposable
         camera.Pointing = towards * (1 / towards.Length());
         Input.PressedButton = MouseButton.Left;
         Play(54);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Vector3[][] lines = [.. shooter.Path!.Lines.Select(line => ((ArrayMesh)line.Mesh).Surfaces[0].Points)];
         Assert.Equal(1 + FootballPath.Sides, lines.Length);
         float[] ends = [.. lines.Select(line => line[36].X)];
@@ -449,7 +449,7 @@ public sealed class GodotPlayTests : IDisposable
     {
         (FootballBall ball, _) = BallAndGoal();
         Play(1);
-        Netcode.MatchSegment segment = ball.Runner.Record();
+        Netcode.Recording segment = ball.Runner.Record();
         ball.KickAsPreviewed();
         Play(120);
         BallState end = ball.Runner.State;

@@ -59,7 +59,7 @@ public sealed partial class OneDefaultTests
             BallState state = ball.State;
             double[] row = [state.Time, .. Parts(state.Position), .. Parts(state.Velocity), .. Parts(state.Spin)];
             rows.AppendJoin(',', row.Select(number => number.ToString("R", CultureInfo.InvariantCulture))).Append('\n');
-            goes = state.Motion != MotionState.Stopped;
+            goes = state.Motion != MotionState.Rest;
         }
 
         Repository.AssertCurrent("tests/Golden/one-default.csv", rows.ToString());

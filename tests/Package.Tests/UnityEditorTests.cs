@@ -120,7 +120,7 @@ public sealed class UnityEditorTests : IDisposable
         FootballBall ball = UnityAsset.Load("Prefabs/Football.prefab")["Football"].GetComponent<FootballBall>();
         UnityAsset.Load("Prefabs/Goal.prefab");
         GameObject.SendAll("FixedUpdate");
-        Netcode.MatchSegment segment = ball.Runner.Record();
+        Netcode.Recording segment = ball.Runner.Record();
         ball.KickAsPreviewed();
         for (int i = 0; i < 100; i++)
         {

@@ -382,7 +382,7 @@ public sealed class UnityPlayTests : IDisposable
         eyeCamera.Pointing = new Ray(eye, towards * (1f / towards.magnitude));
         Input.Held = 0;
         Play(45);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.All(path.Lines, line => Assert.True(line.positionCount > 50));
         float[] ends = [.. path.Lines.Select(line => line.GetPosition(30).x)];
         Assert.True(ends.Max() > ends[0] && ends.Min() < ends[0]); // The cone is around the line.

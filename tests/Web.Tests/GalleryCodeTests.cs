@@ -16,14 +16,14 @@ public sealed class GalleryCodeTests(ITestOutputHelper told)
     {
         GalleryShot shot = GalleryShots.All.Single(shot => shot.Id == id);
         Outcome drawn = ScenarioRun.Play(shot.Scenario);
-        string[] seen = [.. drawn.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {drawn.NameOf(e.Thing)} at {e.Position:F6}"))];
+        string[] seen = [.. drawn.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {drawn.NameOf(e.ColliderIndex)} at {e.Position:F6}"))];
         Assert.Equal(seen, Programs.Run(shot.Code).TrimEnd().Split('\n'));
 
         // echo 'JSON' | football replay - -o PAGE --set …: what replay plays of it.
         string json = shot.Command.Split('\'')[1];
         FieldOverride[] sets = [.. shot.Command.Split(" --set ").Skip(1).Append("stop.at=rest").Select(field => FieldOverride.Parse(field)!)];
         Outcome played = ScenarioRun.Play(Scenario.Read(InputCase.Read(new InputLine(System.Text.Encoding.UTF8.GetBytes(json), IsCut: false), sets).Scenario!));
-        Assert.Equal(seen, played.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {played.NameOf(e.Thing)} at {e.Position:F6}")));
+        Assert.Equal(seen, played.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {played.NameOf(e.ColliderIndex)} at {e.Position:F6}")));
         told.WriteLine($"{id}: {seen.Length} events, program and command agree with the picture to the last of six digits");
     }
 }

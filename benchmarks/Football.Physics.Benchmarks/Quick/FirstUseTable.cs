@@ -105,7 +105,7 @@ internal static class FirstUseTable
         double slide = 0;
         double roll = 0;
         var seen = new HashSet<(MotionState, MotionState)>();
-        while (ball.Motion != MotionState.Stopped)
+        while (ball.Motion != MotionState.Rest)
         {
             MotionState before = ball.Motion;
             start = Stopwatch.GetTimestamp();

@@ -17,7 +17,7 @@ internal static class FreeTable
         Flight("no Magnus force, no spin decay", ForceSet.Published with { Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }),
         Flight("constant coefficients", ForceSet.Constant),
         Flight("vacuum", ForceSet.None),
-        new("all forces, regularised law", () => Workloads.Flight(Scene.Published with { Forces = ForceSet.Regularised }, Integrator.Rk2, ShotSets.Fast)),
+        new("all forces, regularised law", () => Workloads.Flight(Scene.Published with { Forces = ForceSet.Regularized }, Integrator.Rk2, ShotSets.Fast)),
         new("all forces, ball without spin", () => Workloads.Flight(Scene.Published, Integrator.Rk2, ShotSets.WithoutSpin)),
         new("all forces, orientation read every step", () => Workloads.FlightWithOrientation(Scene.Published, Integrator.Rk2, ShotSets.Fast)),
         new("published, on the ground: sliding", () => Workloads.Chain(Scene.Published, Integrator.Rk2, ShotSets.Sliding), Advance + "FootballPhysics.SlidingSystem"),

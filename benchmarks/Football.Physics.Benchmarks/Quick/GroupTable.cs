@@ -126,7 +126,7 @@ internal static class GroupTable
 
     private static Scene WithBodies(double mass)
     {
-        var players = new Bodies();
+        var players = new KinematicBodies();
         for (int i = 0; i < 22; i++)
         {
             var shape = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25);

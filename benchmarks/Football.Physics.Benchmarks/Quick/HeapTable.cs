@@ -80,7 +80,7 @@ internal static class HeapTable
             }
         }
 
-        heap.Resting = states.Count(state => state.Motion == MotionState.Stopped);
+        heap.Resting = states.Count(state => state.Motion == MotionState.Rest);
         return heap;
     }
 

@@ -68,7 +68,7 @@ internal static class PredictionTable
         AimResult[] results = [.. requests.Select(request => row.Answer(aimer, request))];
         double[] misses = [.. results.Select(result => result.Miss).Order()];
         double simulations = results.Average(result => (double)result.Simulations);
-        double? through = results.Max(result => result.ThroughMiss);
+        double? through = results.Max(result => result.WaypointMiss);
         int far = results.Count(result => result.Status == AimStatus.OutOfReach);
         bool reached = !(time.Ratio > row.Target) && !(simulations > row.Simulations) && !(misses[^1] > row.Miss) && !(through > row.ThroughMiss)
             && (!row.OutOfReach || far == results.Length);

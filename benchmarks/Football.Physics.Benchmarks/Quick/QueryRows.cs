@@ -122,7 +122,7 @@ internal static class QueryRows
                     ask(path, query, runners);
                 }
 
-                return query.Lead;
+                return query.TimeMargin;
             },
             Count);
     }

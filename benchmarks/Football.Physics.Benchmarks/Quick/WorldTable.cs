@@ -60,7 +60,7 @@ internal static class WorldTable
     /// <summary>The same with every body put where it is before every step: the time is that of both.</summary>
     private static Workload MovedFlights(StadiumScenes scenes)
     {
-        var simulator = new Simulator(scenes.WithBodies(out Bodies players), new SolverSettings { Integrator = Integrator.Rk2 });
+        var simulator = new Simulator(scenes.WithBodies(out KinematicBodies players), new SolverSettings { Integrator = Integrator.Rk2 });
         BallState[] states = Shots.Launch(simulator, Free(s_midfield));
         var log = new StepLog();
         return new Workload(() => Batches.ChainAmong(simulator, players, states, Steps, H, log), states.Length * Steps);

@@ -25,7 +25,7 @@ internal static class Batches
     }
 
     /// <summary>The same among bodies that are put where they go before every step.</summary>
-    public static double ChainAmong(Simulator simulator, Bodies bodies, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
+    public static double ChainAmong(Simulator simulator, KinematicBodies bodies, ReadOnlySpan<BallState> shots, int steps, double h, StepLog log)
     {
         double sum = 0;
         foreach (BallState shot in shots)
@@ -33,7 +33,7 @@ internal static class Batches
             BallState s = shot;
             for (int k = 0; k < bodies.Count; k++)
             {
-                Body body = bodies[k];
+                KinematicBody body = bodies[k];
                 body.MoveTo(StadiumScenes.Place(k), body.Velocity, 0);
             }
 
@@ -41,7 +41,7 @@ internal static class Batches
             {
                 for (int k = 0; k < bodies.Count; k++)
                 {
-                    Body body = bodies[k];
+                    KinematicBody body = bodies[k];
                     body.MoveTo(body.Position + ((s.Time - body.Time) * body.Velocity), body.Velocity, s.Time);
                 }
 
@@ -108,7 +108,7 @@ internal static class Batches
     {
         BallState s = kick;
         steps = 0;
-        while (s.Motion != MotionState.Stopped)
+        while (s.Motion != MotionState.Rest)
         {
             log.Clear();
             simulator.Step(ref s, 1.0 / 60, log);

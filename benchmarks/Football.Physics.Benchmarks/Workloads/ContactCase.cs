@@ -22,7 +22,7 @@ internal sealed class ContactCase
 
     private readonly Simulator _simulator;
     private readonly BallState _start;
-    private readonly Body? _body;
+    private readonly KinematicBody? _body;
     private readonly RigidMotion _bodyStart;
     private readonly StepLog _log = new();
 
@@ -43,7 +43,7 @@ internal sealed class ContactCase
 
         _start = state;
         _bodyStart = _body?.Motion ?? default;
-        IsAtRest = state.Motion == MotionState.Stopped;
+        IsAtRest = state.Motion == MotionState.Rest;
     }
 
     /// <summary>The cases by name, each made for a method, moving or at rest.</summary>
@@ -129,8 +129,8 @@ internal sealed class ContactCase
 
     private static ContactCase WithPlayer(Integrator integrator, bool atRest, double mass)
     {
-        var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), SurfaceMaterial.Boot, mass);
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25), SurfaceMaterial.Boot, mass);
         Scene scene = InWind(new Vector3d(3, 0, 0)) with { Obstacles = [Board(new Vector3d(-1, 0, 0))], Bodies = bodies };
 
         // The upright side of the capsule is higher than the ball's centre, so its round end touches: as far away as both radii are from there.

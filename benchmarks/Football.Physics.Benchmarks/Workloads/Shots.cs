@@ -31,6 +31,6 @@ internal static class Shots
             simulator.Run(ref shots[i], ShotSets.TimeStep, 60, StopAt.Rest, log);
         }
 
-        return shots.All(s => s.Motion == MotionState.Stopped) ? shots : throw new InvalidOperationException("A ball has not come to rest within 60 s.");
+        return shots.All(s => s.Motion == MotionState.Rest) ? shots : throw new InvalidOperationException("A ball has not come to rest within 60 s.");
     }
 }

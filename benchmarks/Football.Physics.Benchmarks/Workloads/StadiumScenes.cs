@@ -16,9 +16,9 @@ internal sealed class StadiumScenes(Scene scene)
     public Scene WithRunningPlayers => With(i => new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)));
 
     /// <summary>Players whom the game moves.</summary>
-    public Scene WithBodies(out Bodies players)
+    public Scene WithBodies(out KinematicBodies players)
     {
-        players = new Bodies();
+        players = new KinematicBodies();
         for (int i = 0; i < 2 * Team; i++)
         {
             players.Add($"player {i}", Player(Vector3d.Zero)).MoveTo(Place(i), new Vector3d(3.0 * ((i % 5) - 2), 0, 3.0 * ((i % 3) - 1)), 0);

@@ -209,7 +209,7 @@ internal sealed class DerivativesCheck(DerivativesKind kind, double timeStep = 0
         bool same = (pieces is null || _log.Steps == pieces) && _log.Events.Count == events.Length;
         for (int i = 0; same && i < events.Length; i++)
         {
-            same = _log.Events[i].Kind == events[i].Kind && _log.Events[i].Thing == events[i].Thing;
+            same = _log.Events[i].Kind == events[i].Kind && _log.Events[i].ColliderIndex == events[i].ColliderIndex;
         }
 
         return same;

@@ -28,8 +28,8 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             runner.Kicks.Add(new KickInput(first + kicks[i].Tick, kicks[i].Velocity, kicks[i].Spin, kicks[i].Player));
         }
 
-        runner.WireTicks = random.Below(4);
-        MatchSegment segment = runner.Record();
+        runner.QuantizationInterval = random.Below(4);
+        Recording segment = runner.Record();
         for (int i = random.Below(Ticks); i > 0; i--)
         {
             runner.Step();
@@ -47,10 +47,10 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
 
     public override bool Try(byte[] input)
     {
-        MatchSegment segment;
+        Recording segment;
         try
         {
-            segment = MatchSegment.FromBytes(input);
+            segment = Recording.FromBytes(input);
         }
         catch (FormatException)
         {
@@ -59,7 +59,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
 
         Must(Crc32.Holds(input), "changed bytes are accepted");
         byte[] again = segment.ToBytes();
-        Must(again.AsSpan().SequenceEqual(MatchSegment.FromBytes(again).ToBytes()), "a segment does not come back");
+        Must(again.AsSpan().SequenceEqual(Recording.FromBytes(again).ToBytes()), "a segment does not come back");
         foreach (Simulator simulator in _simulators)
         {
             long? diverges;
@@ -79,7 +79,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
             }
             catch (InvalidOperationException)
             {
-                Must(segment.EngineMoves, "a segment that holds every motion is refused");
+                Must(segment.HasMovingColliders, "a segment that holds every motion is refused");
                 continue;
             }
 
@@ -98,7 +98,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
     }
 
     /// <summary>A segment as it is written, some of its numbers wild.</summary>
-    private static byte[] Wild(SeededRandom random, MatchSegment segment, ReadOnlySpan<byte> header, int mutations)
+    private static byte[] Wild(SeededRandom random, Recording segment, ReadOnlySpan<byte> header, int mutations)
     {
         var writer = new ByteWriter();
         foreach (byte part in header)
@@ -116,7 +116,7 @@ internal sealed class SegmentFuzz(IReadOnlyList<Simulator>? simulators = null) :
         writer.Bits(segment.SceneHash, 8);
         writer.Bits(BitConverter.DoubleToUInt64Bits(Is() ? FuzzNumbers.AnyBits(random) : segment.TimeStep), 8);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.StartTick);
-        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.WireTicks);
+        writer.Integer(Is() ? KickLogFuzz.Integer(random) : (ulong)segment.QuantizationInterval);
         writer.Bits(Is() ? 1UL : 0, 1);
         writer.Integer(Is() ? KickLogFuzz.Integer(random) : 1UL);
         byte[] start = FuzzBytes.Sealed(SnapshotFuzz.Changed(random, segment.Start, Is() ? mutations : 0));

@@ -12,7 +12,7 @@ internal sealed class SnapshotFuzz : FuzzTarget
     [
         new(),
         new(Scene.Published with { Air = new Air { Wind = new Vector3d(4, 1, -7) } }),
-        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.Presets["publishedWetTurf"] }),
+        new(Scene.Published with { Forces = ForceSet.Regularized, Ground = Ground.Presets["publishedWetTurf"] }),
         new(Scene.Published with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
         new(Scene.Published with { Ball = BallProperties.BeachBall }, new SolverSettings { Integrator = Integrator.Euler }),

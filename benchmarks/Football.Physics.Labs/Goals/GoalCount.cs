@@ -55,13 +55,13 @@ internal sealed class GoalCount
         Undecided += watch.IsUndecided ? 1 : 0;
         BallEvent[] events = _path.Events.Span.ToArray();
         BallEvent[] told = [.. events.Where(item => item.Kind == BallEventKind.Goal)];
-        bool lies = shot.Goal.HasNet && _path.Final.Motion == MotionState.Stopped && watch.LiesIn(_path.Final.Position);
+        bool lies = shot.Goal.HasNet && _path.Final.Motion == MotionState.Rest && watch.LiesIn(_path.Final.Position);
         LieIn += lies ? 1 : 0;
         LieInUntold += lies && told.Length == 0 ? 1 : 0;
         if (told.Length > 0)
         {
             Told++;
-            Rebounds += events.Any(item => item.Kind == BallEventKind.Impact && item.Thing > 0 && item.Time <= told[0].Time) ? 1 : 0;
+            Rebounds += events.Any(item => item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 && item.Time <= told[0].Time) ? 1 : 0;
             Carried += MotionAt(told[0].Time) is MotionState.Sliding or MotionState.Rolling ? 1 : 0;
         }
 
@@ -75,7 +75,7 @@ internal sealed class GoalCount
 
     private MotionState MotionAt(double time)
     {
-        foreach (ref readonly PathPiece piece in _path.Pieces)
+        foreach (ref readonly PathSegment piece in _path.Pieces)
         {
             if (piece.EndTime >= time)
             {

@@ -63,7 +63,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
     /// <summary>Watches the next part of a path, up to a time.</summary>
     public void Continue(Trajectory path, double until)
     {
-        foreach (ref readonly PathPiece piece in path.Pieces)
+        foreach (ref readonly PathSegment piece in path.Pieces)
         {
             double length = Math.Min(piece.Length, until - piece.Time);
             int parts = length > 0 ? Math.Max(2, (int)Math.Ceiling(length / Interval)) : 0;
@@ -97,7 +97,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
         }
     }
 
-    private void Look(in PathPiece piece, double from, double to, double last, double now)
+    private void Look(in PathSegment piece, double from, double to, double last, double now)
     {
         double line = Line;
         if (last > 0 && now <= 0)
@@ -125,7 +125,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
     }
 
     /// <summary>When a path passes a plane that it is before at first and behind then.</summary>
-    private double Passes(in PathPiece piece, double from, double to, double plane)
+    private double Passes(in PathSegment piece, double from, double to, double plane)
     {
         for (int i = 0; i < Halvings; i++)
         {

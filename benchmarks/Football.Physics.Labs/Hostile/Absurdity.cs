@@ -21,7 +21,7 @@ internal static class Absurdity
         decades += forces.Magnus == ForceLaw.Constant ? Outside(forces.MagnusCoefficient, 0.01, 2) : 0;
         decades += forces.SpinDecay == ForceLaw.Constant ? Outside(forces.SpinDecayCoefficient, 1e-6, 1e-2) : 0;
         decades += 0.2 * (Outside(ground.Height, 1e-9, 1e4) + Outside(scene.Position.Length, 1e-9, 1e4));
-        decades += 0.3 * (Outside(ground.Material.SlidingFriction, 0.01, 2) + Outside(ground.Material.RollingFriction, 0.001, 1) + Outside(ground.MinimumBounceSpeed, 0.001, 1));
+        decades += 0.3 * (Outside(ground.Material.SlidingFriction, 0.01, 2) + Outside(ground.Material.RollingResistance, 0.001, 1) + Outside(ground.MinimumBounceSpeed, 0.001, 1));
         return decades;
     }
 

@@ -32,7 +32,7 @@ internal static class HostileEventCheck
                 frame.Find("slip after a roll", slip.Length, $"{slip}");
             }
 
-            if (item.Kind == BallEventKind.Rest && frame.After.Motion != MotionState.Stopped)
+            if (item.Kind == BallEventKind.Rest && frame.After.Motion != MotionState.Rest)
             {
                 frame.Find("rest but not stopped", 1, $"{frame.After.Motion}");
             }

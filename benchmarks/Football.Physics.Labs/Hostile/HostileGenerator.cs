@@ -80,7 +80,7 @@ internal static class HostileGenerator
             {
                 SpinRestitution = random.Any(0.0, 1.0, 0.8),
                 SlidingFriction = random.Any(0.0, 10.0, 0.5, random.Log(1e-6, 10)),
-                RollingFriction = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
+                RollingResistance = random.Any(0.0, 10.0, 0.05, random.Log(1e-6, 10)),
                 SpinDamping = Math.Min(ball.MostDamping, random.Any(0.0, 0.002, 1.0, random.Log(1e-9, 1))),
             },
             MinimumBounceSpeed = random.Any(0.001, 0.2, 10.0, random.Log(0.001, 10)),
@@ -94,7 +94,7 @@ internal static class HostileGenerator
         var forces = ForceSet.Published with
         {
             Buoyancy = random.Chance(0.7),
-            Coefficients = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised,
+            Coefficients = random.Chance(0.7) ? AerodynamicModel.Published : AerodynamicModel.Regularized,
         };
         if (random.Below(10) >= 5)
         {
@@ -110,7 +110,7 @@ internal static class HostileGenerator
         }
 
         bool own = (kind == 15 && random.Chance(0.3)) || random.Chance(0.01);
-        return own ? forces with { Custom = [HostileForces.Draw(random, groundHeight)] } : forces;
+        return own ? forces with { CustomForces = [HostileForces.Draw(random, groundHeight)] } : forces;
     }
 
     private static void Kick(

@@ -87,7 +87,7 @@ internal static class HostileLab
             simulator.Step(ref state, length, log);
             table.Add(
                 length, state.Time, state.Motion, state.Position.Y - simulator.ContactHeight, state.Velocity, state.Spin,
-                scene.Energy(in state, simulator.ContactHeight), log.Steps, log.Stalled, log.Events.Count);
+                scene.Energy(in state, simulator.ContactHeight), log.Steps, log.StalledSteps, log.Events.Count);
         }
 
         return table;

@@ -36,10 +36,10 @@ internal sealed class HostileRun
         {
             Play(scene, absurdity);
         }
-        catch (Exception e) when ((scene.HasOwnForces && e is FormatException) || e.Message.StartsWith("forces.custom", StringComparison.Ordinal))
+        catch (Exception e) when ((scene.HasOwnForces && e is FormatException) || e.Message.StartsWith("forces.customForces", StringComparison.Ordinal))
         {
             // A game's own forces may do anything, but what no number can hold is refused by name.
-            Findings.AddRefusal("forces.custom", new HostileSighting(number, 1, absurdity, e.Message));
+            Findings.AddRefusal("forces.customForces", new HostileSighting(number, 1, absurdity, e.Message));
         }
         catch (Exception e)
         {
@@ -152,7 +152,7 @@ internal sealed class HostileRun
         {
             Frames++;
             Events += frame.Log.Events.Count;
-            Stalled += frame.Log.Stalled > 0 ? 1 : 0;
+            Stalled += frame.Log.StalledSteps > 0 ? 1 : 0;
             Rests += rests;
         }
     }

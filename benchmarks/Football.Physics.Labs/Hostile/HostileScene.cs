@@ -26,7 +26,7 @@ internal sealed record HostileScene
     /// <summary>Whether a wind lifts a ball that spins as hard as the scene likes: then nothing bounds how fast it gets.</summary>
     public bool LiftsByWind => Windy && Scene.Forces.Magnus == ForceLaw.Constant;
 
-    public bool HasOwnForces => Scene.Forces.Custom.Count > 0;
+    public bool HasOwnForces => Scene.Forces.CustomForces.Count > 0;
 
     /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
     public double Upward => -Scene.Gravity + (Scene.Forces.Buoyancy
@@ -54,6 +54,6 @@ internal sealed record HostileScene
     /// <summary>All of it in one line.</summary>
     public string Text() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{Scene.Ball} {Scene.Air} gravity {Scene.Gravity:R} {Scene.Forces} own forces [{string.Join(", ", Scene.Forces.Custom)}] {Scene.Ground} {Settings} "
+        $"{Scene.Ball} {Scene.Air} gravity {Scene.Gravity:R} {Scene.Forces} own forces [{string.Join(", ", Scene.Forces.CustomForces)}] {Scene.Ground} {Settings} "
         + $"from {Position} at {Velocity} with {Spin}, frames [{string.Join(", ", Frames.Take(8).Select(frame => frame.ToString("R", CultureInfo.InvariantCulture)))} …]");
 }

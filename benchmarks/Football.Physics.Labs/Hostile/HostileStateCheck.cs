@@ -111,7 +111,7 @@ internal static class HostileStateCheck
         ForceSet forces = scene.Scene.Forces;
         frame.FindMild(
             $"energy made, {size}, {scene.Settings.Integrator}, {before.Motion} to {after.Motion}, {(frame.Log.Events.Count > 0 ? "events, " : "")}"
-            + $"{(frame.Log.Stalled > 0 ? "stalled, " : "")}drag {forces.Drag}, Magnus {forces.Magnus}",
+            + $"{(frame.Log.StalledSteps > 0 ? "stalled, " : "")}drag {forces.Drag}, Magnus {forces.Magnus}",
             share,
             $"{energy.Gained} J, of which the method may make {energy.ByMethod} J, contact {energy.ByContact} J, rounding {energy.ByRounding} J");
     }

@@ -61,8 +61,8 @@ internal sealed class InterceptCheck(Scene scene)
             Acceleration = random.Uniform(2, 9),
             Speed = random.Uniform(3, 10),
             Reach = random.Uniform(0, 1.5),
-            LowestHeight = random.Chance(0.8) ? 0 : random.Uniform(0, high),
-            HighestHeight = high,
+            MinimumHeight = random.Chance(0.8) ? 0 : random.Uniform(0, high),
+            MaximumHeight = high,
         };
     }
 

@@ -63,7 +63,7 @@ internal sealed class MeetingScan
         Vector3d place = runner.Position + (Math.Min(time, runner.Reaction) * runner.Velocity);
         double ramp = runner.Speed / runner.Acceleration;
         double run = s <= ramp ? 0.5 * runner.Acceleration * s * s : runner.Speed * (s - (0.5 * ramp));
-        return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.LowestHeight - 1e-9 && ball.Y <= runner.HighestHeight + 1e-9;
+        return (ball - place).Horizontal.Length <= run + runner.Reach && ball.Y >= runner.MinimumHeight - 1e-9 && ball.Y <= runner.MaximumHeight + 1e-9;
     }
 
     private double Change(Player runner, double low, double high, bool after)

@@ -46,11 +46,11 @@ internal static class DribbleCounts
                 double turn = k == 0 ? 0 : random.Uniform(-Math.PI / 2, Math.PI / 2);
                 angle += turn;
                 way = Heading(angle);
-                var request = new DribbleRequest { Position = player, Way = way, Pace = pace, After = random.Uniform(0.3, 0.6), Lead = 0.6 };
+                var request = new DribbleRequest { Position = player, Direction = way, RunSpeed = pace, Duration = random.Uniform(0.3, 0.6), Lead = 0.6 };
                 Touch touch = touches.Dribble(in ball, request);
                 made++;
                 misses.Add(touch.Miss);
-                paces.Add(touch.PaceMiss);
+                paces.Add(touch.SpeedError);
                 if (k == 1 && i % 10 == 0)
                 {
                     chances += sure.Dribble(in ball, request).Chance;
@@ -58,10 +58,10 @@ internal static class DribbleCounts
 
                 isLost = !touch.Succeeds;
                 simulator.Kick(ref ball, touch.Velocity, touch.Spin);
-                int steps = (int)Math.Ceiling(request.After / 0.01);
+                int steps = (int)Math.Ceiling(request.Duration / 0.01);
                 for (int n = 0; n < steps; n++)
                 {
-                    double h = request.After / steps;
+                    double h = request.Duration / steps;
                     simulator.Step(ref ball, h, log);
                     log.Clear();
                     player += h * pace * way;

@@ -39,10 +39,10 @@ internal static class FirstTimeCounts
                 TopSpin = random.Uniform(-20, 20),
                 SideSpin = random.Uniform(-30, 30),
             };
-            Touch touch = touches.FirstTime(in ball, request);
+            Touch touch = touches.FirstTimeShot(in ball, request);
             if (i % 20 == 0)
             {
-                double chance = sure.FirstTime(in ball, request).Chance;
+                double chance = sure.FirstTimeShot(in ball, request).Chance;
                 chances += double.IsNaN(chance) ? 0 : chance;
                 asked++;
             }

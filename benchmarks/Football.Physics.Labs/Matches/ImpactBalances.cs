@@ -26,14 +26,14 @@ internal static class ImpactBalances
             ContactMaterial material = new(SurfaceMaterial.GoalFrame with
             {
                 NormalRestitution = random.Next(),
-                RestitutionSpeed = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
+                RestitutionSpeedScale = random.Chance(0.5) ? double.PositiveInfinity : random.Log(3, 300),
                 TangentialRestitution = random.Uniform(-1, 1),
                 ImpactFriction = random.Uniform(0, 1.5),
 
                 // What two balls turn against each other about the normal; of a thing with a mass, which does not turn, there is no balance of it.
                 SpinRestitution = i % 4 == 0 ? random.Next() : 1,
                 SlidingFriction = random.Uniform(0, 1),
-                DrillingLength = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
+                TorsionalPatchRadius = i % 4 == 0 ? random.Uniform(0, 0.02) : 0,
             });
             Vector3d n = random.Direction();
             Vector3d v = random.Uniform(0, 40) * random.Direction();

@@ -21,11 +21,11 @@ internal static class JumpCost
             {
                 var squad = new Squad(new LabRandom(LabRandom.Mix(seed, 3)));
                 Scene scene = Pitch.Standard.On();
-                return new FixedStepRunner(new Simulator(players ? scene with { Bodies = squad.NewBodies() } : scene), 1 / 60.0) { BodiesAt = players ? squad.Mover() : null };
+                return new FixedStepRunner(new Simulator(players ? scene with { Bodies = squad.NewBodies() } : scene), 1 / 60.0) { MoveBodies = players ? squad.Mover() : null };
             }
 
             FixedStepRunner match = New();
-            MatchSegment segment = match.Record();
+            Recording segment = match.Record();
             var random = new LabRandom(LabRandom.Mix(seed, 5));
             int ticks = minutes * 3600;
             while (match.Tick < ticks)
@@ -40,7 +40,7 @@ internal static class JumpCost
             }
 
             byte[] bytes = segment.ToBytes();
-            segment = MatchSegment.FromBytes(bytes);
+            segment = Recording.FromBytes(bytes);
             FixedStepRunner replay = segment.Replay(New().Simulator);
             var times = new double[Jumps];
             int most = 0;

@@ -110,7 +110,7 @@ internal static class RollbackCounts
                         break;
                     }
 
-                    late += rollback.Correct(in all[i]) is not null ? 1 : 0;
+                    late += rollback.ApplyServerState(in all[i]) is not null ? 1 : 0;
                     next = i + 1;
                 }
 
@@ -126,7 +126,7 @@ internal static class RollbackCounts
 
             for (; next < all.Length; next++)
             {
-                late += rollback.Correct(in all[next]) is not null ? 1 : 0;
+                late += rollback.ApplyServerState(in all[next]) is not null ? 1 : 0;
             }
 
             runs++;
@@ -154,11 +154,11 @@ internal static class RollbackCounts
         scene = kind == Kind.AskedEngine ? scene with { EngineColliders = squad.NewEngine() } : scene with { Bodies = squad.NewBodies() };
         var simulator = new Simulator(scene);
         FixedStepRunner runner = kind == Kind.SeveralBalls ? new FixedStepRunner(new BallGroup(simulator, 3)) : new FixedStepRunner(simulator);
-        runner.WireTicks = kind == Kind.Hall ? HallWireTicks : 0;
+        runner.QuantizationInterval = kind == Kind.Hall ? HallWireTicks : 0;
         if (kind != Kind.KeptBodies)
         {
             Action<double> move = squad.Mover();
-            runner.BodiesAt = move;
+            runner.MoveBodies = move;
         }
 
         return runner;
@@ -191,7 +191,7 @@ internal static class RollbackCounts
 
         try
         {
-            rollback.Correct(new KickInput(4, new Vector3d(0, 3, -9), Vector3d.Zero));
+            rollback.ApplyServerState(new KickInput(4, new Vector3d(0, 3, -9), Vector3d.Zero));
             return false;
         }
         catch (InvalidOperationException refusal)

@@ -8,7 +8,7 @@ internal sealed class Squad
     private readonly double[] _radius = new double[Players];
     private readonly double[] _rate = new double[Players];
     private readonly double[] _phase = new double[Players];
-    private Bodies? _bodies;
+    private KinematicBodies? _bodies;
     private Engine? _engine;
 
     public Squad(LabRandom random)
@@ -23,9 +23,9 @@ internal sealed class Squad
     }
 
     /// <summary>Bodies of their own for a scene: half of them with a mass.</summary>
-    public Bodies NewBodies()
+    public KinematicBodies NewBodies()
     {
-        _bodies = new Bodies();
+        _bodies = new KinematicBodies();
         for (int i = 0; i < Players; i++)
         {
             _bodies.Add("player", i % 2 == 0 ? BodyKind.Player : BodyKind.Player with { Mass = double.PositiveInfinity });
@@ -48,7 +48,7 @@ internal sealed class Squad
     /// <summary>What moves the bodies, or the colliders, that were made last.</summary>
     public Action<double> Mover()
     {
-        Bodies? bodies = _bodies;
+        KinematicBodies? bodies = _bodies;
         Engine? engine = _engine;
         return time =>
         {
@@ -80,7 +80,7 @@ internal sealed class Squad
 
         public double Time { get; set; }
 
-        public double GreatestSpeed => 8;
+        public double MaximumSpeed => 8;
 
         public void Cast(in SphereCast cast, EngineHits hits)
         {

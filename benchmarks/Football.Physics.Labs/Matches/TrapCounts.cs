@@ -46,7 +46,7 @@ internal static class TrapCounts
             BallState kicked = ball;
             simulator.Kick(ref kicked, strike.Velocity, strike.Spin);
             after.Add((kicked.Velocity - player).Horizontal.Length);
-            simulator.Run(ref kicked, 1 / 60.0, request.After, StopAt.Time, new StepLog());
+            simulator.Run(ref kicked, 1 / 60.0, request.Duration, StopAt.Time, new StepLog());
             double off = (kicked.Velocity - player).Horizontal.Length;
             settled.Add(off);
             away.Add(touch.Miss);

@@ -83,13 +83,13 @@ internal sealed class FlatHits
         bool hit = false;
         double slid = 0;
         BallState last = ball.State;
-        while (ball.Motion != MotionState.Stopped && ball.Time < Longest)
+        while (ball.Motion != MotionState.Rest && ball.Time < Longest)
         {
             Meter.Step(ball, Frame, $"hit {index}, {ball.Time} s");
             foreach (ref readonly BallEvent item in ball.Events)
             {
-                hit |= item.Thing > 0 && simulator.NameOf(item.Thing) == "right board";
-                last = item.Kind == BallEventKind.Impact && item.Thing > 0 ? ball.State : last;
+                hit |= item.ColliderIndex > 0 && simulator.NameOf(item.ColliderIndex) == "right board";
+                last = item.Kind == BallEventKind.Impact && item.ColliderIndex > 0 ? ball.State : last;
             }
 
             Vector3d place = ball.State.Position;
@@ -108,7 +108,7 @@ internal sealed class FlatHits
         string at = FormattableString.Invariant($"hit {index}: rests after {ball.Time:0.00} s, velocity {velocity}, spin {spin}, from {from}");
         SlidLong += slid > LongSlide ? 1 : 0;
         SlidLongAt = slid > LongSlide ? at : SlidLongAt;
-        Restless += ball.Motion != MotionState.Stopped ? 1 : 0;
+        Restless += ball.Motion != MotionState.Rest ? 1 : 0;
         Longer = Math.Max(Longer, ball.Time);
         double spinLater = ball.Time - OnOpenGround(last.Position, last.Velocity, last.Spin, last.Time);
         SpinLater += spinLater > Frame ? 1 : 0;

@@ -35,8 +35,8 @@ internal sealed class Meetings
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
         int which = index % s_shapes.Length;
-        var bodies = new Bodies();
-        Body body = bodies.Add("mover", s_shapes[which], SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("mover", s_shapes[which], SurfaceMaterial.Boot);
         var ball = new Ball(new Scene { Bodies = bodies });
         double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
         ball.Place(new Vector3d(0, random.Chance(0.7) ? Radius : random.Uniform(Radius, 1), 0));

@@ -47,7 +47,7 @@ internal sealed class Pinches
     public void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         WalkingPlayer[] players = [new(bodies, "one"), new(bodies, "other")];
         var scene = new Scene { Bodies = bodies };
         var ball = new Ball(scene);
@@ -83,7 +83,7 @@ internal sealed class Pinches
                 MostShareAt = FormattableString.Invariant($"pinch {index}, frame {i}: {speed:0.00} m/s from players of {first:0.00} and {second:0.00} m/s");
             }
 
-            squeezed |= after.Motion == MotionState.Squeezed;
+            squeezed |= after.Motion == MotionState.Pinned;
             Deepest = Math.Max(Deepest, Radius - after.Position.Y);
             foreach (WalkingPlayer player in players)
             {
@@ -96,8 +96,8 @@ internal sealed class Pinches
         Beyond20 += fastest > 20 ? 1 : 0;
         TooFast += tooFast ? 1 : 0;
         Squeezed += squeezed ? 1 : 0;
-        UnendingAt = ball.Motion == MotionState.Squeezed ? FormattableString.Invariant($"pinch {index}") : UnendingAt;
-        Unending += ball.Motion == MotionState.Squeezed && players[0].Place.X - players[1].Place.X > 1 ? 1 : 0;
+        UnendingAt = ball.Motion == MotionState.Pinned ? FormattableString.Invariant($"pinch {index}") : UnendingAt;
+        Unending += ball.Motion == MotionState.Pinned && players[0].Place.X - players[1].Place.X > 1 ? 1 : 0;
     }
 
     /// <summary>The fastest of the players who touched the ball in a frame, and when; how fast it came to the first of them.</summary>
@@ -111,7 +111,7 @@ internal sealed class Pinches
         foreach (ref readonly BallEvent item in ball.Events)
         {
             highest = Math.Max(highest, item.Position.Y);
-            string? name = item.Thing > 0 ? ball.Simulator.NameOf(item.Thing) : null;
+            string? name = item.ColliderIndex > 0 ? ball.Simulator.NameOf(item.ColliderIndex) : null;
             if (name is "one" or "other")
             {
                 fastest = Math.Max(fastest, players[name == "one" ? 0 : 1].Velocity.Length);

@@ -43,7 +43,7 @@ internal sealed class Presses(PressKind kind)
     public void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         var player = new WalkingPlayer(bodies, "player");
         bool walksOn = random.Chance(0.5);
         double frame = random.Chance(0.7) ? 1.0 / 60 : random.Uniform(0.005, 0.04);
@@ -141,7 +141,7 @@ internal sealed class Presses(PressKind kind)
         player.Velocity = velocity;
     }
 
-    private static Scene Scene(PressKind kind, Bodies bodies)
+    private static Scene Scene(PressKind kind, KinematicBodies bodies)
     {
         Obstacle end = new() { Name = "end", Shape = new BoxShape(s_end, s_half), Surface = SurfaceMaterial.Board };
         Obstacle side = new() { Name = "side", Shape = new BoxShape(s_side, new Vector3d(Thick, 0.5, 2000)), Surface = SurfaceMaterial.Board };

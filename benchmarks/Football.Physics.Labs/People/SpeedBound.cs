@@ -48,9 +48,9 @@ internal sealed class SpeedBound(double gravity)
     private static double SpinEnergy(in Vector3d spin) => BallProperties.Modern.InertiaFactor * BallProperties.Modern.Radius * BallProperties.Modern.Radius * spin.LengthSquared;
 
     /// <summary>e(v) = e₆ √(1 + (6/V_e)²)/√(1 + (v/V_e)²), that of the slowest hits.</summary>
-    private static double Restitution(SurfaceMaterial surface) => double.IsInfinity(surface.RestitutionSpeed)
+    private static double Restitution(SurfaceMaterial surface) => double.IsInfinity(surface.RestitutionSpeedScale)
         ? surface.NormalRestitution
-        : Math.Min(1, surface.NormalRestitution * Math.Sqrt(1 + (36 / (surface.RestitutionSpeed * surface.RestitutionSpeed))));
+        : Math.Min(1, surface.NormalRestitution * Math.Sqrt(1 + (36 / (surface.RestitutionSpeedScale * surface.RestitutionSpeedScale))));
 }
 
 /// <summary>What moves and touched a ball in a step.</summary>

@@ -27,7 +27,7 @@ internal sealed class Stadium
     private readonly WalkingPlayer[] _players = new WalkingPlayer[Players];
     private readonly Vector3d[] _homes = new Vector3d[Players];
     private readonly double[] _waits = new double[Players];
-    private readonly Body[] _feet = new Body[Feet];
+    private readonly KinematicBody[] _feet = new KinematicBody[Feet];
     private readonly double[] _swings = new double[Feet];
     private readonly Quaterniond[] _turns = new Quaterniond[Feet];
     private readonly List<(Vector3d From, Vector3d To, double Radius)> _rods = [];
@@ -57,7 +57,7 @@ internal sealed class Stadium
             _boards.Add((new Vector3d(0, 0.5 * High, end * (HalfLength + Behind + Thick)), new Vector3d(HalfWidth + Behind + (2 * Thick), 0.5 * High, Thick)));
         }
 
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         for (int i = 0; i < Players; i++)
         {
             int side = i < 11 ? -1 : 1;
@@ -178,7 +178,7 @@ internal sealed class Stadium
             nearest = Math.Min(nearest, player.Distance(place, after));
         }
 
-        foreach (Body foot in _feet)
+        foreach (KinematicBody foot in _feet)
         {
             nearest = Math.Min(nearest, Solid.Box(place, foot.Position + (after * foot.Velocity), foot.Orientation, s_footCenter, s_footHalf));
         }

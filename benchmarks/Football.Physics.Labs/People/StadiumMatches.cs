@@ -139,7 +139,7 @@ internal sealed class StadiumMatches
         foreach (ref readonly BallEvent item in ball.Events)
         {
             Goals += item.Kind == BallEventKind.Goal ? 1 : 0;
-            Squeezes += item.Kind == BallEventKind.Squeezed && item.Thing >= 0 ? 1 : 0;
+            Squeezes += item.Kind == BallEventKind.Pinned && item.ColliderIndex >= 0 ? 1 : 0;
         }
     }
 
@@ -178,7 +178,7 @@ internal sealed class StadiumMatches
         }
 
         // What presses a squeezed ball is not told touch by touch: it may come and go within the step.
-        for (double since = 0; before.Motion == MotionState.Squeezed && since < frame; since += 0.001)
+        for (double since = 0; before.Motion == MotionState.Pinned && since < frame; since += 0.001)
         {
             if (stadium.ToMoving(_ahead.PositionAt(before.Time + since), since) < Stadium.BallRadius + Apart)
             {
@@ -188,7 +188,7 @@ internal sealed class StadiumMatches
 
         foreach (ref readonly BallEvent item in stadium.Ball.Events)
         {
-            string name = item.Thing > 0 ? stadium.Ball.Simulator.NameOf(item.Thing) ?? "" : "";
+            string name = item.ColliderIndex > 0 ? stadium.Ball.Simulator.NameOf(item.ColliderIndex) ?? "" : "";
             if (name.StartsWith("player", StringComparison.Ordinal) || name.StartsWith("foot", StringComparison.Ordinal) || name.StartsWith("sphere", StringComparison.Ordinal))
             {
                 return;
@@ -223,8 +223,8 @@ internal sealed class StadiumMatches
         }
 
         // On the roof of a net, which carries nothing, it hangs still, also against the bar.
-        bool hangs = ball.Motion != MotionState.Stopped && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
-        bool rests = ball.Motion == MotionState.Stopped || hangs;
+        bool hangs = ball.Motion != MotionState.Rest && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
+        bool rests = ball.Motion == MotionState.Rest || hangs;
         Dead++;
         Hung += hangs ? 1 : 0;
         Restless += rests ? 0 : 1;

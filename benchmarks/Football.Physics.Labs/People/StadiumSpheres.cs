@@ -47,7 +47,7 @@ internal sealed class StadiumSpheres : IEngineColliders
     public double Time { get; set; }
 
     /// <inheritdoc/>
-    public double GreatestSpeed => Fastest;
+    public double MaximumSpeed => Fastest;
 
     /// <inheritdoc/>
     public void Cast(in SphereCast cast, EngineHits hits)

@@ -5,9 +5,9 @@ internal sealed class WalkingPlayer
 {
     public const double Radius = 0.25;
     private const double Top = 1.55;
-    private readonly Body _body;
+    private readonly KinematicBody _body;
 
-    public WalkingPlayer(Bodies bodies, string name, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity) =>
+    public WalkingPlayer(KinematicBodies bodies, string name, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity) =>
         _body = bodies.Add(name, new CapsuleShape(new Vector3d(0, Radius, 0), new Vector3d(0, Top, 0), Radius), surface ?? SurfaceMaterial.Boot, mass);
 
     /// <summary>On the ground, m.</summary>

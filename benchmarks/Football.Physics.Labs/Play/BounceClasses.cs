@@ -22,7 +22,7 @@ internal static class BounceClasses
                 continue;
             }
 
-            Bounce[] seen = [.. all.Select(piece => new Bounce(piece.Restitution!.Value, piece.Kept, Friction(piece.VelocityBefore, piece.Velocity)))];
+            Bounce[] seen = [.. all.Select(piece => new Bounce(piece.Restitution!.Value, piece.SpeedRetained, Friction(piece.VelocityBefore, piece.Velocity)))];
             yield return Row(from, to, null, seen, seen);
             foreach ((string name, Ground ground) in grounds)
             {

@@ -25,8 +25,8 @@ internal static class RealTrack
         ("matchTurf by one match", Ground.Of(SurfaceMaterial.MatchTurf with
             {
                 NormalRestitution = 0.61,
-                RestitutionSpeed = 30,
-                RestitutionRise = 0.85,
+                RestitutionSpeedScale = 30,
+                GrazingRestitutionGain = 0.85,
                 ImpactFriction = 0.41,
                 TangentialRestitution = -0.1,
             })),
@@ -111,9 +111,9 @@ internal static class RealTrack
 
             bool slides = motion == MotionState.Sliding;
             double speed = slides ? windows.Average(window => window.Speed) : fit.RollingSpeed;
-            double together = slides ? fit.Scene.Ground.Material.SlidingFriction : fit.Scene.Ground.Material.RollingFriction + (fit.Scene.Ground.Material.RollingFrictionBySpeed * speed);
-            double deviation = slides ? fit.Deviation(fit.Names.ToList().IndexOf("slidingFriction")) : fit.RollingDeviation;
-            double turf = slides ? shipped.Material.SlidingFriction : shipped.Material.RollingFriction + (shipped.Material.RollingFrictionBySpeed * speed);
+            double together = slides ? fit.Scene.Ground.Material.SlidingFriction : fit.Scene.Ground.Material.RollingResistance + (fit.Scene.Ground.Material.RollingResistancePerSpeed * speed);
+            double deviation = slides ? fit.StandardError(fit.Names.ToList().IndexOf("slidingFriction")) : fit.RollingDeviation;
+            double turf = slides ? shipped.Material.SlidingFriction : shipped.Material.RollingResistance + (shipped.Material.RollingResistancePerSpeed * speed);
             table.Add(
                 file, slides ? "slides: μ_s" : "rolls: c₀ + c₁ v", windows.Length, speed, BounceClasses.Median(windows.Select(window => window.Resistance)),
                 windows.Min(window => window.Resistance), windows.Max(window => window.Resistance), together, deviation, turf, Verdict.Of(Math.Abs(turf - together) <= 2 * deviation));

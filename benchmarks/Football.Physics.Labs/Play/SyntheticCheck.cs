@@ -72,17 +72,17 @@ internal sealed class SyntheticCheck
             }
 
             Flights++;
-            MatchPiece? found = Array.Find(flights, piece => Math.Min(piece.To + Frame, time) - Math.Max(piece.From - Frame, first) > Overlap * (Math.Max(piece.To, time) - Math.Min(piece.From, first)));
+            MatchPiece? found = Array.Find(flights, piece => Math.Min(piece.EndTime + Frame, time) - Math.Max(piece.StartTime - Frame, first) > Overlap * (Math.Max(piece.EndTime, time) - Math.Min(piece.StartTime, first)));
             FlightsFound += found is null ? 0 : 1;
             if (impact && time < match.Truth[^1].Time)
             {
                 Impacts++;
-                ImpactsFound += fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.From - time) < EventError) ? 1 : 0;
+                ImpactsFound += fit.Pieces.Any(piece => piece.Kind == MatchPieceKind.Impact && Math.Abs(piece.StartTime - time) < EventError) ? 1 : 0;
             }
 
             if (found is not null)
             {
-                (Vector3d velocity, Vector3d spin) = TruthAt(match, found.From, first);
+                (Vector3d velocity, Vector3d spin) = TruthAt(match, found.StartTime, first);
                 Launches++;
                 LaunchesWithin += IsWithin(velocity - found.Velocity, found.VelocityDeviation) && IsWithin(spin - found.Spin, found.SpinDeviation) ? 1 : 0;
             }
@@ -113,7 +113,7 @@ internal sealed class SyntheticCheck
             if (truth is { } number)
             {
                 Numbers++;
-                NumbersWithin += Math.Abs(fit.Value(i) - number) <= One * fit.Deviation(i) ? 1 : 0;
+                NumbersWithin += Math.Abs(fit.Value(i) - number) <= One * fit.StandardError(i) ? 1 : 0;
             }
         }
     }

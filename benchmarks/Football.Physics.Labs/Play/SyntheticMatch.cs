@@ -71,7 +71,7 @@ internal sealed class SyntheticMatch
                 Height = GroundHeight,
             },
         };
-        scene = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, Drag, 1)] } };
+        scene = scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, Drag, 1)] } };
         var simulator = new Simulator(scene);
         var log = new StepLog();
         var middle = new Vector3d(_random.Uniform(-HalfLength, HalfLength), simulator.ContactHeight, _random.Uniform(-HalfWidth, HalfWidth));

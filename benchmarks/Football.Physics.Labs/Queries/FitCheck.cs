@@ -49,7 +49,7 @@ internal sealed class FitCheck
                         SlidingFriction = factors[3] * ground.Material.SlidingFriction,
                     },
                 },
-                Forces = scene.Forces with { Custom = [new ScaledAir(scene, factors[0], factors[1])] },
+                Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, factors[0], factors[1])] },
             };
         }
 
@@ -90,7 +90,7 @@ internal sealed class FitCheck
 
             system[(i * (n + 1)) + n] = off[i];
             string name = found.Names[i];
-            Each[name] = Each.GetValueOrDefault(name) + (Math.Abs(off[i]) <= 1.96 * found.Deviation(i) ? 1 : 0);
+            Each[name] = Each.GetValueOrDefault(name) + (Math.Abs(off[i]) <= 1.96 * found.StandardError(i) ? 1 : 0);
         }
 
         double[] solved = new double[n];

@@ -36,7 +36,7 @@ internal static class ScatterLab
             double size = i % 2 == 0 ? 0.35 : random.Uniform(1.5, 4);
             var spread = new KickSpread { SpeedPercent = 3 * size, ElevationDegrees = size, AzimuthDegrees = size, SpinPercent = 10 * size, SpeedWithElevation = -0.4 };
             var goal = new Goal { Center = new Vector3d(0, 0, -random.Uniform(11, 22)), Facing = new Vector3d(0, 0, 1) };
-            var keeper = new Player { Position = goal.Center, Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+            var keeper = new Player { Position = goal.Center, Acceleration = 8, Speed = 5, Reach = 0.9, MaximumHeight = 2.5 };
             var velocity = new Vector3d(random.Uniform(-5, 5), random.Uniform(3, 5), -random.Uniform(20, 27));
             Vector3d spin = random.Uniform(0, 40) * random.Direction();
             var from = new Vector3d(0, 0.11, 0);

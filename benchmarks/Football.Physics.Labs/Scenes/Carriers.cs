@@ -58,8 +58,8 @@ internal sealed class Carriers : SceneKind
         {
             NormalRestitution = 0.5,
             SlidingFriction = random.Chance(0.3) ? 5 : random.Uniform(0.15, 1),
-            RollingFriction = rolling,
-            RollingFrictionBySpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
+            RollingResistance = rolling,
+            RollingResistancePerSpeed = rolling > 0 && random.Chance(0.5) ? 0.006 : 0,
             SpinDamping = damping * ball.MomentOfInertia,
         };
         Vector3d place = form == Form.Drum ? ((curve + radius) * normal) + (random.Uniform(-1, 1) * axis) : (radius * normal) + Along(random.Uniform(0, 2) * random.Direction(), normal);
@@ -74,7 +74,7 @@ internal sealed class Carriers : SceneKind
             Gravity = new Vector3d(0, -9.81, 0),
             Sliding = surface.SlidingFriction,
             Rolling = rolling,
-            RollingBySpeed = surface.RollingFrictionBySpeed,
+            RollingBySpeed = surface.RollingResistancePerSpeed,
             Damping = damping,
             ShapeTurns = kind != PieceKind.Obstacles,
             Curve = curve,

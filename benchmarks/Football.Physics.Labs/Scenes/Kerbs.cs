@@ -10,11 +10,11 @@ internal sealed class Kerbs : SceneKind
     private static readonly SurfaceMaterial s_dead = SurfaceMaterial.GoalFrame with
     {
         NormalRestitution = 0,
-        RestitutionSpeed = double.PositiveInfinity,
+        RestitutionSpeedScale = double.PositiveInfinity,
         TangentialRestitution = 0,
         ImpactFriction = 100,
         SlidingFriction = 10,
-        RollingFriction = 0,
+        RollingResistance = 0,
     };
 
     public override string Name => "kerbs";
@@ -51,9 +51,9 @@ internal sealed class Kerbs : SceneKind
                 {
                     ImpactFriction = 10,
                     SlidingFriction = 10,
-                    RollingFriction = 0,
-                    RollingFrictionBySpeed = 0,
-                    DrillingLength = 0,
+                    RollingResistance = 0,
+                    RollingResistancePerSpeed = 0,
+                    TorsionalPatchRadius = 0,
                 },
                 RestEnergy = 1e-12,
             },

@@ -14,14 +14,14 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
 {
     private readonly List<(IShape Shape, SurfaceMaterial Surface)> _pieces = [];
     private readonly List<EngineCollider> _colliders = [];
-    private readonly Bodies _bodies = new();
+    private readonly KinematicBodies _bodies = new();
     private double _reach;
 
     public PieceKind Kind { get; } = kind;
 
     public double Time { get; private set; }
 
-    public double GreatestSpeed { get; private set; }
+    public double MaximumSpeed { get; private set; }
 
     /// <summary>Adds a shape in the common frame.</summary>
     public void Add(IShape shape, SurfaceMaterial surface)
@@ -59,8 +59,8 @@ internal sealed class ScenePieces(PieceKind kind) : IEngineColliders
     public void MoveTo(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
     {
         Time = time;
-        GreatestSpeed = velocity.Length + (_reach * spin.Length);
-        foreach (Body body in _bodies)
+        MaximumSpeed = velocity.Length + (_reach * spin.Length);
+        foreach (KinematicBody body in _bodies)
         {
             body.MoveTo(position, orientation, velocity, spin, time);
         }

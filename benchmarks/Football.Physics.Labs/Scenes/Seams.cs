@@ -74,7 +74,7 @@ internal sealed class Seams : SceneKind
         }
 
         Ground ground = random.Any(Ground.Of(SurfaceMaterial.DryTurf), Ground.Of(SurfaceMaterial.ArtificialTurf), Ground.Of(SurfaceMaterial.WetTurf), Ground.Of(SurfaceMaterial.HardGround), Ground.Of(SurfaceMaterial.LongGrass), Ground.Of(SurfaceMaterial.Indoor), Ground.Of(SurfaceMaterial.Concrete), Ground.Of(SurfaceMaterial.Snow));
-        return random.Chance(0.3) ? ground with { Material = ground.Material with { SlidingFriction = random.Uniform(0, 1), RollingFriction = random.Uniform(0, 0.2) } } : ground;
+        return random.Chance(0.3) ? ground with { Material = ground.Material with { SlidingFriction = random.Uniform(0, 1), RollingResistance = random.Uniform(0, 0.2) } } : ground;
     }
 
     /// <summary>Rolls, slides with a spin of its own, or slides without.</summary>

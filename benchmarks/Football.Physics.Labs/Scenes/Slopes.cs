@@ -49,7 +49,7 @@ internal sealed class Slopes : SceneKind
             double error = Vector3d.Distance(found.Position - from, gone);
             string detail = FormattableString.Invariant(
                 $"{tilt * 180 / Math.PI:0.0}°, wind {air.Wind.Length:0.0} m/s, air {air.Density}, c₀ {rolling:0.0000}, steps of {1000 * step:0.0} ms / {parts}: gone {(found.Position - from).Length:0.000000} m for {gone.Length:0.000000} m, {found.Motion}");
-            bool agrees = rests == (Vector3d.Distance(found.Position, from) < Still && found.Motion == MotionState.Stopped);
+            bool agrees = rests == (Vector3d.Distance(found.Position, from) < Still && found.Motion == MotionState.Rest);
             return new SceneOutcome(
                 FormattableString.Invariant($"{(rests ? "held" : "rolling")}, {kind?.ToString() ?? "Ground"}"), agrees, double.IsNaN(error) ? double.PositiveInfinity : error, limit, detail);
         }
@@ -95,7 +95,7 @@ internal sealed class Slopes : SceneKind
 
     private static BallState Library(PieceKind? kind, Vector3d normal, AirModel air, double rolling, double bySpeed, double step, out Vector3d from)
     {
-        Ground ground = Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 5, RollingFriction = rolling, RollingFrictionBySpeed = bySpeed });
+        Ground ground = Ground.Of(SurfaceMaterial.DryTurf with { SlidingFriction = 5, RollingResistance = rolling, RollingResistancePerSpeed = bySpeed });
         var scene = new Scene
         {
             Ball = BallProperties.Tunnel,

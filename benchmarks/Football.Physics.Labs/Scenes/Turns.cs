@@ -15,7 +15,7 @@ internal sealed class Turns : SceneKind
     private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
     {
         NormalRestitution = 0.5,
-        RestitutionSpeed = double.PositiveInfinity,
+        RestitutionSpeedScale = double.PositiveInfinity,
         ImpactFriction = 0,
         SlidingFriction = 0,
     };

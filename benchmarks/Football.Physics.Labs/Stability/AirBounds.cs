@@ -36,7 +36,7 @@ internal sealed class AirBounds
         _perSpeed = 2 * r / scene.Air.KinematicViscosity;
         double area = Math.PI * r * r;
         _forces = scene.Forces;
-        _regularised = scene.Forces.Coefficients == CoefficientForm.Regularised;
+        _regularised = scene.Forces.Coefficients == AerodynamicModel.Regularized;
         _scale = 0.5 * scene.Air.Density * area / ball.Mass;
 
         // ω̇ = k ω / I, or (r/2) ρ A 0.0074 (2r/ν)^(−1/5) (U₊^1.8 + U₋^1.8) / I with U± ≤ |u| + s/2
@@ -63,7 +63,7 @@ internal sealed class AirBounds
     /// <param name="speed">Highest air speed, m/s.</param>
     /// <param name="surface">Highest s, m/s.</param>
     public double Size(double speed, double surface) =>
-        _forces.Coefficients == CoefficientForm.Measured ? MeasuredSize(speed, surface) : Over(speed, speed, surface, surface).Size;
+        _forces.Coefficients == AerodynamicModel.Measured ? MeasuredSize(speed, surface) : Over(speed, speed, surface, surface).Size;
 
     /// <summary>The same by the measured laws: C_D grows with the Reynolds number without end, C_L is 0.32 at most.</summary>
     private double MeasuredSize(double speed, double surface)

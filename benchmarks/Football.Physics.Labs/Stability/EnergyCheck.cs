@@ -93,7 +93,7 @@ internal sealed class EnergyCheck : PieceObserver
     }
 
     /// <summary>A piece of the frame that is stepped again.</summary>
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         ReadOnlySpan<BallEvent> events = _log.Events.Span;
         if (events.Length > _seen)

@@ -22,10 +22,10 @@ internal static class MeasuredStress
             {
                 Material = ground.Material with
                 {
-                    RestitutionSpeed = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
+                    RestitutionSpeedScale = random.Any(30, double.PositiveInfinity, random.Log(0.1, 1000)),
                     ImpactFriction = random.Any(0, double.PositiveInfinity, random.Log(0.01, 3)),
-                    RollingFrictionBySpeed = random.Any(0, random.Log(1e-4, 0.1)),
-                    DrillingLength = random.Any(0, random.Log(1e-4, 0.1)),
+                    RollingResistancePerSpeed = random.Any(0, random.Log(1e-4, 0.1)),
+                    TorsionalPatchRadius = random.Any(0, random.Log(1e-4, 0.1)),
                 },
                 Aerodynamics = GroundAerodynamics.Full,
                 TangentialRestitutionZ = null,
@@ -37,7 +37,7 @@ internal static class MeasuredStress
             Scene = scene.Scene with
             {
                 Ball = scene.Scene.Ball with { DragCurve = Curves[random.Below(Curves.Count)].Curve },
-                Forces = scene.Scene.Forces with { Coefficients = CoefficientForm.Measured },
+                Forces = scene.Scene.Forces with { Coefficients = AerodynamicModel.Measured },
                 Ground = ground,
             },
         };

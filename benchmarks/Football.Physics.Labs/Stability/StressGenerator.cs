@@ -100,7 +100,7 @@ internal static class StressGenerator
 
         // Explicit Euler's bounces lose a third as much.
         double slower = s.Integrator == Integrator.Euler ? 3 : 1;
-        return floats + (slower * 2 * v / (g * (1 - ground.Material.NormalRestitution))) + (v / (ground.Material.SlidingFriction * g)) + (v / (ground.Material.RollingFriction * g))
+        return floats + (slower * 2 * v / (g * (1 - ground.Material.NormalRestitution))) + (v / (ground.Material.SlidingFriction * g)) + (v / (ground.Material.RollingResistance * g))
             + (decades * inertia / ground.Material.SpinDamping);
     }
 
@@ -156,7 +156,7 @@ internal static class StressGenerator
             {
                 SpinRestitution = random.Any(0, 1, random.Next()),
                 SlidingFriction = Friction(),
-                RollingFriction = Friction(),
+                RollingResistance = Friction(),
                 SpinDamping = rests ? random.Log(1e-4, 0.1) : random.Chance(0.2) ? 0 : random.Log(1e-5, 1),
             },
             MinimumBounceSpeed = kind == StressKind.BounceTrain ? random.Log(1e-3, 1e-2) : random.Any(0.001, 0.2, random.Log(0.001, 1)),
@@ -167,7 +167,7 @@ internal static class StressGenerator
 
     private static ForceSet Forces(LabRandom random, StressKind kind)
     {
-        CoefficientForm form = random.Chance(0.7) ? CoefficientForm.Published : CoefficientForm.Regularised;
+        AerodynamicModel form = random.Chance(0.7) ? AerodynamicModel.Published : AerodynamicModel.Regularized;
         if (kind is StressKind.SlidingMode || random.Chance(0.6))
         {
             return ForceSet.Published with { Coefficients = form };

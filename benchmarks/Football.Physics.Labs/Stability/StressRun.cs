@@ -55,7 +55,7 @@ internal sealed class StressRun
         _state = _simulator.Launch(_scene.Position, _scene.Velocity, _scene.Spin);
         if (_scene.RestsBy is { } by)
         {
-            while (_state.Motion != MotionState.Stopped && _state.Time < by)
+            while (_state.Motion != MotionState.Rest && _state.Time < by)
             {
                 if (Frame(_scene.Frames[0]) is { } failure)
                 {
@@ -63,7 +63,7 @@ internal sealed class StressRun
                 }
             }
 
-            return _state.Motion == MotionState.Stopped ? null : Fail("rest", $"{_state.Motion} at {by} s, v {_state.Velocity}, spin {_state.Spin}");
+            return _state.Motion == MotionState.Rest ? null : Fail("rest", $"{_state.Motion} at {by} s, v {_state.Velocity}, spin {_state.Spin}");
         }
 
         foreach (double dt in _scene.Frames)
@@ -96,7 +96,7 @@ internal sealed class StressRun
     {
         _frames++;
         _steps += _log.Steps;
-        _stalled += _log.Stalled;
+        _stalled += _log.StalledSteps;
         foreach (ref readonly BallEvent item in _log.Events)
         {
             _impacts += item.Kind == BallEventKind.Impact ? 1 : 0;

@@ -29,7 +29,7 @@ internal sealed record StressScene
     public bool Windy => Scene.Air.Wind.Length > 0;
 
     /// <summary>Whether its laws of the air are the measured ones.</summary>
-    public bool Measured => Scene.Forces.Coefficients == CoefficientForm.Measured;
+    public bool Measured => Scene.Forces.Coefficients == AerodynamicModel.Measured;
 
     /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
     public double Upward => -Scene.Gravity + (Scene.Forces.Buoyancy

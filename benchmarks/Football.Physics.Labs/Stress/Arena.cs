@@ -20,7 +20,7 @@ internal sealed class Arena
     private readonly StandingSolids _standing = new();
     private readonly WalkingPlayer[] _players;
     private readonly Vector3d[] _homes;
-    private readonly Body[] _cones;
+    private readonly KinematicBody[] _cones;
     private readonly StadiumSpheres? _spheres;
     private readonly bool _spheresStand;
     private readonly WatchedColliders? _watched;
@@ -49,7 +49,7 @@ internal sealed class Arena
             _standing.Add(goal);
         }
 
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         bool weighs = _random.Chance(0.5);
         _players = new WalkingPlayer[_random.Below(11)];
         _homes = new Vector3d[_players.Length];
@@ -59,7 +59,7 @@ internal sealed class Arena
             _players[i] = new WalkingPlayer(bodies, FormattableString.Invariant($"player {i}"), null, weighs && i % 2 == 0 ? PlayerMass : double.PositiveInfinity) { Place = _homes[i] };
         }
 
-        _cones = new Body[_random.Below(4)];
+        _cones = new KinematicBody[_random.Below(4)];
         for (int i = 0; i < _cones.Length; i++)
         {
             _cones[i] = bodies.Add(FormattableString.Invariant($"cone {i}"), BodyKind.Cone with { Mass = _random.Log(0.3, 30) });
@@ -133,7 +133,7 @@ internal sealed class Arena
             player.Put(Time);
         }
 
-        foreach (Body cone in _cones)
+        foreach (KinematicBody cone in _cones)
         {
             cone.MoveTo(cone.Position, cone.Velocity, Time);
         }
@@ -213,7 +213,7 @@ internal sealed class Arena
     private void MoveRest(double frame)
     {
         // The grass brakes a cone that the ball has pushed.
-        foreach (Body cone in _cones)
+        foreach (KinematicBody cone in _cones)
         {
             Vector3d v = cone.Velocity.Horizontal;
             double kept = Math.Max(0, v.Length - (4 * frame)) / Math.Max(v.Length, 1e-9);

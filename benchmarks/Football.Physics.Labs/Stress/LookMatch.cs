@@ -118,7 +118,7 @@ internal sealed class LookMatch(long seed, long index)
             _interception.FindFirst(paths[ball], runners, out _);
             Interceptions++;
             Goal goal = arena.Scene.Goals[_looks.Below(arena.Scene.Goals.Count)];
-            var keeper = new Player { Position = goal.Center, Reach = 1, HighestHeight = 2.7 };
+            var keeper = new Player { Position = goal.Center, Reach = 1, MaximumHeight = 2.7 };
             _interception.FindSave(paths[ball], in keeper, goal);
             Saves++;
         }

@@ -138,7 +138,7 @@ internal sealed class MatchPlay
 
     /// <summary>True for a ball that is at rest, lies still in a net, or lies still in a corner where a player who stands still overlaps it.</summary>
     private static bool IsAtRest(BallState ball) =>
-        ball.Motion == MotionState.Stopped || ((ball.Nets != 0 || ball.Motion == MotionState.Squeezed) && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
+        ball.Motion == MotionState.Rest || ((ball.Nets != 0 || ball.Motion == MotionState.Pinned) && ball.Velocity.Length < Hanging && ball.Spin.Length < Hanging);
 
     private void Step(double frame)
     {
@@ -155,8 +155,8 @@ internal sealed class MatchPlay
             _outcome.MostEvaluationsAt = FormattableString.Invariant($"match {_outcome.Index}, {FormattableString.Invariant(at)}");
         }
 
-        _outcome.See(MatchClaim.Stalled, _log.Stalled, _log.Stalled == 0, at);
-        _outcome.Untold += _log.Untold;
+        _outcome.See(MatchClaim.Stalled, _log.StalledSteps, _log.StalledSteps == 0, at);
+        _outcome.Untold += _log.UnreportedImpacts;
         Span<int> events = stackalloc int[balls];
         foreach (ref readonly BallEvent item in _log.Events)
         {
@@ -195,7 +195,7 @@ internal sealed class MatchPlay
         ref readonly BallState after = ref _arena.Balls[ball];
         Trajectory path = _paths[ball];
         double start = after.Time - frame;
-        if (!path.IsComplete || _log.Stalled > 0)
+        if (!path.IsComplete || _log.StalledSteps > 0)
         {
             // A step at its limit leaves the ball where it is; its look-ahead may not. The watches start again from here.
             _outcome.Undecided++;
@@ -206,7 +206,7 @@ internal sealed class MatchPlay
         Vector3d end = path.PositionAt(after.Time);
         double apart = (end - after.Position).Length;
         string at = FormattableString.Invariant($"{start} s, frame of {frame} s, {(_arena.IsGroup ? "group" : "alone")}, ball {ball}");
-        _outcome.See(MatchClaim.Path, apart, apart <= PutOn || after.Motion == MotionState.Squeezed, $"{at}: {after.ToString("R", null)}");
+        _outcome.See(MatchClaim.Path, apart, apart <= PutOn || after.Motion == MotionState.Pinned, $"{at}: {after.ToString("R", null)}");
         int parts = Math.Max(1, (int)(frame / Sample));
         for (int i = 1; i < parts; i++)
         {

@@ -26,7 +26,7 @@ internal sealed class WatchedColliders(StadiumSpheres? spheres) : IEngineCollide
     }
 
     /// <inheritdoc/>
-    public double GreatestSpeed => spheres?.GreatestSpeed ?? 0;
+    public double MaximumSpeed => spheres?.MaximumSpeed ?? 0;
 
     /// <summary>Starts to count the casts of the next step or look-ahead.</summary>
     public void Begin() => _casts = 0;

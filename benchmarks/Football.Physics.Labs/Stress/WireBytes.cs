@@ -17,16 +17,16 @@ internal sealed class WireBytes : FuzzTarget
     public override byte[] Make(SeededRandom random, int mutations)
     {
         Simulator simulator = HallScenes.All[random.Below(HallScenes.All.Count)];
-        var runner = new FixedStepRunner(simulator, Tick) { WireTicks = 1 };
+        var runner = new FixedStepRunner(simulator, Tick) { QuantizationInterval = 1 };
         runner.QueueKick(random.Velocity(1, 25, 0, 50), 50 * random.Direction());
         for (int i = random.Below(MostTicks); i >= 0; i--)
         {
             runner.Step();
         }
 
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         BallState state = runner.State;
-        runner.TryWriteWire(in state, bytes);
+        runner.TryWriteQuantized(in state, bytes);
         for (int i = 0; i < mutations; i++)
         {
             (int first, int count) = s_fields[random.Below(s_fields.Length)];
@@ -51,11 +51,11 @@ internal sealed class WireBytes : FuzzTarget
         bool refused = true;
         foreach (Simulator simulator in HallScenes.All)
         {
-            var runner = new FixedStepRunner(simulator, Tick) { WireTicks = 1 };
+            var runner = new FixedStepRunner(simulator, Tick) { QuantizationInterval = 1 };
             BallState state;
             try
             {
-                state = runner.ReadWire(input);
+                state = runner.ReadQuantized(input);
             }
             catch (FormatException)
             {
@@ -63,8 +63,8 @@ internal sealed class WireBytes : FuzzTarget
             }
 
             refused = false;
-            var again = new byte[Snapshot.WireSize];
-            Must(runner.TryWriteWire(in state, again) && again.AsSpan().SequenceEqual(input), "a state does not come back");
+            var again = new byte[Snapshot.QuantizedSize];
+            Must(runner.TryWriteQuantized(in state, again) && again.AsSpan().SequenceEqual(input), "a state does not come back");
             MustBeFinite(in state);
             foreach (double step in HallScenes.Steps)
             {

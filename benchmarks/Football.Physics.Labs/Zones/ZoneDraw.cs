@@ -104,7 +104,7 @@ internal sealed record ZoneCase
 /// <summary>A ring around a vertical axis, as a game's own shape: it has a hole, and a hollow inside.</summary>
 internal sealed class RingShape(Vector3d center, double radius, double thickness) : IShape
 {
-    public double HollowCurvature => 1.0 / (radius - thickness);
+    public double MaximumConcaveCurvature => 1.0 / (radius - thickness);
 
     public Bounds3d Bounds => Bounds3d.Around(center, radius + thickness, thickness, radius + thickness);
 

@@ -73,7 +73,7 @@ internal sealed class ZonePlays
             zones[i] = ZoneDraw.Zone(random, i, _path.At(_path.Start + (random.Uniform(0, 1) * (_path.End - _path.Start))));
         }
 
-        zones = [.. zones.Where(zone => zone.Shape.HollowCurvature <= 0.5 / kick.Scene.Ball.Radius)];
+        zones = [.. zones.Where(zone => zone.Shape.MaximumConcaveCurvature <= 0.5 / kick.Scene.Ball.Radius)];
         Scene scene = kick.Scene with { Zones = zones };
         log = new StepLog(mostEvents: 65_536);
         BallState among = Fly(kick, scene, log);
@@ -106,7 +106,7 @@ internal sealed class ZonePlays
             _told.Clear();
             foreach (BallEvent happened in events.Span)
             {
-                if (happened.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone && simulator.NameOf(happened.Thing) == zone.Name)
+                if (happened.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone && simulator.NameOf(happened.ColliderIndex) == zone.Name)
                 {
                     _told.Add(new Crossing(happened.Time, happened.Kind == BallEventKind.EnterZone));
                     WorstPlace = Math.Max(WorstPlace, Math.Max(Math.Abs(border.Of(happened.Position)), (happened.Position - _path.At(happened.Time)).Length - (happened.Velocity.Length * 1e-9)));
@@ -216,7 +216,7 @@ internal sealed class ZonePlays
     /// <summary>The path of a kick, piece by piece.</summary>
     private sealed class PiecePath : PieceObserver
     {
-        private readonly List<PathPiece> _pieces = [];
+        private readonly List<PathSegment> _pieces = [];
         private int _last;
 
         public override bool WantsEndAcceleration => true;
@@ -231,7 +231,7 @@ internal sealed class ZonePlays
             _last = 0;
         }
 
-        public override bool Add(in PathPiece piece)
+        public override bool Add(in PathSegment piece)
         {
             _pieces.Add(piece);
             return false;
@@ -249,7 +249,7 @@ internal sealed class ZonePlays
                 _last++;
             }
 
-            PathPiece piece = _pieces[_last];
+            PathSegment piece = _pieces[_last];
             return piece.PositionAt(Math.Min(Math.Max(time, piece.Time), piece.EndTime));
         }
     }

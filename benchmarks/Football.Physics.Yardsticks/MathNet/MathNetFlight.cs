@@ -14,7 +14,7 @@ public sealed class MathNetFlight
     public MathNetFlight(Integrator integrator, Scene? scene = null)
     {
         scene ??= Scene.Published;
-        _law = new PlainFitted(scene, scene.Forces.Coefficients == CoefficientForm.Regularised);
+        _law = new PlainFitted(scene, scene.Forces.Coefficients == AerodynamicModel.Regularized);
         _wind = scene.Air.Wind;
         _fourthOrder = integrator switch
         {

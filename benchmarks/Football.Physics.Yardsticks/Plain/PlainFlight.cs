@@ -20,7 +20,7 @@ public abstract class PlainFlight
     public static Scene SceneOf(PlainLawKind law) => law switch
     {
         PlainLawKind.Published => Scene.Published,
-        PlainLawKind.Regularised => Scene.Published with { Forces = ForceSet.Regularised },
+        PlainLawKind.Regularised => Scene.Published with { Forces = ForceSet.Regularized },
         PlainLawKind.Constant => Scene.Published with { Forces = ForceSet.Constant },
         _ => Scene.Vacuum,
     };

@@ -31,7 +31,7 @@ public sealed class BankShotSet(Simulator simulator, params string[] after)
             BallState kick = simulator.Launch(from, velocity, KickVectors.Spin(velocity, top, side));
             simulator.LookAhead(in kick, new LookAheadRequest { Duration = 5, TimeStep = 0.01, StopAt = StopAt.Time }, _path);
             BallEvent[] impacts = [.. _path.Events.Span.ToArray().Where(e => e.Kind == BallEventKind.Impact)];
-            if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.Thing)).SequenceEqual(after))
+            if (impacts.Length > after.Length && impacts.Take(after.Length).Select(e => simulator.NameOf(e.ColliderIndex)).SequenceEqual(after))
             {
                 double begin = impacts[after.Length - 1].Time;
                 Vector3d target = _path.PositionAt(begin + (random.Uniform(0.2, 0.9) * (impacts[after.Length].Time - begin)));

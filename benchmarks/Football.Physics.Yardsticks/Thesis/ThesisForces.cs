@@ -37,7 +37,7 @@ public sealed class ThesisForces
         _airDensity = (float)scene.Air.Density;
         _viscosity = (float)scene.Air.KinematicViscosity;
         _slidingFriction = (float)scene.Ground.Material.SlidingFriction;
-        _rollingFriction = (float)scene.Ground.Material.RollingFriction;
+        _rollingFriction = (float)scene.Ground.Material.RollingResistance;
         _spinDamping = (float)scene.Ground.Material.SpinDamping;
         _gravitationalForce = (float)scene.Gravity * _mass * -Vector3.UnitY;
         _buoyantForce = 4f / 3f * MathF.PI * MathF.Pow(_radius, 3) * _airDensity * (float)scene.Gravity * Vector3.UnitY;

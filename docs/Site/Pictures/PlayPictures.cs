@@ -48,14 +48,14 @@ internal static class PlayPictures
         Player[] opponents = [new Player { Position = new Vector3d(2, 0, -22) }, new Player { Position = new Vector3d(8, 0, -24) }, new Player { Position = new Vector3d(-8, 0, -18) }];
         var fan = new PassFan(Scene.Measured);
         var request = new PassFanRequest { From = s_start, Direction = new Vector3d(0, 0, -1), MinimumElevationDegrees = 0, MaximumElevationDegrees = 0, Elevations = 1, MinimumSpeed = 26, MaximumSpeed = 26, Speeds = 1, FanDegrees = 80 };
-        PassChoice best = fan.Find(request with { Directions = 81 }, mates, opponents);
+        PassResult best = fan.Find(request with { Directions = 81 }, mates, opponents);
         var shut = new List<PlotPoint[]>();
         var open = new List<PlotPoint[]>();
         for (int i = 0; i < 41; i++)
         {
             (double left, double forward) = Math.SinCos(((2 * i) - 40) * Math.PI / 180);
             var direction = new Vector3d(-left, 0, -forward);
-            PassChoice pass = fan.Find(request with { Direction = direction, Directions = 1, FanDegrees = 0 }, mates, opponents);
+            PassResult pass = fan.Find(request with { Direction = direction, Directions = 1, FanDegrees = 0 }, mates, opponents);
             bool isOpen = pass.IsFound;
             (isOpen ? open : shut).Add(Pass(26 * direction, isOpen ? pass.Meeting.Time : 2.2));
         }

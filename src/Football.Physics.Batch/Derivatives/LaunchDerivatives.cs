@@ -127,7 +127,7 @@ public sealed class LaunchDerivatives
         if (_observer.EndStep(in end))
         {
             // A ball at rest on what stands has nothing to do.
-            if (_start.Motion != MotionState.Stopped || Simulator.World.Moves)
+            if (_start.Motion != MotionState.Rest || Simulator.World.Moves)
             {
                 _differences.Take(_observer.Tangent, in _start, in end, _dt, _stopAt, _log.Events.Span.Slice(_events), _log.Steps - _pieces, _observer.EventTimes);
             }

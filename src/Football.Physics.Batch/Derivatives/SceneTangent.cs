@@ -78,7 +78,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    public override bool Add(in BallState before, in BallState after, in PathPiece piece)
+    public override bool Add(in BallState before, in BallState after, in PathSegment piece)
     {
         if (_isLeft || !(after.Time > before.Time))
         {
@@ -160,7 +160,7 @@ internal sealed class SceneTangent : TangentObserver
             ref readonly BallEvent e = ref _log.Events[_event];
             if (e.Kind == BallEventKind.Impact)
             {
-                ToImpact(e.Thing);
+                ToImpact(e.ColliderIndex);
             }
         }
     }
@@ -232,7 +232,7 @@ internal sealed class SceneTangent : TangentObserver
             ref readonly BallEvent e = ref _log.Events[_event];
             if (e.Kind == BallEventKind.Impact && nested-- <= 0)
             {
-                nested = Hit(ref at, e.Thing);
+                nested = Hit(ref at, e.ColliderIndex);
             }
         }
 

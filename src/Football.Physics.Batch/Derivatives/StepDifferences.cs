@@ -204,7 +204,7 @@ internal sealed class StepDifferences
         {
             // What is so from the start happens at once, whatever is changed.
             ref readonly BallEvent e = ref _log.Events[i];
-            same = e.Kind == events[i].Kind && e.Thing == events[i].Thing && e.Time == start.Time == (events[i].Time == start.Time);
+            same = e.Kind == events[i].Kind && e.ColliderIndex == events[i].ColliderIndex && e.Time == start.Time == (events[i].Time == start.Time);
         }
 
         if (_log.Halted)

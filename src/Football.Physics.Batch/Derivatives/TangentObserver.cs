@@ -14,7 +14,7 @@ internal abstract class TangentObserver : PieceObserver
     /// <summary>Makes one for a scene.</summary>
     public static TangentObserver Of(Scene scene) => new SceneTangent(scene, SceneAir.Of(scene));
 
-    public override bool Add(in PathPiece piece) => false;
+    public override bool Add(in PathSegment piece) => false;
 
     /// <summary>Starts at a launch.</summary>
     /// <param name="from">The ball.</param>

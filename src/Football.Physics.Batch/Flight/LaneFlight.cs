@@ -72,16 +72,16 @@ internal abstract class LaneFlight
 #endif
         where TMethod : struct, ILaneMethod
     {
-        CoefficientForm form = scene.Forces.Coefficients;
+        AerodynamicModel form = scene.Forces.Coefficients;
         return KindOf(scene.Forces) switch
         {
             ForceLaw.None => new LaneKernel<F, VacuumLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Constant => new LaneKernel<F, ConstantLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Empirical when form == CoefficientForm.Published =>
+            ForceLaw.Empirical when form == AerodynamicModel.Published =>
                 new LaneKernel<F, FittedLaneLaw<F, PublishedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Empirical when form == CoefficientForm.Regularised =>
+            ForceLaw.Empirical when form == AerodynamicModel.Regularized =>
                 new LaneKernel<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Empirical when form == CoefficientForm.Measured =>
+            ForceLaw.Empirical when form == AerodynamicModel.Measured =>
                 new LaneKernel<F, MeasuredLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised | Measured"),
             _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),

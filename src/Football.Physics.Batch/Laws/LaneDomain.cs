@@ -34,7 +34,7 @@ internal readonly struct LaneDomain
     /// <summary>The bound of the drag within the domain: the measured law's rises with the speed, without end.</summary>
     private static RateBound DragBound(Scene scene)
     {
-        if (scene.Forces.Drag != ForceLaw.Empirical || scene.Forces.Coefficients != CoefficientForm.Measured)
+        if (scene.Forces.Drag != ForceLaw.Empirical || scene.Forces.Coefficients != AerodynamicModel.Measured)
         {
             return SceneLaws.Drag(scene).Bound;
         }

@@ -64,7 +64,7 @@ public sealed class PassFan
     /// <param name="opponents">The opponents at the kick; may be none.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public PassChoice Find(PassFanRequest request, Player[] mates, Player[] opponents)
+    public PassResult Find(PassFanRequest request, Player[] mates, Player[] opponents)
     {
         Check.Given(nameof(request), request);
         Check.Given(nameof(mates), mates);
@@ -87,7 +87,7 @@ public sealed class PassFan
             open += double.IsPositiveInfinity(_scores[i]) ? 0 : 1;
         }
 
-        PassChoice answer = default;
+        PassResult answer = default;
         double least = double.PositiveInfinity;
         int found = -1;
         Judged = 0;
@@ -95,7 +95,7 @@ public sealed class PassFan
         {
             double score = _scores[best];
             Judged++;
-            bool isJudged = _judge.Judge(request, best, mates, opponents, ref score, out PassChoice choice);
+            bool isJudged = _judge.Judge(request, best, mates, opponents, ref score, out PassResult choice);
             _scores[best] = isJudged ? double.PositiveInfinity : score;
             if (isJudged && score < least)
             {
@@ -106,7 +106,7 @@ public sealed class PassFan
         }
 
         return found < 0
-            ? new PassChoice { Receiver = -1, Kicks = count, Open = open }
+            ? new PassResult { Receiver = -1, Kicks = count, Open = open }
             : _judge.Completed(request, found, opponents, in answer, count, open);
     }
 
@@ -212,7 +212,7 @@ public sealed class PassFan
         Ground ground = scene.Ground;
         double speed = request.MaximumSpeed + (scene.Ball.Radius * request.SpinRate) + (2.0 * scene.Air.Wind.Length);
         double spin = request.SpinRate + (speed / (Math.Sqrt(scene.Ball.InertiaFactor) * scene.Ball.Radius));
-        double friction = Math.Max(ground.Material.SlidingFriction, ground.Material.RollingFriction + (ground.Material.RollingFrictionBySpeed * speed));
+        double friction = Math.Max(ground.Material.SlidingFriction, ground.Material.RollingResistance + (ground.Material.RollingResistancePerSpeed * speed));
         return (1.0 + friction) * _domain.AccelerationAtMost(speed, spin);
     }
 }

@@ -56,7 +56,7 @@ internal sealed class PassJudge
     /// <param name="score">What it is known to be no better than; then how good it is, infinite where it is lost: when it is met, s, or how far from the target it ends, m.</param>
     /// <param name="choice">The kick, if it holds.</param>
     /// <returns>False where it was not looked at for long enough: it is no better than the score then is.</returns>
-    public bool Judge(PassFanRequest request, int index, Player[] mates, Player[] opponents, ref double score, out PassChoice choice)
+    public bool Judge(PassFanRequest request, int index, Player[] mates, Player[] opponents, ref double score, out PassResult choice)
     {
         double known = mates.Length > 0 ? Math.Min(score + request.Margin + Ahead, _duration) : _duration;
         int seconds = Math.Min(Math.Max(0, (int)Math.Ceiling(known) - 1), _toImpact.Length - 1);
@@ -67,7 +67,7 @@ internal sealed class PassJudge
         int receiver = mates.Length > 0 ? _query.FindFirst(_path, mates, out meeting) : -1;
         int opponent = _query.FindFirst(_path, opponents, out PathPoint lost);
         double lead = opponent < 0 ? double.PositiveInfinity : lost.Time - meeting.Time;
-        choice = new PassChoice { IsFound = true, Velocity = velocity, Spin = spin, Receiver = receiver, Meeting = meeting, Lead = lead };
+        choice = new PassResult { IsFound = true, Velocity = velocity, Spin = spin, Receiver = receiver, Meeting = meeting, TimeMargin = lead };
         bool holds;
         if (mates.Length == 0)
         {
@@ -113,16 +113,16 @@ internal sealed class PassJudge
         bool meets = _log.Events.Dropped > 0;
         foreach (ref readonly BallEvent happened in _log.Events.Span)
         {
-            meets |= happened.Kind == BallEventKind.Net || (happened.Kind == BallEventKind.Impact && happened.Thing > 0);
+            meets |= happened.Kind == BallEventKind.Net || (happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0);
         }
 
         return meets;
     }
 
     /// <summary>Says by how much a kick that holds is met before any opponent could meet it: that may be long after.</summary>
-    public PassChoice Completed(PassFanRequest request, int index, Player[] opponents, in PassChoice choice, int kicks, int open)
+    public PassResult Completed(PassFanRequest request, int index, Player[] opponents, in PassResult choice, int kicks, int open)
     {
-        double lead = choice.Lead;
+        double lead = choice.TimeMargin;
         if (double.IsPositiveInfinity(lead) && opponents.Length > 0)
         {
             Fly(request, index, _toImpact.Length - 1, out _, out _);
@@ -130,14 +130,14 @@ internal sealed class PassJudge
             lead = opponent < 0 ? lead : lost.Time - choice.Meeting.Time;
         }
 
-        return new PassChoice
+        return new PassResult
         {
             IsFound = true,
             Velocity = choice.Velocity,
             Spin = choice.Spin,
             Receiver = choice.Receiver,
             Meeting = choice.Meeting,
-            Lead = lead,
+            TimeMargin = lead,
             Kicks = kicks,
             Open = open,
         };
@@ -158,6 +158,6 @@ internal sealed class PassJudge
             _simulator.LookAhead(in ball, to, _path);
         }
 
-        return rolls ? _path.Final.Motion == MotionState.Stopped : _path.TryGetTouchdown(0, out _);
+        return rolls ? _path.Final.Motion == MotionState.Rest : _path.TryGetTouchdown(0, out _);
     }
 }

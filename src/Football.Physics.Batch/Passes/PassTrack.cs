@@ -14,7 +14,7 @@ internal sealed class PassTrack
     public int Steps { get; private set; }
 
     /// <summary>True when the ball rests after them.</summary>
-    public bool Rests => _state.Motion == MotionState.Stopped;
+    public bool Rests => _state.Motion == MotionState.Rest;
 
     /// <summary>No faster than this does the ball ever get, m/s.</summary>
     public double Fastest { get; private set; }

@@ -177,13 +177,13 @@ internal sealed class FramePlays
 
     private bool Play(BallState ball, double until)
     {
-        while (ball.Time < until && ball.Motion != MotionState.Stopped)
+        while (ball.Time < until && ball.Motion != MotionState.Rest)
         {
             _log.Clear();
             _simulator.Step(ref ball, TimeStep, _log);
             foreach (ref readonly BallEvent happened in _log.Events.Span)
             {
-                if (happened.Kind == BallEventKind.Goal && happened.Thing == _thing)
+                if (happened.Kind == BallEventKind.Goal && happened.ColliderIndex == _thing)
                 {
                     return true;
                 }

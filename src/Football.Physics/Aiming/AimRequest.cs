@@ -13,7 +13,7 @@ public sealed record AimRequest
     public Vector3d TargetVelocity { get; init; }
 
     /// <summary>A point to pass on the way, m; default none.</summary>
-    public Vector3d? Through { get; init; }
+    public Vector3d? Waypoint { get; init; }
 
     /// <summary>Speed of the kick, m/s. Above 0, at most 1000; default 25.</summary>
     public double Speed { get; init; } = 25;
@@ -40,7 +40,7 @@ public sealed record AimRequest
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>How close to the point on the way is good enough, m. Above 0; default 0.1.</summary>
-    public double ThroughTolerance { get; init; } = 0.1;
+    public double WaypointTolerance { get; init; } = 0.1;
 
     /// <summary>
     /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="Aimer"/> is one flight and one correction,
@@ -70,9 +70,9 @@ public sealed record AimRequest
         Check.Place("aim.from", From);
         Check.Place("aim.target", Target);
         Check.Size("aim.targetVelocity", TargetVelocity, Limits.Speed, "m/s");
-        if (Through is { } through)
+        if (Waypoint is { } through)
         {
-            Check.Place("aim.through", through);
+            Check.Place("aim.waypoint", through);
         }
 
         Check.Within("aim.speed", Speed, 0, Limits.Speed, exclusiveLow: true);
@@ -84,7 +84,7 @@ public sealed record AimRequest
         Check.Within("aim.maxSpin.top", MaximumTopSpin, 0, Limits.Spin);
         Check.Within("aim.maxSpin.side", MaximumSideSpin, 0, Limits.Spin);
         Check.Positive("aim.tolerance", Tolerance);
-        Check.Positive("aim.throughTolerance", ThroughTolerance);
+        Check.Positive("aim.waypointTolerance", WaypointTolerance);
         Check.Defined("aim.arc", Arc, (int)Arc, 2);
         Check.AtLeast("aim.maxIterations", MaximumIterations, 1);
         Check.Within("aim.kickTime", KickTime, -Limits.Time, Limits.Time);

@@ -13,7 +13,7 @@ public readonly struct AimResult : IFormattable
         Velocity = velocity;
         Spin = spin;
         Miss = measured.Distance;
-        ThroughMiss = measured.ThroughDistance;
+        WaypointMiss = measured.ThroughDistance;
         Time = measured.Time;
         Closest = measured.Position;
         Arc = arc;
@@ -27,7 +27,7 @@ public readonly struct AimResult : IFormattable
     public AimStatus Status { get; init; }
 
     /// <summary>True where the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
-    public bool HitsTarget => Status is AimStatus.Hit or AimStatus.TargetOnly;
+    public bool HitsTarget => Status is AimStatus.Hit or AimStatus.WaypointMissed;
 
     /// <summary>Velocity of the kick, m/s.</summary>
     public Vector3d Velocity { get; init; }
@@ -66,7 +66,7 @@ public readonly struct AimResult : IFormattable
     public double Miss { get; init; }
 
     /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
-    public double? ThroughMiss { get; init; }
+    public double? WaypointMiss { get; init; }
 
     /// <summary>When the ball is closest to the target, s after the kick.</summary>
     public double Time { get; init; }
@@ -125,7 +125,7 @@ public enum AimStatus
     Degenerate = 3,
 
     /// <summary>The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough.</summary>
-    TargetOnly = 4,
+    WaypointMissed = 4,
 
     /// <summary>The kick returned would hit, but something of the scene is in its way: <see cref="AimResult.BlockedBy"/> says what.</summary>
     Blocked = 5,

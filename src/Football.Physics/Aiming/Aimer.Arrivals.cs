@@ -161,5 +161,5 @@ public sealed partial class Aimer
     }
 
     internal static AimResult Failed(in AimResult kick, AimStatus status) => new(
-        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.ThroughMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
+        status, kick.Velocity, kick.Spin, new MeasuredMiss(kick.Miss, kick.WaypointMiss, kick.Time, kick.Closest), kick.Arc, kick.Rolls, kick.Iterations, kick.Simulations, kick.BlockedBy);
 }

@@ -69,7 +69,7 @@ public sealed partial class Aimer
             result = finer.HitsTarget || !(result.Miss < finer.Miss) ? finer : Report(request, in solution, measure);
         }
 
-        return result.Status == AimStatus.Blocked && request.Through is null ? Around(request, in result, measure) : result;
+        return result.Status == AimStatus.Blocked && request.Waypoint is null ? Around(request, in result, measure) : result;
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>
@@ -139,7 +139,7 @@ public sealed partial class Aimer
         // One request for each road of the search: low, high, too slow, through a point, along the ground, slowest, at a time.
         AimResult high = Find(request with { Arc = AimArc.High });
         Find(request with { Speed = 8 });
-        Find(request with { Through = new Vector3d(1, contact + 2, -9) });
+        Find(request with { Waypoint = new Vector3d(1, contact + 2, -9) });
         Find(request with { Target = new Vector3d(0, contact, -15), MaximumElevationDegrees = 0 });
         FindSlowest(request);
         FindAtTime(request, high.Time);
@@ -176,7 +176,7 @@ public sealed partial class Aimer
         return flies;
     }
 
-    private AimSolution Search(AimRequest request) => request.Through is null ? _direct.Find(request) : _directTwoPoint.Find(request);
+    private AimSolution Search(AimRequest request) => request.Waypoint is null ? _direct.Find(request) : _directTwoPoint.Find(request);
 
     private AimResult With(AimRequest request, AimArc arc, double top, double side, bool measure)
     {
@@ -232,9 +232,9 @@ public sealed partial class Aimer
 
     private static void RefuseThrough(AimRequest request)
     {
-        if (request.Through is { } point)
+        if (request.Waypoint is { } point)
         {
-            throw Check.Refusal("aim.through", point.ToString(), "none, where the speed is to be found");
+            throw Check.Refusal("aim.waypoint", point.ToString(), "none, where the speed is to be found");
         }
     }
 
@@ -253,7 +253,7 @@ public sealed partial class Aimer
         _context.Begin(request.MaximumIterations);
     }
 
-    private AimResult Report(AimRequest request, in AimSolution solution, bool measure) => Report(request, in solution, measure, request.Through is not null);
+    private AimResult Report(AimRequest request, in AimSolution solution, bool measure) => Report(request, in solution, measure, request.Waypoint is not null);
 
     /// <summary>Measures a kick that was found, and says what it is.</summary>
     /// <param name="request">What it is to do.</param>
@@ -267,7 +267,7 @@ public sealed partial class Aimer
         // The solver's own estimate, where nothing can be in the way.
         if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
-            double? throughMiss = request.Through is null ? null : solution.ThroughMiss;
+            double? throughMiss = request.Waypoint is null ? null : solution.ThroughMiss;
             var estimated = new MeasuredMiss(solution.Miss, throughMiss, solution.Time, request.Target);
             return Result(request, Judge(request, solution.Status, in estimated, passes), in solution, in velocity, in spin, in estimated);
         }
@@ -287,7 +287,7 @@ public sealed partial class Aimer
 
     /// <summary>A hit that misses the point on the way is one of the target only.</summary>
     private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>
-        status == AimStatus.Hit && passes && !(measured.ThroughDistance <= request.ThroughTolerance) ? AimStatus.TargetOnly : status;
+        status == AimStatus.Hit && passes && !(measured.ThroughDistance <= request.WaypointTolerance) ? AimStatus.WaypointMissed : status;
 
     private AimResult Result(
         AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
@@ -299,7 +299,7 @@ public sealed partial class Aimer
         // The arc: low for a roll, a flat kick to a target no lower, and what does not hit; else the slope of the speed over the time tells.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
-        bool hits = status is AimStatus.Hit or AimStatus.TargetOnly;
+        bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;
         bool flat = rolls || (solution.Kick.Elevation < FlatKick && frame.Target.Y >= frame.From.Y);
         AimArc arc = solution.Arc ?? (flat || !hits ? AimArc.Low : _general.ArcOf(request, in solution));
         string? blocker = status == AimStatus.Blocked ? _context.Miss.NameOf(measured.Blocker) : null;

@@ -51,7 +51,7 @@ internal abstract class ApproachFlight : KickObserver
     /// <summary>Square of the closest approach so far, m².</summary>
     protected double Squared { get; private set; }
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         double squared = ClosestApproach(in piece, out double time);
         Take(squared, time, piece.PositionAt(time), piece.VelocityAt(time));
@@ -75,7 +75,7 @@ internal abstract class ApproachFlight : KickObserver
     protected virtual Vector3d TargetFor(in Vector3d position) => Target;
 
     /// <summary>The square of a piece's closest approach, m², and its time.</summary>
-    protected virtual double ClosestApproach(in PathPiece piece, out double time) =>
+    protected virtual double ClosestApproach(in PathSegment piece, out double time) =>
         (TargetVelocity == Vector3d.Zero ? piece : piece.SeenFrom(TargetVelocity)).ClosestApproach(Target, out time);
 
     /// <summary>From the target to a ball.</summary>
@@ -211,7 +211,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         return doubts;
     }
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         bool isPast = base.Add(in piece);
         if (_through is not { } point)
@@ -239,7 +239,7 @@ internal sealed class MeasuredFlight : ApproachFlight
                 continue;
             }
 
-            if (HasMetAll || e.Thing != _things[_met])
+            if (HasMetAll || e.ColliderIndex != _things[_met])
             {
                 return true;
             }
@@ -262,10 +262,10 @@ internal sealed class MeasuredFlight : ApproachFlight
         {
             // A ball that stays on the ground bounces off it no more; one at rest, or that creeps down a net, meets nothing more.
             bool staysDown = after.Motion is MotionState.Sliding or MotionState.Rolling && after.Carrier == 0 && _things[_met] == 0;
-            return staysDown || after.Motion == MotionState.Stopped || Creeps(in after);
+            return staysDown || after.Motion == MotionState.Rest || Creeps(in after);
         }
 
-        bool isAtRest = after.Motion == MotionState.Stopped && TargetVelocity == Vector3d.Zero;
+        bool isAtRest = after.Motion == MotionState.Rest && TargetVelocity == Vector3d.Zero;
         return isAtRest || (_things.Length > 0 && (Leaves(in after) || Creeps(in after)));
     }
 
@@ -288,7 +288,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     }
 
     private void NoteBlocker(in BallEvent e) =>
-        Blocker = Blocker == NoThing && e.Thing > 0 && e.Kind is BallEventKind.Impact or BallEventKind.Net ? e.Thing : Blocker;
+        Blocker = Blocker == NoThing && e.ColliderIndex > 0 && e.Kind is BallEventKind.Impact or BallEventKind.Net ? e.ColliderIndex : Blocker;
 
     /// <summary>True when the ball creeps down a net, and gets nowhere in time.</summary>
     private bool Creeps(in BallState state)
@@ -371,13 +371,13 @@ internal class KickLook : ApproachFlight
             return true;
         }
 
-        Add(PathPiece.Cubic(in before, in after));
+        Add(PathSegment.Cubic(in before, in after));
         return false;
     }
 
     public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
     {
-        if (ended || (after.Motion == MotionState.Stopped && TargetVelocity == Vector3d.Zero))
+        if (ended || (after.Motion == MotionState.Rest && TargetVelocity == Vector3d.Zero))
         {
             return true;
         }
@@ -448,7 +448,7 @@ internal sealed class TurningLook : KickLook
         return length > 1e-9 ? new Vector3d(Frame.From.X, Target.Y, Frame.From.Z) + (Frame.Distance / length * went) : Target;
     }
 
-    protected override double ClosestApproach(in PathPiece piece, out double time)
+    protected override double ClosestApproach(in PathSegment piece, out double time)
     {
         // The target turns with the ball: from where the ball is in the middle to where it was closest.
         time = piece.Time + (0.5 * piece.Length);

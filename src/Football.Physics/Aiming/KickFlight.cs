@@ -72,11 +72,11 @@ internal abstract class KickObserver : PieceObserver
     /// <param name="after">The ball at its end.</param>
     /// <param name="log">Its events, and how many pieces it had.</param>
     /// <param name="ended">Whether the flight ends with it: by an impact, or for the observer.</param>
-    /// <returns>True where that is not enough: the step is taken again, and <see cref="PieceObserver.Add(in PathPiece)"/> sees its pieces.</returns>
+    /// <returns>True where that is not enough: the step is taken again, and <see cref="PieceObserver.Add(in PathSegment)"/> sees its pieces.</returns>
     public abstract bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
 
     /// <summary>True when a flight is over after a step.</summary>
     public virtual bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended) => ended;
 
-    public override bool Add(in PathPiece piece) => false;
+    public override bool Add(in PathSegment piece) => false;
 }

@@ -55,7 +55,7 @@ internal sealed class MissMeter
             return _miss = new MeasuredMiss(Vector3d.Distance(state.Position, in there), null, state.Time - request.KickTime, state.Position, blocker);
         }
 
-        Vector3d? through = request.Through is { } way ? AimContext.Raised(_simulator, way) : null;
+        Vector3d? through = request.Waypoint is { } way ? AimContext.Raised(_simulator, way) : null;
         _shot.Fly(state, step, AimContext.LongestFlight, in target, request.TargetVelocity, through, []);
         return _miss = new MeasuredMiss(_shot.Miss, _shot.ThroughMiss, _shot.Time, _shot.Position, _shot.Blocker);
     }

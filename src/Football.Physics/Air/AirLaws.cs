@@ -38,9 +38,9 @@ internal abstract class AirLaws
         // Tables are of fitted laws, with factors for what is left out; with a constant law, or none at all, each is asked by itself.
         return hasConstants || !hasFits ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
-            CoefficientForm.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
-            CoefficientForm.Regularised => new TableLaws<RegularisedLaw>(scene, drag, lift),
-            CoefficientForm.Measured => new TableLaws<MeasuredLaw>(scene, drag, lift),
+            AerodynamicModel.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
+            AerodynamicModel.Regularized => new TableLaws<RegularisedLaw>(scene, drag, lift),
+            AerodynamicModel.Measured => new TableLaws<MeasuredLaw>(scene, drag, lift),
             _ => throw Check.Unknown("forces.coefficients", forces.Coefficients),
         };
     }

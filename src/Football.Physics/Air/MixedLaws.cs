@@ -29,8 +29,8 @@ internal sealed class MixedLaws : AirLaws
         Drags = forces.Drag != ForceLaw.None;
         Lifts = forces.Magnus != ForceLaw.None;
         SpinDecays = forces.SpinDecay != ForceLaw.None;
-        _fits = forces.Coefficients != CoefficientForm.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
-        Jumps = _fits && forces.Coefficients == CoefficientForm.Published;
+        _fits = forces.Coefficients != AerodynamicModel.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical);
+        Jumps = _fits && forces.Coefficients == AerodynamicModel.Published;
         Bound = Scaled(_drag.Bound, drag) + Scaled(_magnus.Bound, lift) + _decay.Bound;
         OrdinaryBound = Bound;
     }

@@ -11,7 +11,7 @@ internal sealed class OwnForces
 
     public OwnForces(Scene scene)
     {
-        _forces = [.. scene.Forces.Custom];
+        _forces = [.. scene.Forces.CustomForces];
         _perMass = 1.0 / scene.Ball.Mass;
         _perInertia = 1.0 / scene.Ball.MomentOfInertia;
     }
@@ -29,11 +29,11 @@ internal sealed class OwnForces
 
     /// <summary>Adds their accelerations.</summary>
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
-    public void AddTo(in ForceInput ball, ref AirFactors factors)
+    public void AddTo(in ForceContext ball, ref AirFactors factors)
     {
         // What they see is the flow with the wind of the place in it.
-        ForceSum sum = default;
-        ForceInput seen = ball.In(in factors.AirVelocity);
+        ForceAccumulator sum = default;
+        ForceContext seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)
         {
             _forces[i].Apply(in seen, ref sum);
@@ -48,6 +48,6 @@ internal sealed class OwnForces
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Refuse(int index, in ForceInput ball, in ForceSum sum) => throw new InvalidOperationException(FormattableString.Invariant(
-        $"forces.custom[{index}] ({_forces[index].GetType().Name}) is {sum.Force} N, {sum.Torque} N m at {ball.Time} s; allowed: finite components."));
+    private void Refuse(int index, in ForceContext ball, in ForceAccumulator sum) => throw new InvalidOperationException(FormattableString.Invariant(
+        $"forces.customForces[{index}] ({_forces[index].GetType().Name}) is {sum.Force} N, {sum.Torque} N m at {ball.Time} s; allowed: finite components."));
 }

@@ -36,7 +36,7 @@ public sealed class ScaledAir : IForce
     internal AirLaws Laws { get; }
 
     /// <inheritdoc/>
-    public void Apply(in ForceInput ball, ref ForceSum sum)
+    public void Apply(in ForceContext ball, ref ForceAccumulator sum)
     {
         Vector3d u = ball.AirVelocity;
 
@@ -51,9 +51,9 @@ public sealed class ScaledAir : IForce
 
     /// <summary>The one own force of a scene, where it scales the scene's own laws: then it is taken as laws, and the axis of the spin stays constant.</summary>
     internal static ScaledAir? AloneIn(Scene scene) =>
-        scene.Forces.Custom.Count == 1 && scene.Sideways == Vector3d.Zero && scene.Forces.Custom[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
+        scene.Forces.CustomForces.Count == 1 && scene.Sideways == Vector3d.Zero && scene.Forces.CustomForces[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
     /// <summary>True when a scene has the ball, the air and the laws that this was made for.</summary>
     private bool IsMadeFor(Scene scene) =>
-        scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { Custom = _scene.Forces.Custom } == _scene.Forces;
+        scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { CustomForces = _scene.Forces.CustomForces } == _scene.Forces;
 }

@@ -67,7 +67,7 @@ internal struct SceneAir : IFlightAir
     public readonly bool ChangesInTime => _wind is not null && _byHeight is not { Gusts: null };
 
     /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
-    public readonly double FastestWind => _wind?.Fastest ?? 0;
+    public readonly double FastestWind => _wind?.MaximumSpeed ?? 0;
 
     /// <summary>How fast the air can change the motion, by the speed relative to the air.</summary>
     public RateBound Bound { get; }
@@ -115,7 +115,7 @@ internal struct SceneAir : IFlightAir
     /// <param name="branch">The branch of the drag law.</param>
     /// <param name="factors">What the air does.</param>
     /// <returns>|ω|, rad/s; 0 where it is too small for a reciprocal.</returns>
-    public readonly double Evaluate(in ForceInput ball, DragBranch branch, out AirFactors factors)
+    public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors)
     {
         // u = v − W(p, t)
         Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);

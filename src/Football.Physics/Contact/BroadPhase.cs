@@ -42,7 +42,7 @@ internal sealed class BoundsTree
             int here = node;
 
             // What does not touch this box touches nothing of its branch.
-            if (!_bounds[here].Touches(in box))
+            if (!_bounds[here].Intersects(in box))
             {
                 node = _after[here];
                 continue;
@@ -91,8 +91,8 @@ internal sealed class BoundsTree
         Bounds3d centers = boxes[items[from]].AtCenter;
         for (int i = from + 1; i < to; i++)
         {
-            all = all.With(in boxes[items[i]]);
-            centers = centers.With(boxes[items[i]].AtCenter);
+            all = all.Union(in boxes[items[i]]);
+            centers = centers.Union(boxes[items[i]].AtCenter);
         }
 
         _bounds[node] = all;
@@ -157,7 +157,7 @@ internal struct NearThings
     public static NearThings Within(World world, in Vector3d position, double time, double distance)
     {
         world.Engine?.LookAt(in position, time, distance);
-        return new NearThings(world, new Bounds3d(in position, in position).Grown(world.Ball.Radius + (2.0 * distance)), time, 0);
+        return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);
     }
 
     /// <summary>The collider that a ball overlaps most, but for what carries it; −1 where it overlaps nothing.</summary>
@@ -253,7 +253,7 @@ internal struct NearThings
         while (_unbounded < _world.Unbounded.Length)
         {
             thing = _world.Unbounded[_unbounded++];
-            if (_world.Colliders[thing].Bounds.Touches(in _box))
+            if (_world.Colliders[thing].Bounds.Intersects(in _box))
             {
                 return true;
             }
@@ -295,9 +295,9 @@ internal struct NearThings
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);
         if (_duration > 0)
         {
-            bounds = bounds.With(bounds.Moved(_duration * collider.Velocity));
+            bounds = bounds.Union(bounds.Translated(_duration * collider.Velocity));
         }
 
-        return bounds.Touches(in _box);
+        return bounds.Intersects(in _box);
     }
 }

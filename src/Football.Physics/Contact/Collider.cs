@@ -5,7 +5,7 @@ internal sealed class Collider
 {
     private readonly RigidMotion _motion;
     private readonly ObstacleMotions? _obstacles;
-    private readonly Body? _body;
+    private readonly KinematicBody? _body;
     private readonly EnginePushes? _enginePushes;
     private IShape _shape;
     private PlaneShape? _plane;
@@ -48,7 +48,7 @@ internal sealed class Collider
         _motion.Pivot = obstacle.Pivot;
     }
 
-    public Collider(Body body, BallProperties ball)
+    public Collider(KinematicBody body, BallProperties ball)
         : this(body.Name, body.Shape, new ContactMaterial(body.Surface, ball.Bounce))
     {
         Surfaces = [body.Surface];
@@ -79,7 +79,7 @@ internal sealed class Collider
     public EngineCollider? Engine { get; private set; }
 
     /// <summary>Nothing that it is made of is narrower, m; infinite where it is the same everywhere.</summary>
-    public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.LeastWidth;
+    public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.MinimumWidth;
 
     /// <summary>V, m/s.</summary>
     public Vector3d Velocity => Motion.Velocity;
@@ -144,7 +144,7 @@ internal sealed class Collider
     public PlaneShape? StandingPlane => Moves ? null : _plane;
 
     /// <summary>The strongest curvature of its hollows, 1/m; 0 where it is convex.</summary>
-    public double HollowCurvature => _shape.HollowCurvature;
+    public double HollowCurvature => _shape.MaximumConcaveCurvature;
 
     /// <summary>A box around it in its own frame: for what the game does not move, where it was at time 0.</summary>
     public ref readonly Bounds3d Bounds => ref _bounds;
@@ -251,7 +251,7 @@ internal sealed class Collider
 
     /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
     public Bounds3d BoundsDuring(double time, double duration) =>
-        _placement is null ? _bounds.Moved(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
+        _placement is null ? _bounds.Translated(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
 
     /// <summary>The surface's velocity at a point of contact, V + Ω × (c − o), m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);
@@ -315,20 +315,20 @@ internal readonly struct ContactMaterial
     /// <param name="bounce">The ball's factor on its restitution.</param>
     public ContactMaterial(SurfaceMaterial surface, double bounce = 1)
     {
-        PerRestitutionSpeed = 1.0 / surface.RestitutionSpeed;
+        PerRestitutionSpeed = 1.0 / surface.RestitutionSpeedScale;
         SlowRestitution = bounce * AtRest(surface.NormalRestitution, PerRestitutionSpeed);
         _most = surface.NormalRestitution > 1 ? Math.Max(1.0, bounce * surface.NormalRestitution) : 1.0;
         MinimumExitSpeed = surface.MinimumExitSpeed;
-        RestitutionRise = surface.RestitutionRise;
+        RestitutionRise = surface.GrazingRestitutionGain;
         TangentialX = surface.TangentialRestitution;
         TangentialZ = surface.TangentialRestitution;
         Spin = surface.SpinRestitution;
         ImpactFriction = surface.ImpactFriction;
         SlidingFriction = surface.SlidingFriction;
-        RollingFriction = surface.RollingFriction;
-        RollingFrictionBySpeed = surface.RollingFrictionBySpeed;
+        RollingFriction = surface.RollingResistance;
+        RollingFrictionBySpeed = surface.RollingResistancePerSpeed;
         SpinDamping = surface.SpinDamping;
-        DrillingLength = surface.DrillingLength;
+        DrillingLength = surface.TorsionalPatchRadius;
     }
 
     /// <summary>A surface by the three numbers of an impact alone, the same at every speed.</summary>

@@ -82,7 +82,7 @@ internal readonly struct ContactSearch
 
         // Broad phase: an engine's cast, and what the box of the path touches. Narrow phase: a walk along the gap of each.
         _world.Engine?.LookAlong(in _path, _time);
-        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius), _time, _path.Length);
+        var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
         {
             bool seam = false;
@@ -136,7 +136,7 @@ internal readonly struct ContactSearch
         int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
         double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
-        var near = new NearThings(_world, _bounds.Grown(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
+        var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
         while (near.NextPassage(out int thing))
         {
             double until = Math.Min(best, _path.Length);
@@ -286,7 +286,7 @@ internal readonly struct ContactSearch
             bounds = path.Bounds;
         }
 
-        if (!bounds.Grown(r).Touches(in collider.Bounds))
+        if (!bounds.Expanded(r).Intersects(in collider.Bounds))
         {
             return double.PositiveInfinity;
         }

@@ -77,7 +77,7 @@ internal unsafe struct ContactSystem : IMotionSystem
     {
         Vector3d u = at.Velocity - Around.Wind;
         bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
-        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
+        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
         Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
@@ -122,7 +122,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         }
 
         Vector3d u = still.Velocity - Around.Wind;
-        Around.Air.Evaluate(new ForceInput(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
+        Around.Air.Evaluate(new ForceContext(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
         Vector3d nets = Nets == 0 ? Vector3d.Zero : World.PushOfNets(Nets, NetSides, in still).Acceleration;
         return air.Acceleration + Around.Weight + nets;
     }

@@ -92,7 +92,7 @@ internal sealed class EnginePushes
 
         EngineCollider collider = _pushed[index];
         Bounds3d at = collider.Placement.BoundsAt(time);
-        box = at.With(at.Moved(dt * collider.Placement.Motion.Velocity)).Grown(2.0 * dt * collider.PushSoFar.Pushed.Length);
+        box = at.Union(at.Translated(dt * collider.Placement.Motion.Velocity)).Expanded(2.0 * dt * collider.PushSoFar.Pushed.Length);
         return true;
     }
 

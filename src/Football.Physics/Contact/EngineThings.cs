@@ -65,7 +65,7 @@ internal sealed class EngineThings
     {
         get
         {
-            double greatest = _engine.GreatestSpeed;
+            double greatest = _engine.MaximumSpeed;
             foreach (EngineCollider collider in _rotating)
             {
                 greatest = Math.Max(greatest, collider.Placement.Motion.GreatestSpeed);
@@ -238,12 +238,12 @@ internal sealed class EngineThings
         }
 
         // An engine may answer with all that it has. A collider outside the box of the cast need not be in the answer, so it gets no place.
-        Bounds3d box = new Bounds3d(in from, in from).With(new Bounds3d(in to, in to)).Grown(_around + asked);
+        Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
             EngineCollider hit = _hits.At(i);
             hit.FoundAt(now);
-            if (!hit.Placement.BoundsAt(now).Touches(in box) && !hit.Placement.BoundsDuring(time, duration).Touches(in box))
+            if (!hit.Placement.BoundsAt(now).Intersects(in box) && !hit.Placement.BoundsDuring(time, duration).Intersects(in box))
             {
                 continue;
             }
@@ -262,7 +262,7 @@ internal sealed class EngineThings
     /// <summary>How far any part of them may have moved in a time, m: what rotates no farther than across the circle that it moves in.</summary>
     private double Moved(double apart)
     {
-        double most = apart * _engine.GreatestSpeed;
+        double most = apart * _engine.MaximumSpeed;
         for (int i = _rotating.Count - 1; i >= 0; i--)
         {
             ref RigidMotion motion = ref _rotating[i].Placement.Motion;

@@ -68,7 +68,7 @@ internal static class SceneCheck
     private static (string Field, string Value, string Allowed)? FaultOfCarrier(in BallState s, World world)
     {
         long index = s.Carrier - world.FirstCollider;
-        if (s.Motion == MotionState.Airborne || (s.Motion == MotionState.Squeezed && s.Carrier == 0))
+        if (s.Motion == MotionState.Airborne || (s.Motion == MotionState.Pinned && s.Carrier == 0))
         {
             // Nothing carries it.
             return s.Carrier == 0 ? null : Carrier(in s, "0 for a ball that nothing carries");
@@ -83,7 +83,7 @@ internal static class SceneCheck
         long net = s.Carrier - world.ThingOfNet(0);
         if (net >= 0)
         {
-            bool hangs = s.Motion == MotionState.Stopped && net < world.Nets.Length && (s.Nets >> (int)net & 1) != 0;
+            bool hangs = s.Motion == MotionState.Rest && net < world.Nets.Length && (s.Nets >> (int)net & 1) != 0;
             return hangs ? null : Carrier(in s, "a thing that can carry the ball");
         }
 
@@ -99,7 +99,7 @@ internal static class SceneCheck
             return Carrier(in s, "a thing of a layer that the ball does not ignore");
         }
 
-        if (carrier.IsBody || carrier.GivesWay || s.Motion == MotionState.Squeezed)
+        if (carrier.IsBody || carrier.GivesWay || s.Motion == MotionState.Pinned)
         {
             return null;
         }
@@ -112,7 +112,7 @@ internal static class SceneCheck
 
         // What rests moves along.
         Vector3d along = carrier.MaterialVelocity(s.Position, s.Time);
-        return s.Motion == MotionState.Stopped && !((s.Velocity - along).Length <= Touching * (1.0 + along.Length))
+        return s.Motion == MotionState.Rest && !((s.Velocity - along).Length <= Touching * (1.0 + along.Length))
             ? ("state.velocity", s.Velocity.ToString("R", null), $"that of \"{carrier.Name}\" at a ball that rests on it")
             : null;
     }

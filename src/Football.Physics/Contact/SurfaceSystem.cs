@@ -121,7 +121,7 @@ internal struct SurfaceSystem : IMotionSystem
 
         // a_air = L (ω × u) − D u and own forces; along n it counts in the load where the air loads.
         Vector3d u = at.Velocity - Around.Wind;
-        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
+        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
         u = air.AirVelocity;
         Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);

@@ -174,7 +174,7 @@ internal sealed class World
     }
 
     /// <summary>Bodies that the game moves; null where there are none.</summary>
-    public Bodies? Bodies { get; }
+    public KinematicBodies? Bodies { get; }
 
     /// <summary>Where the obstacles are that have a mass.</summary>
     public ObstacleMotions Obstacles { get; }
@@ -312,7 +312,7 @@ internal sealed class World
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
         colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle, scene.Ball) { Layer = -1 }));
-        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<Body>()).Select(body => new Collider(body, scene.Ball)));
+        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<KinematicBody>()).Select(body => new Collider(body, scene.Ball)));
     }
 
     private static NetSheet[] NetsOf(Scene scene) =>
@@ -558,7 +558,7 @@ internal sealed class World
     }
 
     /// <summary>True of a ball that came to rest in a net and on nothing else.</summary>
-    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Stopped && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
+    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Rest && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
 
     /// <summary>The net of those that the ball is in in which it is deepest; −1 where it is in none.</summary>
     public int DeepestNet(in BallState s)

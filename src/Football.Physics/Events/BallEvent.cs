@@ -24,7 +24,7 @@ public readonly struct BallEvent : IFormattable
         in Vector3d spin)
     {
         _kind = (int)kind;
-        Thing = thing;
+        ColliderIndex = thing;
         Normal = normal;
         Time = time;
         Position = position;
@@ -55,12 +55,12 @@ public readonly struct BallEvent : IFormattable
     /// come the obstacles in their order, the posts and bars of the goals, the bodies, all nets, the goals, the zones. An engine's collider has a number of its own, far beyond these, by its
     /// name alone. The simulator gives the name.
     /// </summary>
-    public int Thing { get; internal init; }
+    public int ColliderIndex { get; internal init; }
 
     /// <summary>Which ball it happened to: its index among several that are stepped together; 0 where there is one.</summary>
     public int Ball { get; }
 
-    /// <summary>The ball that was hit, where that is one of several; −1 for none. <see cref="Thing"/> is then −1.</summary>
+    /// <summary>The ball that was hit, where that is one of several; −1 for none. <see cref="ColliderIndex"/> is then −1.</summary>
     public int OtherBall => _other - 1;
 
     /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from; of a zone the outward normal of its shape. Zero for a rest or a leave.</summary>
@@ -94,7 +94,7 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>Speed against what was hit, along the normal, m/s: what a bounce sounds like. 0 for what is no impact.</summary>
-    public double NormalSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
+    public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
     /// <summary>Linear speed that the event took away, m/s.</summary>
     public double SpeedLost => VelocityBefore.Length - Velocity.Length;

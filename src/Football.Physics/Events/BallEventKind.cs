@@ -26,13 +26,13 @@ public enum BallEventKind
     Goal = 5,
 
     /// <summary>The ball left what carried it without an impact with it: over a crest, or lifted by a hit.</summary>
-    Leave = 6,
+    ContactEnd = 6,
 
     /// <summary>
     /// Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces it, and what it
-    /// hits is not told one by one. The ball is then <see cref="MotionState.Squeezed"/>.
+    /// hits is not told one by one. The ball is then <see cref="MotionState.Pinned"/>.
     /// </summary>
-    Squeezed = 7,
+    Pinned = 7,
 
     /// <summary>The ball entered a <see cref="Zone"/>.</summary>
     EnterZone = 8,

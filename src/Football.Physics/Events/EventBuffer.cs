@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
 /// <remarks>
-/// It grows up to <see cref="Most"/> events, 80 kB by default, and the memory stays: also where a game forgets to clear it. Where there are more, the first and the last are kept, in order, and
+/// It grows up to <see cref="MaximumCount"/> events, 80 kB by default, and the memory stays: also where a game forgets to clear it. Where there are more, the first and the last are kept, in order, and
 /// those between are counted in <see cref="Dropped"/>: no scene can make it larger.
 /// </remarks>
 public sealed class EventBuffer
@@ -13,7 +13,7 @@ public sealed class EventBuffer
     public const int DefaultMost = 1_024;
 
     /// <summary>How many of the kept events are the last ones, where some are missed.</summary>
-    public const int Last = 16;
+    public const int TailCount = 16;
 
     private BallEvent[] _events;
 
@@ -23,19 +23,19 @@ public sealed class EventBuffer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public EventBuffer(int capacity = 32, int most = DefaultMost)
     {
-        Check.AtLeast(nameof(most), most, 2 * Last);
+        Check.AtLeast(nameof(most), most, 2 * TailCount);
         Check.Within(nameof(capacity), capacity, 1, most);
-        Most = most;
+        MaximumCount = most;
         _events = new BallEvent[capacity];
     }
 
     /// <summary>How many events it keeps at most.</summary>
-    public int Most { get; }
+    public int MaximumCount { get; }
 
     /// <summary>How many events there are.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How many more happened than are kept: between the first ones and the <see cref="Last"/> ones.</summary>
+    /// <summary>How many more happened than are kept: between the first ones and the <see cref="TailCount"/> ones.</summary>
     public long Dropped { get; private set; }
 
     /// <summary>The events, first to last; valid until the next step or <see cref="Clear"/>.</summary>
@@ -102,7 +102,7 @@ public sealed class EventBuffer
     }
 
     /// <summary>Names the thing of an event anew.</summary>
-    internal void Call(int index, int thing) => _events[index] = _events[index] with { Thing = thing };
+    internal void Call(int index, int thing) => _events[index] = _events[index] with { ColliderIndex = thing };
 
     /// <summary>Adds all of another buffer's.</summary>
     internal void Add(EventBuffer other)
@@ -120,7 +120,7 @@ public sealed class EventBuffer
     internal void TakeBack(int count, long missed, long impacts)
     {
         // Where some were missed meanwhile the last ones have moved up, and only the first ones are still what they were.
-        Count = Dropped == missed ? count : Math.Min(count, Most - Last);
+        Count = Dropped == missed ? count : Math.Min(count, MaximumCount - TailCount);
         Dropped = missed + (count - Count);
         Impacts = impacts;
     }
@@ -129,14 +129,14 @@ public sealed class EventBuffer
     private void MakeRoom()
     {
         // Twice as many, up to the bound.
-        if (Count < Most)
+        if (Count < MaximumCount)
         {
-            Array.Resize(ref _events, (int)Math.Min(2L * Count, Most));
+            Array.Resize(ref _events, (int)Math.Min(2L * Count, MaximumCount));
             return;
         }
 
         // The first ones stay, the last ones move up by one place.
-        Array.Copy(_events, Count - Last + 1, _events, Count - Last, Last - 1);
+        Array.Copy(_events, Count - TailCount + 1, _events, Count - TailCount, TailCount - 1);
         Count--;
         Dropped++;
     }

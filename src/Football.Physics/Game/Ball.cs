@@ -129,7 +129,7 @@ public sealed class Ball
 
     /// <summary>The name of what an event reports: "ground", "left post", an obstacle's; null for an event that has none.</summary>
     /// <param name="happened">One of <see cref="Events"/>.</param>
-    public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.Thing);
+    public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.ColliderIndex);
 
     /// <summary>Kicks the ball where it is with a kick that was found for it.</summary>
     /// <param name="kick">The kick.</param>
@@ -190,7 +190,7 @@ public sealed class Ball
         // On a slope, or in a wind, that rolling friction cannot hold it against, it begins to roll.
         if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
         {
-            state.Motion = MotionState.Stopped;
+            state.Motion = MotionState.Rest;
         }
 
         return state;

@@ -85,26 +85,26 @@ public sealed partial class FixedStepRunner
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
     }
 
-    /// <summary>Writes a state in <see cref="Snapshot.WireSize"/> bytes, where these hold it to the last bit: at the ticks of <see cref="WireTicks"/>.</summary>
+    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, where these hold it to the last bit: at the ticks of <see cref="QuantizationInterval"/>.</summary>
     /// <param name="state">The state: <see cref="State"/>, or one that a <see cref="Rollback"/> has kept.</param>
-    /// <param name="destination">Where to; at least <see cref="Snapshot.WireSize"/> bytes.</param>
+    /// <param name="destination">Where to; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
     /// <param name="ball">Which of several balls; default the first.</param>
     /// <returns>False where it takes all of <see cref="Snapshot.Write"/>; nothing of use is written then.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
-    public bool TryWriteWire(in BallState state, Span<byte> destination, int ball = 0)
+    public bool TryWriteQuantized(in BallState state, Span<byte> destination, int ball = 0)
     {
         Check.Index(nameof(ball), ball, _states.Length);
         return WireForm.TryWrite(SimulatorOf(ball), TimeStep, in state, destination);
     }
 
-    /// <summary>Reads what <see cref="TryWriteWire"/> wrote: the same bits.</summary>
-    /// <param name="source">At least <see cref="Snapshot.WireSize"/> bytes; more are ignored.</param>
+    /// <summary>Reads what <see cref="TryWriteQuantized"/> wrote: the same bits.</summary>
+    /// <param name="source">At least <see cref="Snapshot.QuantizedSize"/> bytes; more are ignored.</param>
     /// <param name="ball">Which of several balls; default the first.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
     /// <exception cref="FormatException">The bytes are no state.</exception>
-    public BallState ReadWire(ReadOnlySpan<byte> source, int ball = 0)
+    public BallState ReadQuantized(ReadOnlySpan<byte> source, int ball = 0)
     {
         Check.Index(nameof(ball), ball, _states.Length);
         return WireForm.Read(SimulatorOf(ball), TimeStep, source);

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Plays a ball, or several, in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
 /// <remarks>
 /// Every step has the same length, so the trajectory is the same bits whatever the frame rate; kicks belong to ticks, not to frames. Bodies do so where
-/// <see cref="BodiesAt"/> puts them there for every step: a game that moves them once a frame moves them at other times for another frame rate.
+/// <see cref="MoveBodies"/> puts them there for every step: a game that moves them once a frame moves them at other times for another frame rate.
 /// Games with a fixed update of their own call <see cref="Step"/> there and draw <see cref="PoseAt"/>; others call
 /// <see cref="Advance"/> once a frame and draw <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps its
 /// last states and plays them again where a kick of the past was not known: the kicks in <see cref="Kicks"/> are applied again.
@@ -11,7 +11,7 @@ namespace FootballPhysics;
 /// </remarks>
 public sealed partial class FixedStepRunner
 {
-    /// <summary>The largest <see cref="WireTicks"/>.</summary>
+    /// <summary>The largest <see cref="QuantizationInterval"/>.</summary>
     internal const int MostWireTicks = 1_000_000;
 
     /// <summary>Steps that a frame can have at most.</summary>
@@ -125,7 +125,7 @@ public sealed partial class FixedStepRunner
     /// Puts the game's bodies (<see cref="Scene.Bodies"/>), and its engine's colliders, to where they are at a time of the ball's clock, s: asked once a step, at its start, also
     /// where steps are played again. Default none: bodies stay where the game has put them last, going on as they go; then a <see cref="Rollback"/> keeps where they were.
     /// </summary>
-    public Action<double>? BodiesAt { get; set; }
+    public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Kicks of so many ticks ago are forgotten; those that a rollback or a recording may need are kept. 1 … 1e15; default 36 000.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
@@ -140,8 +140,8 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>
-    /// Every so many ticks the ball is rounded to what <see cref="Snapshot.WireSize"/> bytes hold, on every machine that plays the match, where it is rolled back and where it is played again: what
-    /// <see cref="TryWriteWire"/> writes then is the state itself. 0 … 1e6; default 0: never.
+    /// Every so many ticks the ball is rounded to what <see cref="Snapshot.QuantizedSize"/> bytes hold, on every machine that plays the match, where it is rolled back and where it is played again: what
+    /// <see cref="TryWriteQuantized"/> writes then is the state itself. 0 … 1e6; default 0: never.
     /// </summary>
     /// <remarks>
     /// Then place and velocity change by 0.5 mm (just above the ground by 1 mm, upwards) and 1 mm/s at most in each direction, the spin by less than 0.125 rad/s, up or down by lot so that a slow decay is not lost, and the rotation
@@ -149,12 +149,12 @@ public sealed partial class FixedStepRunner
     /// ±128 m, 64 m/s or 512 rad/s; of several balls all are rounded, or none. A look-ahead does not round. Setting another number ends a recording.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
-    public int WireTicks
+    public int QuantizationInterval
     {
         get => _wireTicks;
         set
         {
-            Check.Within(nameof(WireTicks), value, 0, MostWireTicks);
+            Check.Within(nameof(QuantizationInterval), value, 0, MostWireTicks);
             if (value != _wireTicks)
             {
                 StopRecording();
@@ -165,10 +165,10 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>
-    /// Hash of all that two machines must have in common before a match: scene and settings of every ball, step, <see cref="WireTicks"/>, and the version of the library. Send it with the
+    /// Hash of all that two machines must have in common before a match: scene and settings of every ball, step, <see cref="QuantizationInterval"/>, and the version of the library. Send it with the
     /// first message, and refuse who has another.
     /// </summary>
-    public ulong MatchHash => MatchSegment.MatchHash(this);
+    public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>Length of a step, s.</summary>
     public double TimeStep { get; }
@@ -219,7 +219,7 @@ public sealed partial class FixedStepRunner
     public Quaterniond Orientation => Pose.Orientation;
 
     /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
-    public MatchSegment? Recording { get; private set; }
+    public Recording? Recording { get; private set; }
 
     /// <summary>Keeper of its last states; null where there is none.</summary>
     internal Rollback? History { get; set; }
@@ -382,9 +382,9 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Starts a recording at this tick: every step adds a hash to it, and the kicks are those of <see cref="Kicks"/>.</summary>
     /// <remarks>A rollback within it rewinds it too; going to a state that is not its own ends it.</remarks>
-    public MatchSegment Record()
+    public Recording Record()
     {
-        Recording = new MatchSegment(this);
+        Recording = new Recording(this);
         return Recording;
     }
 
@@ -413,7 +413,7 @@ public sealed partial class FixedStepRunner
         try
         {
             // 1. The bodies are where they are at this tick. 2. Its kicks. 3. The step.
-            MoveBodies(world);
+            MoveBodiesTo(world);
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
                 ref readonly KickInput kick = ref Kicks[i];
@@ -461,12 +461,12 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>The bodies are put where they are at this tick, and who plays it again is told.</summary>
-    private void MoveBodies(World world)
+    private void MoveBodiesTo(World world)
     {
         // The game itself comes first: it also says where bodies were at ticks that are played again.
-        if (BodiesAt is { } bodiesAt)
+        if (MoveBodies is { } move)
         {
-            bodiesAt(Time);
+            move(Time);
             world.Engine?.ForgetPushes();
         }
         else if (world.Bodies is { } bodies)

@@ -29,7 +29,7 @@ public sealed record Foot
     public double Friction { get; init; } = 0.9;
 
     /// <summary>How fast the foot can be, m/s: the limit of the leg. At least 0.01; default infinite, no limit. <see cref="Strike"/> does not ask for it.</summary>
-    public double FastestSpeed { get; init; } = double.PositiveInfinity;
+    public double MaximumSpeed { get; init; } = double.PositiveInfinity;
 
     /// <summary>Computes what a strike does to a ball: its velocity and spin after it, and the foot's.</summary>
     /// <param name="ball">The ball.</param>
@@ -64,7 +64,7 @@ public sealed record Foot
     /// <remarks>
     /// The velocity is given as far as the leg is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest:
     /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/> say so, <see cref="FootStrike.Spin"/> is what the ball gets.
-    /// Where the foot would have to be faster than <see cref="FastestSpeed"/>, the ball goes the wanted way as fast as the leg can make it, with as much less
+    /// Where the foot would have to be faster than <see cref="MaximumSpeed"/>, the ball goes the wanted way as fast as the leg can make it, with as much less
     /// of the wanted spin; where no share of the speed is within its reach, the foot swings the wanted way as fast as it can. <see cref="FootStrike.FastEnough"/> says so.
     /// </remarks>
     /// <param name="ball">The ball.</param>
@@ -88,7 +88,7 @@ public sealed record Foot
 
         // The strike in closed form; where the leg is fast enough for it, that is all.
         FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
-        if (wanted.FootVelocity.Length <= FastestSpeed)
+        if (wanted.FootVelocity.Length <= MaximumSpeed)
         {
             return wanted;
         }
@@ -99,7 +99,7 @@ public sealed record Foot
         {
             // From the whole kick downwards: the first share that the leg can give brackets the greatest.
             double low = (double)i / Shares;
-            if (part.Takes(low).Length <= FastestSpeed)
+            if (part.Takes(low).Length <= MaximumSpeed)
             {
                 double high = (i + 1.0) / Shares;
                 Roots.Bisect(ref part, ref low, ref high, MostHalvings);
@@ -108,7 +108,7 @@ public sealed record Foot
         }
 
         // Not even a small share, as where the ball itself comes fast: the same swing, as fast as the leg can.
-        Vector3d swing = FastestSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
+        Vector3d swing = MaximumSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
         return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal));
     }
 
@@ -175,7 +175,7 @@ public sealed record Foot
         Check.Within("foot.restitution", Restitution, 0, 1);
         Check.Within("foot.tangentialRestitution", TangentialRestitution, 0, 1);
         Check.NotNegative("foot.friction", Friction);
-        Check.Within("foot.fastestSpeed", FastestSpeed, 0.01, double.PositiveInfinity);
+        Check.Within("foot.maximumSpeed", MaximumSpeed, 0.01, double.PositiveInfinity);
         Check.Size("ball.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("ball.spin", spin, Limits.Spin, "rad/s");
     }
@@ -210,7 +210,7 @@ public sealed record Foot
         public bool Evaluate(double x, out bool holds)
         {
             // True where the foot would have to be too fast, or the number is none.
-            holds = !(Takes(x).Length <= _foot.FastestSpeed);
+            holds = !(Takes(x).Length <= _foot.MaximumSpeed);
             return false;
         }
     }

@@ -47,7 +47,7 @@ public readonly struct FootStrike
     /// <summary>False where a wanted spin needs more friction than there is: then the strike gives as much of it as there is friction for.</summary>
     public bool EnoughFriction { get; }
 
-    /// <summary>False where a wanted kick needs a faster foot than <see cref="Foot.FastestSpeed"/>: then the strike is as fast as the leg can.</summary>
+    /// <summary>False where a wanted kick needs a faster foot than <see cref="Foot.MaximumSpeed"/>: then the strike is as fast as the leg can.</summary>
     public bool FastEnough { get; }
 
     /// <summary>Wanted change of spin about the direction of the impulse, rad/s: no touch gives that.</summary>

@@ -13,7 +13,7 @@ internal sealed class PlacementLog
     public int Count => _end - _first;
 
     /// <summary>Adds the bodies that the game has moved for a tick's step.</summary>
-    public void Record(long tick, Bodies bodies)
+    public void Record(long tick, KinematicBodies bodies)
     {
         for (int i = 0; i < bodies.Count; i++)
         {
@@ -25,7 +25,7 @@ internal sealed class PlacementLog
     }
 
     /// <summary>Puts the bodies where they were for a tick's step.</summary>
-    public void Apply(long tick, Bodies bodies)
+    public void Apply(long tick, KinematicBodies bodies)
     {
         for (int i = FirstAt(tick); i < _end && _entries[i].Tick == tick; i++)
         {

@@ -4,7 +4,7 @@ namespace FootballPhysics.Netcode;
 /// <remarks>
 /// It follows every step that the runner makes, in <see cref="FixedStepRunner.Step"/> as in <see cref="FixedStepRunner.Advance"/>; where the
 /// runner goes elsewhere by itself, it begins anew from there. Steps that are played again have the game's bodies where they were: by
-/// <see cref="FixedStepRunner.BodiesAt"/>, or by the places that it keeps of the last ticks. An engine's colliders that moved need the former; without it they are refused.
+/// <see cref="FixedStepRunner.MoveBodies"/>, or by the places that it keeps of the last ticks. An engine's colliders that moved need the former; without it they are refused.
 /// Nothing is allocated but where events, kicks or places outgrow their memory.
 /// </remarks>
 public sealed class Rollback
@@ -26,7 +26,7 @@ public sealed class Rollback
     /// <summary>Begins to follow a runner, from its present tick on.</summary>
     /// <param name="runner">The runner; one rollback follows it, the last that was made.</param>
     /// <param name="ticks">How many ticks back it can go. 1 … 1 000 000; default 32.</param>
-    /// <param name="keepsBodies">Whether it keeps where the game has put its bodies at each tick; default it does. A game that sets <see cref="FixedStepRunner.BodiesAt"/> need not.</param>
+    /// <param name="keepsBodies">Whether it keeps where the game has put its bodies at each tick; default it does. A game that sets <see cref="FixedStepRunner.MoveBodies"/> need not.</param>
     /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="ticks"/> is out of range.</exception>
     public Rollback(FixedStepRunner runner, int ticks = 32, bool keepsBodies = true)
@@ -84,7 +84,7 @@ public sealed class Rollback
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
-    public long? Correct(in KickInput kick)
+    public long? ApplyServerState(in KickInput kick)
     {
         Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
         Check.Index("kick.ball", kick.Ball, _balls);
@@ -115,7 +115,7 @@ public sealed class Rollback
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, there is no such ball, or none of this scene can have the state; nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or is of another time than the other balls; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
-    public long? Correct(long tick, in BallState state, int ball = 0)
+    public long? ApplyServerState(long tick, in BallState state, int ball = 0)
     {
         BallState before = StateAt(tick, ball);
         if (Snapshot.Same(in before, in state))
@@ -155,12 +155,12 @@ public sealed class Rollback
         return tick;
     }
 
-    /// <summary>Plays again from a tick on, after what <see cref="FixedStepRunner.BodiesAt"/> says, or what is in <see cref="FixedStepRunner.Kicks"/>, has changed: once for all that has.</summary>
+    /// <summary>Plays again from a tick on, after what <see cref="FixedStepRunner.MoveBodies"/> says, or what is in <see cref="FixedStepRunner.Kicks"/>, has changed: once for all that has.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
-    public long? PlayFrom(long tick)
+    public long? ResimulateFrom(long tick)
     {
         Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
         RefuseUnknownPlaces(tick);
@@ -213,7 +213,7 @@ public sealed class Rollback
     }
 
     /// <summary>Keeps where the game has put its bodies for a tick's step.</summary>
-    internal void KeepBodies(long tick, Bodies bodies)
+    internal void KeepBodies(long tick, KinematicBodies bodies)
     {
         if (_replays)
         {
@@ -230,7 +230,7 @@ public sealed class Rollback
     }
 
     /// <summary>Puts the bodies where they were for a step that is played again.</summary>
-    internal void PutBodies(long tick, Bodies bodies)
+    internal void PutBodies(long tick, KinematicBodies bodies)
     {
         if (_replays)
         {
@@ -254,7 +254,7 @@ public sealed class Rollback
     private void RefuseUnknownPlaces(long from)
     {
         // The game that says where bodies are at any time can be asked again.
-        if (Runner.BodiesAt is not null || from >= Runner.Tick)
+        if (Runner.MoveBodies is not null || from >= Runner.Tick)
         {
             return;
         }

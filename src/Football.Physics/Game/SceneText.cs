@@ -30,7 +30,7 @@ internal sealed class SceneText
             .Number("collisionTolerance", settings.CollisionTolerance).Word("rollingTransition", settings.RollingTransition));
         Scene scene = simulator.Scene;
         Object("scene", () => AddScene(scene));
-        List("bodies", scene.Bodies ?? Enumerable.Empty<Body>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass).Layer(body.Layer));
+        List("bodies", scene.Bodies ?? Enumerable.Empty<KinematicBody>(), body => Text("name", body.Name).Shape("bodies", body.Shape).Material(body.Surface).Limit("mass", body.Mass).Layer(body.Layer));
         return this;
     }
 
@@ -108,9 +108,9 @@ internal sealed class SceneText
 
     private void AddForces(ForceSet forces)
     {
-        if (forces.Custom.Count > 0)
+        if (forces.CustomForces.Count > 0)
         {
-            throw Code($"forces.custom[0] ({forces.Custom[0].GetType().Name})");
+            throw Code($"forces.customForces[0] ({forces.CustomForces[0].GetType().Name})");
         }
 
         Flag("buoyancy", forces.Buoyancy).Word("drag", forces.Drag).Word("magnus", forces.Magnus).Word("spinDecay", forces.SpinDecay).Word("coefficients", forces.Coefficients)
@@ -198,7 +198,8 @@ internal sealed class SceneText
     private SceneText Word<T>(string name, T value)
         where T : struct, Enum
     {
-        string word = value.ToString();
+        // Files keep the word that a scenario uses.
+        string word = value is AerodynamicModel.Regularized ? "regularised" : value.ToString();
         return Text(name, char.ToLowerInvariant(word[0]) + word[1..]);
     }
 

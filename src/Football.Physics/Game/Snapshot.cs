@@ -9,8 +9,8 @@ public static class Snapshot
     /// <summary>How many bytes <see cref="Write"/> makes of a state: its fields, and a checksum of four bytes.</summary>
     public const int Size = Fields + Crc32.Size;
 
-    /// <summary>How many bytes <see cref="FixedStepRunner.TryWriteWire"/> makes of a state.</summary>
-    public const int WireSize = WireForm.Size;
+    /// <summary>How many bytes <see cref="FixedStepRunner.TryWriteQuantized"/> makes of a state.</summary>
+    public const int QuantizedSize = WireForm.Size;
 
     private const int Fields = StateFields.Count * sizeof(ulong);
 

@@ -152,7 +152,7 @@ internal static class WireForm
         bool flies = s.Motion == MotionState.Airborne;
 
         // No bits for nets, contacts off the level ground, a knuckle force under way or a squeeze: such a ball stays as it is.
-        bool holds = (flies || (s.Motion != MotionState.Squeezed && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
+        bool holds = (flies || (s.Motion != MotionState.Pinned && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
             && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
         {
@@ -170,11 +170,11 @@ internal static class WireForm
             & PutSigned(s.Position.X * PerMetre, 18, ref bits)
             & PutSigned(s.Position.Z * PerMetre, 18, ref bits)
             & PutWhole(flies ? Height(simulator, s.Position.Y) : 0, 16, ref bits);
-        Vector3d v = s.Motion == MotionState.Stopped ? Vector3d.Zero : s.Velocity;
+        Vector3d v = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Velocity;
         holds = holds & PutSigned(v.X * PerSpeed, 16, ref bits) & PutSigned(flies ? v.Y * PerSpeed : 0, 16, ref bits) & PutSigned(v.Z * PerSpeed, 16, ref bits);
 
         // A ball that rolls has the spin of its velocity, but for that about the vertical.
-        Vector3d w = s.Motion == MotionState.Stopped ? Vector3d.Zero : s.Spin;
+        Vector3d w = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Spin;
         bool rolls = s.Motion == MotionState.Rolling;
         long clock = steps >= 0 && steps < 1e9 ? (long)steps : 0;
         holds = holds & PutSigned(rolls ? 0 : Dither(w.X, clock, 0), 13, ref bits) & PutSigned(Dither(w.Y, clock, 1), 13, ref bits) & PutSigned(rolls ? 0 : Dither(w.Z, clock, 2), 13, ref bits);
@@ -193,7 +193,7 @@ internal static class WireForm
         ulong motion = bits.Take(3);
 
         // Three bits could also name a squeezed ball, which has no wire form, or no motion at all.
-        if (motion > (ulong)MotionState.Stopped)
+        if (motion > (ulong)MotionState.Rest)
         {
             return false;
         }

@@ -80,7 +80,7 @@ internal readonly struct PathCubic
     }
 
     /// <summary>The path of a piece that was kept, from its start on.</summary>
-    public static PathCubic Of(in PathPiece piece) =>
+    public static PathCubic Of(in PathSegment piece) =>
         Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
 
     /// <summary>The Hermite interpolant between two places with their velocities.</summary>

@@ -45,25 +45,25 @@ public readonly struct SymmetricMatrix3d
     /// <param name="normal">n, the direction from the point; of length 1.</param>
     /// <param name="distance">l, m; above 0.</param>
     public static SymmetricMatrix3d AroundPoint(in Vector3d normal, double distance) =>
-        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - Square(in normal));
+        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal));
 
     /// <summary>Curvature of the distance from an axis: (1 − nnᵀ − aaᵀ)/l.</summary>
     /// <param name="normal">n, the direction from the axis; of length 1.</param>
     /// <param name="axis">a, the direction of the axis; of length 1.</param>
     /// <param name="distance">l, m; above 0.</param>
     public static SymmetricMatrix3d AroundAxis(in Vector3d normal, in Vector3d axis, double distance) =>
-        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - Square(in normal) - Square(in axis));
+        (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal) - OuterProduct(in axis));
 
     /// <summary>v vᵀ.</summary>
     /// <param name="v">A vector.</param>
-    public static SymmetricMatrix3d Square(in Vector3d v) =>
+    public static SymmetricMatrix3d OuterProduct(in Vector3d v) =>
         new(v.X * v.X, v.X * v.Y, v.X * v.Z, v.Y * v.Y, v.Y * v.Z, v.Z * v.Z);
 
     /// <summary>Returns the matrix of the bilinear form in other axes.</summary>
     /// <param name="x">The first of them, in these; of length 1.</param>
     /// <param name="y">The second.</param>
     /// <param name="z">The third.</param>
-    public SymmetricMatrix3d Along(in Vector3d x, in Vector3d y, in Vector3d z)
+    public SymmetricMatrix3d Transformed(in Vector3d x, in Vector3d y, in Vector3d z)
     {
         Vector3d ofX = this * x;
         Vector3d ofY = this * y;

@@ -29,7 +29,7 @@ public sealed record LookAheadRequest
     /// Moves the game's bodies (<see cref="Scene.Bodies"/>) to where they will be at a time, s: called with the time of the start and after every step.
     /// They are put back when the look-ahead is over. Default none: they go on as they go now.
     /// </summary>
-    public Action<double>? BodiesAt { get; init; }
+    public Action<double>? MoveBodies { get; init; }
 
     /// <summary>Refuses steps that the ball's clock would not notice.</summary>
     internal void CheckClock(in BallState from) => Check.Advances("lookAhead.timeStep", TimeStep, from.Time + Duration);

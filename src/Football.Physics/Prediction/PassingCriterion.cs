@@ -51,7 +51,7 @@ internal sealed class PassingCriterion
     }
 
     /// <summary>True when the ball comes no closer after a piece.</summary>
-    public bool HasPassed(in PathPiece piece)
+    public bool HasPassed(in PathSegment piece)
     {
         // Squared. It has not passed while it comes closer, or is no farther off than at its closest, or where the wind blows it back.
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));

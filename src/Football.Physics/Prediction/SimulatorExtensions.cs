@@ -119,7 +119,7 @@ public static class SimulatorExtensions
             // Ahead and step by step, to its rest: what both of them compile.
             BallState ball = simulator.Launch(from, velocity, spin);
             simulator.LookAhead(in ball, look, path);
-            for (int i = 0; i < MostFrames && ball.Motion != MotionState.Stopped; i++)
+            for (int i = 0; i < MostFrames && ball.Motion != MotionState.Rest; i++)
             {
                 log.Clear();
                 simulator.Step(ref ball, Frame, log);

@@ -14,7 +14,7 @@ public sealed partial class Trajectory
         var best = new PathPoint(end.Time, end.Position, end.Velocity, 0);
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref Piece(i);
+            ref readonly PathSegment piece = ref Piece(i);
             if (i == 0 || piece.Apex > best.Position.Y)
             {
                 double time = piece.ApexTime;
@@ -39,7 +39,7 @@ public sealed partial class Trajectory
         Check.Defined(nameof(direction), direction, (int)direction, 3);
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref Piece(i);
+            ref readonly PathSegment piece = ref Piece(i);
             if (!piece.Crosses(plane.Point, plane.Normal, out double time))
             {
                 continue;
@@ -73,7 +73,7 @@ public sealed partial class Trajectory
         var best = new PathPoint(end.Time, end.Position, end.Velocity, Distance(end.Position, in from, in to));
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref Piece(i);
+            ref readonly PathSegment piece = ref Piece(i);
 
             // A curve may come near a segment several times within a piece: each part is searched by itself.
             double part = piece.Length / Parts;
@@ -121,10 +121,10 @@ public sealed partial class Trajectory
     private static bool IsWanted(CrossingDirection direction, bool along) =>
         direction == CrossingDirection.Any || along == (direction == CrossingDirection.AlongNormal);
 
-    private static PathPoint At(in PathPiece piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
+    private static PathPoint At(in PathSegment piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
 
     /// <summary>Golden section over a part of a piece.</summary>
-    private static double Closest(in PathPiece piece, double a, double b, in Vector3d from, in Vector3d to)
+    private static double Closest(in PathSegment piece, double a, double b, in Vector3d from, in Vector3d to)
     {
         // (3 − √5)/2: each step keeps one of the two inner points, and needs one new distance.
         const double Golden = 0.38196601125010515;

@@ -3,7 +3,7 @@ namespace FootballPhysics.Prediction;
 /// <summary>A predicted way of the ball, dense in time. Its memory is made once and used again by every look-ahead.</summary>
 public sealed partial class Trajectory
 {
-    private readonly PathPiece[] _pieces;
+    private readonly PathSegment[] _pieces;
     private readonly Recorder _recorder;
     private BallState _final;
     private Action<double>? _bodiesAt;
@@ -12,7 +12,7 @@ public sealed partial class Trajectory
     /// <param name="capacity">Pieces to make room for, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
     public Trajectory(int capacity = 512)
-        : this(new PathPiece[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
+        : this(new PathSegment[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
     {
     }
 
@@ -20,7 +20,7 @@ public sealed partial class Trajectory
     /// <param name="memory">Room for pieces, at least 1; a look-ahead ends where it is full, and says so in <see cref="IsComplete"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
-    public Trajectory(PathPiece[] memory)
+    public Trajectory(PathSegment[] memory)
     {
         _pieces = memory ?? throw new ArgumentNullException(nameof(memory));
         if (memory.Length == 0)
@@ -33,7 +33,7 @@ public sealed partial class Trajectory
     }
 
     /// <summary>The pieces, in order, without a gap.</summary>
-    public ReadOnlySpan<PathPiece> Pieces => _pieces.AsSpan(0, Count);
+    public ReadOnlySpan<PathSegment> Pieces => _pieces.AsSpan(0, Count);
 
     /// <summary>The events, in order.</summary>
     public EventBuffer Events => Log.Events;
@@ -61,7 +61,7 @@ public sealed partial class Trajectory
     internal int Count { get; private set; }
 
     /// <summary>A piece where it lies.</summary>
-    internal ref readonly PathPiece Piece(int index) => ref _pieces[index];
+    internal ref readonly PathSegment Piece(int index) => ref _pieces[index];
 
     /// <summary>Moves what the game moves to where it will be after a step; null where that goes on as it goes now.</summary>
     internal Simulator.StepCallback? OnStep { get; private set; }
@@ -99,7 +99,7 @@ public sealed partial class Trajectory
     /// <returns>False where there is no such touchdown.</returns>
     public bool TryGetTouchdown(int index, out BallEvent touchdown) => TryGetImpact(isTouchdown: true, index, out touchdown);
 
-    /// <summary>One of the hits: impacts with anything but the ground, of which <see cref="BallEvent.Thing"/> tells.</summary>
+    /// <summary>One of the hits: impacts with anything but the ground, of which <see cref="BallEvent.ColliderIndex"/> tells.</summary>
     /// <param name="index">Which, from 0.</param>
     /// <param name="hit">The impact.</param>
     /// <returns>False where there is no such hit.</returns>
@@ -152,7 +152,7 @@ public sealed partial class Trajectory
         plane.Validate(nameof(plane));
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref _pieces[i];
+            ref readonly PathSegment piece = ref _pieces[i];
             if (piece.Crosses(plane.Point, plane.Normal, out double time))
             {
                 crossing = new PathPoint(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
@@ -173,7 +173,7 @@ public sealed partial class Trajectory
         double bestSquared = best.Distance * best.Distance;
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PathPiece piece = ref _pieces[i];
+            ref readonly PathSegment piece = ref _pieces[i];
             double squared = piece.ClosestApproach(in point, out double time);
             if (squared < bestSquared || i == 0)
             {
@@ -197,9 +197,9 @@ public sealed partial class Trajectory
         _recorder.GoesOn = goesOn;
 
         // The same delegate as long as the request has the same one: a look-ahead allocates nothing.
-        if (_bodiesAt != request.BodiesAt)
+        if (_bodiesAt != request.MoveBodies)
         {
-            Action<double>? bodiesAt = request.BodiesAt;
+            Action<double>? bodiesAt = request.MoveBodies;
             _bodiesAt = bodiesAt;
             OnStep = bodiesAt is null ? null : (in BallState state) => bodiesAt(state.Time);
         }
@@ -268,7 +268,7 @@ public sealed partial class Trajectory
         {
             // The ground is thing 0.
             ref readonly BallEvent e = ref Events[i];
-            if (e.Kind == BallEventKind.Impact && (e.Thing == 0) == isTouchdown && index-- == 0)
+            if (e.Kind == BallEventKind.Impact && (e.ColliderIndex == 0) == isTouchdown && index-- == 0)
             {
                 impact = e;
                 return true;
@@ -287,7 +287,7 @@ public sealed partial class Trajectory
         }
     }
 
-    private static double Clamp(double time, in PathPiece piece) => Math.Min(Math.Max(time, piece.Time), piece.EndTime);
+    private static double Clamp(double time, in PathSegment piece) => Math.Min(Math.Max(time, piece.Time), piece.EndTime);
 
     /// <summary>The piece that a time falls into: the later one where two meet; −1 where there is none.</summary>
     private int Find(double time)
@@ -346,9 +346,9 @@ public sealed partial class Trajectory
             }
         }
 
-        public override bool Add(in PathPiece piece)
+        public override bool Add(in PathSegment piece)
         {
-            PathPiece[] pieces = _owner._pieces;
+            PathSegment[] pieces = _owner._pieces;
 
             // There is no room: the step ends, and the caller may look ahead again up to where there is. The step of one of several balls goes on: ended
             // after every piece, it would begin again with all the pieces and evaluations that a step may have, and might never be over.

@@ -79,7 +79,7 @@ public sealed class TrajectoryCache
     private bool OnPath(in BallState real)
     {
         // Before the path, or beyond an end at which it still moves, there is nothing to compare with.
-        if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Stopped)))
+        if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Rest)))
         {
             return false;
         }

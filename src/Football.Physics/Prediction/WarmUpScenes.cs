@@ -19,8 +19,8 @@ internal static class WarmUpScenes
         // A board at the ball, a player who comes, and another one who is pushed off. In the end all stand, and the ball rests among them.
         foreach (double mass in (double[])[double.PositiveInfinity, 75])
         {
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", BodyKind.Player.Shape, SurfaceMaterial.Boot, mass);
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", BodyKind.Player.Shape, SurfaceMaterial.Boot, mass);
             var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.35), new Vector3d(5, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
             var box = new Obstacle { Name = "box", Shape = new BoxShape(new Vector3d(0.8, 0.2, 0.3), new Vector3d(0.2, 0.2, 0.2)), Surface = SurfaceMaterial.Wood, Mass = 5 };
             var simulator = new Simulator(new Scene { Bodies = bodies, Obstacles = [board, box] }, settings);

@@ -26,7 +26,7 @@ public sealed record Air
         // How fast it can be is all that is known of a game's own wind: flights rely on it.
         if (WindField is not null)
         {
-            Check.Within("air.windField.fastest", WindField.Fastest, 0, Limits.Speed);
+            Check.Within("air.windField.maximumSpeed", WindField.MaximumSpeed, 0, Limits.Speed);
         }
     }
 }

@@ -19,7 +19,7 @@ public sealed record BallProperties
     /// <summary>Factor on the restitution of every surface: a soft ball bounces less. 0 … 1.2; default 1. No surface gets more than 1 by it, except a bumper.</summary>
     public double Bounce { get; init; } = 1;
 
-    /// <summary>Drag coefficient without spin, for <see cref="CoefficientForm.Measured"/> alone. Default <see cref="DragCurve.Modern"/>.</summary>
+    /// <summary>Drag coefficient without spin, for <see cref="AerodynamicModel.Measured"/> alone. Default <see cref="DragCurve.Modern"/>.</summary>
     public DragCurve DragCurve { get; init; } = DragCurve.Modern with { };
 
     /// <summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="Bodies.Add(string, BodyKind, int)"/>.</summary>
+/// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="KinematicBodies.Add(string, BodyKind, int)"/>.</summary>
 public sealed record BodyKind
 {
     /// <summary>Its shape, in its own frame.</summary>

@@ -24,7 +24,7 @@ public sealed record Dials
     /// <summary>
     /// Water on the pitch and in the ball, more than in the given scene. 0 … 1; default 0. At 1 the ball is 10 % heavier, the most that FIFA's water test allows (measured).
     /// The ground's restitution falls by 8.4 %, as from dry to watered turf (measured), impact friction by a third, to the least of three matches (measured), sliding friction by 45 % and
-    /// <see cref="SurfaceMaterial.DrillingLength"/> by a quarter (guess).
+    /// <see cref="SurfaceMaterial.TorsionalPatchRadius"/> by a quarter (guess).
     /// </summary>
     public double Wetness { get; init; }
 
@@ -75,11 +75,11 @@ public sealed record Dials
     private SurfaceMaterial Apply(SurfaceMaterial material) => material with
     {
         NormalRestitution = material.NormalRestitution * (1.0 - (0.084 * Wetness)) * (1.0 - (0.6 * Mud)),
-        RestitutionRise = material.RestitutionRise * (1.0 - Mud),
+        GrazingRestitutionGain = material.GrazingRestitutionGain * (1.0 - Mud),
         ImpactFriction = material.ImpactFriction * (1.0 - (Wetness / 3.0)),
         SlidingFriction = material.SlidingFriction * (1.0 - (0.45 * Wetness)) * (1.0 - (0.4 * Mud)),
-        RollingFriction = Math.Min(10, material.RollingFriction + (0.12 * Mud)),
-        DrillingLength = material.DrillingLength * (1.0 - (0.25 * Wetness)),
+        RollingResistance = Math.Min(10, material.RollingResistance + (0.12 * Mud)),
+        TorsionalPatchRadius = material.TorsionalPatchRadius * (1.0 - (0.25 * Wetness)),
     };
 
     /// <summary>A pattern whose surfaces are in another condition.</summary>
@@ -87,7 +87,7 @@ public sealed record Dials
     {
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [.. pattern.Surfaces.Select(dials.Apply)];
 
-        public double LeastWidth => pattern.LeastWidth;
+        public double MinimumWidth => pattern.MinimumWidth;
 
         public int At(double x, double z) => pattern.At(x, z);
     }

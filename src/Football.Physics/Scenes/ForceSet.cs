@@ -15,8 +15,8 @@ public sealed record ForceSet
     /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>The coefficients that the empirical laws follow. Default <see cref="CoefficientForm.Measured"/>.</summary>
-    public CoefficientForm Coefficients { get; init; } = CoefficientForm.Measured;
+    /// <summary>The coefficients that the empirical laws follow. Default <see cref="AerodynamicModel.Measured"/>.</summary>
+    public AerodynamicModel Coefficients { get; init; } = AerodynamicModel.Measured;
 
     /// <summary>C_D of the constant drag law. 0 … 10; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
@@ -34,7 +34,7 @@ public sealed record ForceSet
     public long? KnuckleSeed { get; init; }
 
     /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>
-    public IReadOnlyList<IForce> Custom { get; init; } = [];
+    public IReadOnlyList<IForce> CustomForces { get; init; } = [];
 
     /// <summary>No air: gravity alone acts in flight.</summary>
     public static ForceSet None { get; } = new() { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None };
@@ -43,10 +43,10 @@ public sealed record ForceSet
     public static ForceSet Constant { get; } = new() { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant };
 
     /// <summary>All forces by the laws of the thesis, as published.</summary>
-    public static ForceSet Published { get; } = new() { Coefficients = CoefficientForm.Published };
+    public static ForceSet Published { get; } = new() { Coefficients = AerodynamicModel.Published };
 
     /// <summary>All forces by the regularised law.</summary>
-    public static ForceSet Regularised { get; } = new() { Coefficients = CoefficientForm.Regularised };
+    public static ForceSet Regularized { get; } = new() { Coefficients = AerodynamicModel.Regularized };
 
     /// <summary>All forces by the measured laws: the default.</summary>
     public static ForceSet Measured { get; } = new();
@@ -58,14 +58,14 @@ public sealed record ForceSet
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
         SceneFields.Check(SceneFields.Forces, this, "forces.");
-        Check.Given("forces.custom", Custom);
+        Check.Given("forces.customForces", CustomForces);
 
         // Else the first step would fail, far from whoever left it out.
-        foreach (IForce force in Custom)
+        foreach (IForce force in CustomForces)
         {
             if (force is null)
             {
-                throw new ArgumentNullException("forces.custom", "forces.custom holds null; allowed: forces.");
+                throw new ArgumentNullException("forces.customForces", "forces.custom holds null; allowed: forces.");
             }
         }
     }

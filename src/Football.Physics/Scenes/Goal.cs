@@ -41,7 +41,7 @@ public sealed record Goal
     /// <param name="laws">The forces of the scene, whose profile's frame it has where it has no surface of its own.</param>
     public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
-        SurfaceMaterial surface = Surface ?? (laws.Coefficients == CoefficientForm.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame);
+        SurfaceMaterial surface = Surface ?? (laws.Coefficients == AerodynamicModel.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
 
         // The opening is between the inner edges: the axes lie a radius outside and above.

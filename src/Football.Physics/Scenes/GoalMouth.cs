@@ -39,7 +39,7 @@ internal readonly struct GoalMouth
             // A flat box: from the foot of one post to the top of the other.
             Vector3d left = Center - (_halfWidth * _right);
             Vector3d right = Center + (_halfWidth * _right) + new Vector3d(0, _height, 0);
-            return Bounds3d.Around(left, 0, 0, 0).With(Bounds3d.Around(right, 0, 0, 0));
+            return Bounds3d.Around(left, 0, 0, 0).Union(Bounds3d.Around(right, 0, 0, 0));
         }
     }
 

@@ -11,7 +11,7 @@ public interface IEngineColliders
     double Time { get; }
 
     /// <summary>Not slower than the fastest point of any collider, m/s, with its rotation; 0 where all stand still. So far beside the way they are looked for.</summary>
-    double GreatestSpeed { get; }
+    double MaximumSpeed { get; }
 
     /// <summary>Adds every collider that a sphere touches on a straight way, also where it starts. What is too far does no harm.</summary>
     /// <param name="cast">The sphere and its way.</param>

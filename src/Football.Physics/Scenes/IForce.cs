@@ -11,25 +11,25 @@ public interface IForce
     /// <summary>Adds the force (N) and the torque (N m) that act on the ball.</summary>
     /// <param name="ball">The ball at one instant.</param>
     /// <param name="sum">Where to add.</param>
-    void Apply(in ForceInput ball, ref ForceSum sum);
+    void Apply(in ForceContext ball, ref ForceAccumulator sum);
 
     /// <summary>A force from a function, for instance <c>IForce.From(ball => new Vector3d(0.4, 0, 0))</c>.</summary>
     /// <param name="force">Gives the force on the ball at one instant, N.</param>
     /// <exception cref="ArgumentNullException"><paramref name="force"/> is null.</exception>
-    static IForce From(Func<ForceInput, Vector3d> force) => new FunctionForce(force ?? throw new ArgumentNullException(nameof(force)));
+    static IForce From(Func<ForceContext, Vector3d> force) => new FunctionForce(force ?? throw new ArgumentNullException(nameof(force)));
 
     private sealed class FunctionForce : IForce
     {
-        private readonly Func<ForceInput, Vector3d> _force;
+        private readonly Func<ForceContext, Vector3d> _force;
 
-        public FunctionForce(Func<ForceInput, Vector3d> force) => _force = force;
+        public FunctionForce(Func<ForceContext, Vector3d> force) => _force = force;
 
-        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddForce(_force(ball));
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce(_force(ball));
     }
 }
 
 /// <summary>The running sum of forces and torques.</summary>
-public struct ForceSum
+public struct ForceAccumulator
 {
     /// <summary>Sum of the forces, N.</summary>
     public Vector3d Force { get; private set; }

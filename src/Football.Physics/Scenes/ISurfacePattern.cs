@@ -8,7 +8,7 @@ public interface ISurfacePattern
     IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
     /// <summary>No part of the pattern is narrower, m; above 0. A ball that slides or rolls goes no further than half of it without looking.</summary>
-    double LeastWidth { get; }
+    double MinimumWidth { get; }
 
     /// <summary>The surface under a place.</summary>
     /// <param name="x">Across, m.</param>

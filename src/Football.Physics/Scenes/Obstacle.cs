@@ -38,7 +38,7 @@ public sealed record Obstacle
         _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
 
         // The search for contact relies on it: no hollow bends more than half as much as the ball.
-        Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / ball.Radius);
+        Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
         Surface.Validate(field + ".surface", ball.MostDamping);
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");
         Check.Size(field + ".spin", Spin, Limits.Spin, "rad/s");

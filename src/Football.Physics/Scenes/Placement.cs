@@ -57,7 +57,7 @@ internal sealed class Placement
 
     /// <summary>A box that is around it at a time, or one that touches nothing while it is out of play, and stays around it for a duration if the box moves along with its velocity.</summary>
     public Bounds3d BoundsDuring(double time, double duration) =>
-        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : _turned.Moved(Motion.GoneBy(time));
+        Motion.IsWithdrawn ? Bounds3d.Nowhere : Motion.Rotates ? Swept(time, duration) : _turned.Translated(Motion.GoneBy(time));
 
     /// <summary>A box around it at a time, however far it has rotated by then.</summary>
     public Bounds3d BoundsAlways(double time) => BoundsDuring(time, double.PositiveInfinity);
@@ -69,7 +69,7 @@ internal sealed class Placement
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;
         return swept < reach
-            ? _turned.Moved(Motion.GoneBy(time)).Grown(swept)
+            ? _turned.Translated(Motion.GoneBy(time)).Expanded(swept)
             : Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
     }
 

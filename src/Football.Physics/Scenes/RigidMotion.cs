@@ -108,7 +108,7 @@ internal struct RigidMotion
         Vector3d x = ToOwn(new Vector3d(1, 0, 0));
         Vector3d y = ToOwn(new Vector3d(0, 1, 0));
         Vector3d z = ToOwn(new Vector3d(0, 0, 1));
-        return new ShapePoint(own.Distance, ToWorld(own.Normal), own.Curvature.Along(in x, in y, in z));
+        return new ShapePoint(own.Distance, ToWorld(own.Normal), own.Curvature.Transformed(in x, in y, in z));
     }
 
     /// <summary>The velocity of its surface at a point of contact, V + Ω × (c − o), m/s.</summary>

@@ -39,7 +39,7 @@ public sealed record Scene
     internal Vector3d Sideways { get; init; }
 
     /// <summary>True if forces act that no law of the air gives: the game's own, or a gravity that is not straight down.</summary>
-    internal bool HasOwnForces => Forces.Custom.Count > 0 || Sideways != Vector3d.Zero;
+    internal bool HasOwnForces => Forces.CustomForces.Count > 0 || Sideways != Vector3d.Zero;
 
     /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
@@ -60,7 +60,7 @@ public sealed record Scene
     public IReadOnlyList<Zone> Zones { get; init; } = [];
 
     /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
-    public Bodies? Bodies { get; init; }
+    public KinematicBodies? Bodies { get; init; }
 
     /// <summary>The colliders of a game engine. Default none.</summary>
     public IEngineColliders? EngineColliders { get; init; }
@@ -173,7 +173,7 @@ public sealed record Scene
         // Its surfaces are checked here, for it is asked for them by number in a step.
         if (Ground.Pattern is { } pattern)
         {
-            Check.Within("ground.pattern.leastWidth", pattern.LeastWidth, 0, double.PositiveInfinity, exclusiveLow: true);
+            Check.Within("ground.pattern.minimumWidth", pattern.MinimumWidth, 0, double.PositiveInfinity, exclusiveLow: true);
             Check.Given("ground.pattern.surfaces", pattern.Surfaces);
             for (int i = 0; i < pattern.Surfaces.Count; i++)
             {

@@ -7,16 +7,16 @@ internal static class SceneFields
     public static NumberField<SurfaceMaterial>[] Material { get; } =
     [
         new("normalRestitution", "", "normal restitution at 6 m/s", "measured: three matches", 0, 3, m => m.NormalRestitution, (m, v) => m with { NormalRestitution = v }),
-        new("restitutionSpeed", "m/s", "approach speed at which the restitution falls", "derived: FIFA rigs", 0, double.PositiveInfinity, m => m.RestitutionSpeed, (m, v) => m with { RestitutionSpeed = v }, isAboveLeast: true),
-        new("restitutionRise", "", "rise of the restitution of oblique impacts", "measured: two matches", 0, 1, m => m.RestitutionRise, (m, v) => m with { RestitutionRise = v }),
+        new("restitutionSpeed", "m/s", "approach speed at which the restitution falls", "derived: FIFA rigs", 0, double.PositiveInfinity, m => m.RestitutionSpeedScale, (m, v) => m with { RestitutionSpeedScale = v }, isAboveLeast: true),
+        new("restitutionRise", "", "rise of the restitution of oblique impacts", "measured: two matches", 0, 1, m => m.GrazingRestitutionGain, (m, v) => m with { GrazingRestitutionGain = v }),
         new("tangentialRestitution", "", "tangential restitution; of level ground also `[x, z]`", "measured: three matches", -1, 1, m => m.TangentialRestitution, (m, v) => m with { TangentialRestitution = v }),
         new("spinRestitution", "", "restitution of the spin about the normal", "guess", 0, 1, m => m.SpinRestitution, (m, v) => m with { SpinRestitution = v }),
         new("impactFriction", "", "friction of an impact", "measured: three matches", 0, double.PositiveInfinity, m => m.ImpactFriction, (m, v) => m with { ImpactFriction = v }),
         new("slidingFriction", "", "friction of a slide", "measured: three matches", 0, 10, m => m.SlidingFriction, (m, v) => m with { SlidingFriction = v }),
-        new("rollingFriction", "", "rolling friction at rest", "measured: two matches", 0, 10, m => m.RollingFriction, (m, v) => m with { RollingFriction = v }),
-        new("rollingFrictionBySpeed", "s/m", "growth of the rolling friction with speed", "guess", 0, 1, m => m.RollingFrictionBySpeed, (m, v) => m with { RollingFrictionBySpeed = v }),
+        new("rollingFriction", "", "rolling friction at rest", "measured: two matches", 0, 10, m => m.RollingResistance, (m, v) => m with { RollingResistance = v }),
+        new("rollingFrictionBySpeed", "s/m", "growth of the rolling friction with speed", "guess", 0, 1, m => m.RollingResistancePerSpeed, (m, v) => m with { RollingResistancePerSpeed = v }),
         new("spinDamping", "N m s", "damping of the spin about the normal", "guess", 0, 1, m => m.SpinDamping, (m, v) => m with { SpinDamping = v }),
-        new("drillingLength", "m", "lever of the drilling friction", "guess", 0, 1, m => m.DrillingLength, (m, v) => m with { DrillingLength = v }),
+        new("drillingLength", "m", "lever of the drilling friction", "guess", 0, 1, m => m.TorsionalPatchRadius, (m, v) => m with { TorsionalPatchRadius = v }),
         new("minimumExitSpeed", "m/s", "least speed off an object, of a bumper", "a game sets it", 0, Limits.Speed, m => m.MinimumExitSpeed, (m, v) => m with { MinimumExitSpeed = v }),
     ];
 

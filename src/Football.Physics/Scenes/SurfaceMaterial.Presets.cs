@@ -16,20 +16,20 @@ public sealed partial record SurfaceMaterial
     public static SurfaceMaterial DryTurf { get; } = new()
     {
         NormalRestitution = 0.622,
-        RestitutionSpeed = 30,
-        RestitutionRise = 0,
+        RestitutionSpeedScale = 30,
+        GrazingRestitutionGain = 0,
         TangentialRestitution = 0.2,
         ImpactFriction = 1.2,
         SlidingFriction = 0.5,
-        RollingFriction = 0.07,
-        RollingFrictionBySpeed = 0.006,
+        RollingResistance = 0.07,
+        RollingResistancePerSpeed = 0.006,
     };
 
     /// <summary>
     /// Artificial turf. Restitution 0.622, e_t 0.20 and c₀ 0.069 measured (windows of FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m);
     /// impact friction 1.2: at least 0.91 derived; the rest guess.
     /// </summary>
-    public static SurfaceMaterial ArtificialTurf { get; } = DryTurf with { SlidingFriction = 0.55, RollingFriction = 0.069, RollingFrictionBySpeed = 0.008 };
+    public static SurfaceMaterial ArtificialTurf { get; } = DryTurf with { SlidingFriction = 0.55, RollingResistance = 0.069, RollingResistancePerSpeed = 0.008 };
 
     /// <summary>Watered turf, on which a ball skids. Restitution 0.570 measured (window: drop 0.60 … 1.00 m); the rest guess (impact friction 0.50 gives an angle of 67 %).</summary>
     public static SurfaceMaterial WetTurf { get; } = DryTurf with
@@ -37,8 +37,8 @@ public sealed partial record SurfaceMaterial
         NormalRestitution = 0.57,
         ImpactFriction = 0.5,
         SlidingFriction = 0.25,
-        RollingFriction = 0.064,
-        DrillingLength = 0.015,
+        RollingResistance = 0.064,
+        TorsionalPatchRadius = 0.015,
     };
 
     /// <summary>Hard, dry ground: guess (drop 1.01 m, the upper end of natural pitches).</summary>
@@ -46,9 +46,9 @@ public sealed partial record SurfaceMaterial
     {
         NormalRestitution = 0.74,
         ImpactFriction = 0.9,
-        RollingFriction = 0.04,
-        RollingFrictionBySpeed = 0.002,
-        DrillingLength = 0.012,
+        RollingResistance = 0.04,
+        RollingResistancePerSpeed = 0.002,
+        TorsionalPatchRadius = 0.012,
     };
 
     /// <summary>Long grass: guess (roll 3.5 m, near the historical limit of 3 m).</summary>
@@ -58,9 +58,9 @@ public sealed partial record SurfaceMaterial
         TangentialRestitution = 0.1,
         ImpactFriction = 1.3,
         SlidingFriction = 0.6,
-        RollingFriction = 0.13,
-        RollingFrictionBySpeed = 0.015,
-        DrillingLength = 0.03,
+        RollingResistance = 0.13,
+        RollingResistancePerSpeed = 0.015,
+        TorsionalPatchRadius = 0.03,
     };
 
     /// <summary>An indoor court: guess.</summary>
@@ -69,9 +69,9 @@ public sealed partial record SurfaceMaterial
         NormalRestitution = 0.77,
         ImpactFriction = 0.8,
         SlidingFriction = 0.55,
-        RollingFriction = 0.015,
-        RollingFrictionBySpeed = 0.001,
-        DrillingLength = 0.006,
+        RollingResistance = 0.015,
+        RollingResistancePerSpeed = 0.001,
+        TorsionalPatchRadius = 0.006,
     };
 
     /// <summary>Concrete. Restitution 0.861 measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</summary>
@@ -80,9 +80,9 @@ public sealed partial record SurfaceMaterial
         NormalRestitution = 0.861,
         ImpactFriction = 0.8,
         SlidingFriction = 0.6,
-        RollingFriction = 0.013,
-        RollingFrictionBySpeed = 0.001,
-        DrillingLength = 0.005,
+        RollingResistance = 0.013,
+        RollingResistancePerSpeed = 0.001,
+        TorsionalPatchRadius = 0.005,
     };
 
     /// <summary>Snow: guess.</summary>
@@ -92,9 +92,9 @@ public sealed partial record SurfaceMaterial
         TangentialRestitution = 0,
         ImpactFriction = 0.4,
         SlidingFriction = 0.2,
-        RollingFriction = 0.2,
-        RollingFrictionBySpeed = 0.01,
-        DrillingLength = 0.03,
+        RollingResistance = 0.2,
+        RollingResistancePerSpeed = 0.01,
+        TorsionalPatchRadius = 0.03,
     };
 
     /// <summary>The frame of a goal: steel or aluminium. Guess (priors of others for e₆: 0.65 … 0.80).</summary>
@@ -104,25 +104,25 @@ public sealed partial record SurfaceMaterial
         TangentialRestitution = 0.1,
         ImpactFriction = 0.3,
         SlidingFriction = 0.3,
-        RollingFriction = 0.05,
-        RollingFrictionBySpeed = 0,
-        DrillingLength = 0,
+        RollingResistance = 0.05,
+        RollingResistancePerSpeed = 0,
+        TorsionalPatchRadius = 0,
     };
 
     /// <summary>Wooden boards around a pitch. Guess (stiffer than a plastic panel, softer than concrete).</summary>
-    public static SurfaceMaterial Wood { get; } = GoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingFriction = 0.02, DrillingLength = 0.005 };
+    public static SurfaceMaterial Wood { get; } = GoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingResistance = 0.02, TorsionalPatchRadius = 0.005 };
 
     /// <summary>Advertising boards: thin panels that yield. Guess.</summary>
-    public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingFriction = 0.03, DrillingLength = 0.005 };
+    public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingResistance = 0.03, TorsionalPatchRadius = 0.005 };
 
     /// <summary>A boot or a leg: leather on a limb that yields. Guess (kicks: e 0.4 … 0.7 measured, with the foot's mass included).</summary>
-    public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, DrillingLength = 0.01 };
+    public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, TorsionalPatchRadius = 0.01 };
 
     /// <summary>A head. Guess.</summary>
     public static SurfaceMaterial Head { get; } = Boot with { NormalRestitution = 0.45 };
 
     /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
-    public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingFriction = 0.1 };
+    public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingResistance = 0.1 };
 
     /// <summary>A second ball, when two balls collide. Guess: no measurement was found (two air-filled shells rebound about as one shell does from a floor).</summary>
     public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
@@ -134,23 +134,23 @@ public sealed partial record SurfaceMaterial
     public static SurfaceMaterial PublishedTurf { get; } = new()
     {
         NormalRestitution = 0.6,
-        RestitutionSpeed = double.PositiveInfinity,
-        RestitutionRise = 0,
+        RestitutionSpeedScale = double.PositiveInfinity,
+        GrazingRestitutionGain = 0,
         TangentialRestitution = 0.5,
         SpinRestitution = 0.8,
         ImpactFriction = double.PositiveInfinity,
         SlidingFriction = 0.5,
-        RollingFriction = 0.05,
-        RollingFrictionBySpeed = 0,
+        RollingResistance = 0.05,
+        RollingResistancePerSpeed = 0,
         SpinDamping = 0.002,
-        DrillingLength = 0,
+        TorsionalPatchRadius = 0,
     };
 
     /// <summary>Wet turf by the laws of <see cref="PublishedTurf"/>: guess.</summary>
-    public static SurfaceMaterial PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingFriction = 0.035 };
+    public static SurfaceMaterial PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingResistance = 0.035 };
 
     /// <summary>A hard, smooth court by the laws of <see cref="PublishedTurf"/>: guess.</summary>
-    public static SurfaceMaterial PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingFriction = 0.015 };
+    public static SurfaceMaterial PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingResistance = 0.015 };
 
     /// <summary>Sand by the laws of <see cref="PublishedTurf"/>: guess.</summary>
     public static SurfaceMaterial PublishedSand { get; } = PublishedTurf with
@@ -158,14 +158,14 @@ public sealed partial record SurfaceMaterial
         NormalRestitution = 0.15,
         TangentialRestitution = 0,
         SlidingFriction = 0.7,
-        RollingFriction = 0.3,
+        RollingResistance = 0.3,
     };
 
     /// <summary>The frame of a goal in the published profile: restitution 0.7 at every speed. Guess.</summary>
     public static SurfaceMaterial PublishedGoalFrame { get; } = GoalFrame with
     {
         NormalRestitution = 0.7,
-        RestitutionSpeed = double.PositiveInfinity,
+        RestitutionSpeedScale = double.PositiveInfinity,
         TangentialRestitution = 0.3,
         SpinRestitution = 0.8,
         SpinDamping = 0.002,

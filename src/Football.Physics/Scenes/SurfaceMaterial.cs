@@ -11,11 +11,11 @@ public sealed partial record SurfaceMaterial
     public double NormalRestitution { get; init; } = 0.67;
 
     /// <summary>Approach speed V_e at which the restitution falls, m/s: e ∝ 1/√(1 + (v_n/V_e)²). Above 0; infinite: the same at every speed; default 20.</summary>
-    public double RestitutionSpeed { get; init; } = 20;
+    public double RestitutionSpeedScale { get; init; } = 20;
 
     /// <summary>Rise η of the restitution of oblique impacts. 0 … 1; default 0.45.</summary>
     /// <remarks>A grazing ball ploughs less: e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴), where c is the speed along the surface divided by the approach speed.</remarks>
-    public double RestitutionRise { get; init; } = 0.45;
+    public double GrazingRestitutionGain { get; init; } = 0.45;
 
     /// <summary>Tangential restitution e_t: a contact that grips turns the slip into −e_t times the slip. −1 … 1; default −0.15.</summary>
     public double TangentialRestitution { get; init; } = -0.15;
@@ -30,16 +30,16 @@ public sealed partial record SurfaceMaterial
     public double SlidingFriction { get; init; } = 0.45;
 
     /// <summary>Coefficient of rolling friction at rest, c₀. 0 … 10; default 0.064.</summary>
-    public double RollingFriction { get; init; } = 0.064;
+    public double RollingResistance { get; init; } = 0.064;
 
     /// <summary>Growth of the rolling friction with speed, c₁, s/m. 0 … 1; default 0.003.</summary>
-    public double RollingFrictionBySpeed { get; init; } = 0.003;
+    public double RollingResistancePerSpeed { get; init; } = 0.003;
 
     /// <summary>Damping c_ω of the spin about the normal while the surface carries the ball, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.</summary>
     public double SpinDamping { get; init; }
 
     /// <summary>Lever b of the drilling friction about the normal, m: its torque is b μ_s times the normal force. 0 … 1; default 0.02.</summary>
-    public double DrillingLength { get; init; } = 0.02;
+    public double TorsionalPatchRadius { get; init; } = 0.02;
 
     /// <summary>The least speed at which the ball leaves an impact along the normal, relative to the surface, m/s: the bumper of a pinball. 0 … 1000, 0 for the ground and between balls; default 0.</summary>
     /// <remarks>A ball that lands on top of the object with less than <see cref="Ground.MinimumBounceSpeed"/> stays down.</remarks>

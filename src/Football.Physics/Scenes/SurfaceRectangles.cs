@@ -14,7 +14,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
         Check.Given(nameof(rectangles), rectangles);
         _rectangles = new Rectangle[rectangles.Length];
         var surfaces = new SurfaceMaterial[rectangles.Length];
-        LeastWidth = Limits.Length;
+        MinimumWidth = Limits.Length;
         for (int i = 0; i < rectangles.Length; i++)
         {
             // Copied, corner by corner: who gave the array cannot change it afterwards.
@@ -29,7 +29,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
             surfaces[i] = surface;
 
             // The narrowest side of all: no step on the ground may pass over it unseen.
-            LeastWidth = Math.Min(LeastWidth, Math.Min(max.X - min.X, max.Z - min.Z));
+            MinimumWidth = Math.Min(MinimumWidth, Math.Min(max.X - min.X, max.Z - min.Z));
         }
 
         Surfaces = surfaces;
@@ -39,7 +39,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
     public IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
     /// <inheritdoc/>
-    public double LeastWidth { get; }
+    public double MinimumWidth { get; }
 
     /// <inheritdoc/>
     public int At(double x, double z)

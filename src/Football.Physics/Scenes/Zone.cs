@@ -38,6 +38,6 @@ public sealed record Zone
         Layers.Validate(field + ".layer", Layer);
 
         // The search for the crossing relies on it, as that for contacts does.
-        Check.Within(field + ".shape.hollowCurvature", Shape.HollowCurvature, 0, 0.5 / ball.Radius);
+        Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
     }
 }

@@ -8,11 +8,11 @@ namespace FootballPhysics;
 public enum Accuracy
 {
     /// <summary>1 mm.</summary>
-    Millimetre = 0,
+    Millimeter = 0,
 
     /// <summary>0.1 mm.</summary>
-    TenthOfMillimetre = 1,
+    TenthOfMillimeter = 1,
 
     /// <summary>1 µm.</summary>
-    Micrometre = 2,
+    Micrometer = 2,
 }

@@ -27,7 +27,7 @@ internal sealed class BodyPush
     public void Apply(ref BallState s, ref StepRun run)
     {
         _world.Engine?.Forget();
-        if (s.Motion == MotionState.Squeezed)
+        if (s.Motion == MotionState.Pinned)
         {
             return;
         }

@@ -11,7 +11,7 @@ internal sealed class BodyTube
     /// <summary>Its least width, m: what bodies that do not go quite straight may stray.</summary>
     private const double LeastWidth = 0.1;
 
-    private readonly Bodies _bodies;
+    private readonly KinematicBodies _bodies;
     private readonly double _ballRadius;
     private Vector3d _from;
     private Vector3d _velocity;
@@ -23,7 +23,7 @@ internal sealed class BodyTube
     private double _longestStep;
     private double _strayed;
 
-    public BodyTube(Bodies bodies, double ballRadius)
+    public BodyTube(KinematicBodies bodies, double ballRadius)
     {
         _bodies = bodies;
         _ballRadius = ballRadius;

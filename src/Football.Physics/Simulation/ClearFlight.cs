@@ -193,7 +193,7 @@ internal sealed class ClearFlight
 
     private bool Renew(in BallState s, double dt, double steps, double spare, in Push push)
     {
-        double ahead = Math.Min(steps * dt, Math.Max(dt, Bodies.Foresight));
+        double ahead = Math.Min(steps * dt, Math.Max(dt, KinematicBodies.Foresight));
         double longest = LongestStep * dt;
         return _tube!.Renew(
             in s, push.SpinRate, dt, longest, ahead, spare, SpeedLater(in push, ahead), Bend(in push, ahead + longest, longest), Bend(in push, ahead, ahead));

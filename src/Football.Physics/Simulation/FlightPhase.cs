@@ -289,7 +289,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>
     private double AirSpeed(in BallState s, in Vector3d u)
     {
-        _around.Air.Evaluate(new ForceInput(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
+        _around.Air.Evaluate(new ForceContext(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
         return air.AirVelocity.Length;
     }
 }

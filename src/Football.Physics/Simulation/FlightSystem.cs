@@ -46,7 +46,7 @@ internal struct FlightSystem : IMotionSystem
     {
         Surroundings around = Around;
         Vector3d u = at.Velocity - around.Wind;
-        var ball = new ForceInput(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
+        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
         around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 

@@ -80,7 +80,7 @@ internal static class SceneHash
     private static void AddLayers(ref SceneKey key, Scene scene)
     {
         key.Add((double)scene.Ball.Ignores);
-        foreach (int layer in scene.Obstacles.Select(item => item.Layer).Concat((scene.Bodies ?? Enumerable.Empty<Body>()).Select(item => item.Layer)).Concat(scene.Zones.Select(item => item.Layer)))
+        foreach (int layer in scene.Obstacles.Select(item => item.Layer).Concat((scene.Bodies ?? Enumerable.Empty<KinematicBody>()).Select(item => item.Layer)).Concat(scene.Zones.Select(item => item.Layer)))
         {
             key.Add((double)layer);
         }
@@ -108,7 +108,7 @@ internal static class SceneHash
 
         // No seed is told from every integer.
         key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
-        foreach (IForce force in scene.Forces.Custom)
+        foreach (IForce force in scene.Forces.CustomForces)
         {
             // What such a force does is its own business: it may remember what it was asked.
             foreach (char letter in force.GetType().FullName ?? "")

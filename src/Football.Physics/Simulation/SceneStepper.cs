@@ -245,12 +245,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         // The first piece was tried as a whole step already where it is not one's end.
         bool isTried = whole == WholeFlight.NotTaken;
-        while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Stopped || _rest.MayWake))
+        while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {
             if (!run.Begin())
             {
                 // So that every step ends: the ball stays where it is for the rest of it.
-                log.Stalled++;
+                log.StalledSteps++;
                 break;
             }
 
@@ -261,10 +261,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                 case MotionState.Airborne:
                     TakeFlight(ref s, ref run, isTried);
                     break;
-                case MotionState.Stopped:
+                case MotionState.Rest:
                     _rest.Take(ref s, ref run);
                     break;
-                case MotionState.Squeezed:
+                case MotionState.Pinned:
                     _parts.TakeSqueezed(ref s, ref run);
                     break;
                 default:
@@ -299,7 +299,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Exit(ref s);
         for (int i = firstEvent; World.Engine is not null && i < events.Count; i++)
         {
-            int number = World.Engine.NumberOf((long)events[i].Thing - World.FirstCollider);
+            int number = World.Engine.NumberOf((long)events[i].ColliderIndex - World.FirstCollider);
             if (number >= 0)
             {
                 events.Call(i, number);

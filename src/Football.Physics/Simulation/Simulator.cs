@@ -103,11 +103,11 @@ public sealed class Simulator
         return state;
     }
 
-    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.Thing"/>: the ground first, then obstacles, posts and bars, bodies, nets, goals, zones.</summary>
+    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.ColliderIndex"/>: the ground first, then obstacles, posts and bars, bodies, nets, goals, zones.</summary>
     public IReadOnlyList<string> Names => _world.Names;
 
     /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
-    /// <param name="thing"><see cref="BallEvent.Thing"/>: an index of this scene; negative for none.</param>
+    /// <param name="thing"><see cref="BallEvent.ColliderIndex"/>: an index of this scene; negative for none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
@@ -154,14 +154,14 @@ public sealed class Simulator
         next.SqueezeSpeed = state.SqueezeSpeed;
         next.SqueezeUntil = state.SqueezeUntil;
         _stepper.Settle(ref next);
-        return state.Motion == MotionState.Stopped ? AtRest(in next, old._world.HangsInNet(in state)) : next;
+        return state.Motion == MotionState.Rest ? AtRest(in next, old._world.HangsInNet(in state)) : next;
     }
 
     /// <summary>A ball that was at rest in another scene: at rest where rolling friction, or the net that it hangs in, holds it here too.</summary>
     private BallState AtRest(in BallState placed, bool hangs)
     {
         BallState still = placed;
-        still.Motion = MotionState.Stopped;
+        still.Motion = MotionState.Rest;
         if (hangs && placed.Motion == MotionState.Airborne && placed.Nets != 0)
         {
             still.Carrier = _world.ThingOfNet(_world.DeepestNet(in placed));
@@ -180,7 +180,7 @@ public sealed class Simulator
     /// A step in which drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (for explicit Euler; 20 ms for a beach ball at 200 m/s), is divided into
     /// parts as equal as the changing motion allows, counted in <see cref="StepLog.Steps"/>; where Euler or RK2 would make a velocity longer
     /// that the Magnus force turns, those parts are taken by RK4. A step that has had 8 192 parts ends where the ball is, and is counted in
-    /// <see cref="StepLog.Stalled"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
+    /// <see cref="StepLog.StalledSteps"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
     /// </remarks>
     /// <param name="state">The ball.</param>
     /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>
@@ -209,7 +209,7 @@ public sealed class Simulator
     private void Take(ref BallState state, double dt, StepLog log)
     {
         // At rest where nothing can change a step is its time alone.
-        if (state.Motion == MotionState.Stopped && !_mayWake)
+        if (state.Motion == MotionState.Rest && !_mayWake)
         {
             state.Time += dt;
             return;
@@ -355,7 +355,7 @@ public sealed class Simulator
 
     /// <summary>True when a ball is at rest and nothing that is known now will wake it: no force that changes, and nothing that moves.</summary>
     internal bool StaysAtRest(in BallState state) =>
-        state.Motion == MotionState.Stopped && !(_mayWake && (_world.FastestMover > 0 || _hasOwnForces || Scene.Air.WindField is not null));
+        state.Motion == MotionState.Rest && !(_mayWake && (_world.FastestMover > 0 || _hasOwnForces || Scene.Air.WindField is not null));
 
     /// <inheritdoc cref="Stepper.RestsAt"/>
     internal bool RestsAt(in BallState state) => _stepper.RestsAt(in state);

@@ -30,9 +30,9 @@ public sealed record SolverSettings
         Check.Defined(nameof(accuracy), accuracy, (int)accuracy, 3);
         timeStep = accuracy switch
         {
-            Accuracy.Millimetre => 0.08,
-            Accuracy.TenthOfMillimetre => 0.04,
-            Accuracy.Micrometre => 0.005,
+            Accuracy.Millimeter => 0.08,
+            Accuracy.TenthOfMillimeter => 0.04,
+            Accuracy.Micrometer => 0.005,
             _ => throw Check.Unknown(nameof(accuracy), accuracy),
         };
         return Default;

@@ -54,7 +54,7 @@ internal struct StepBudget
     /// <param name="before">The number of events of the step before it.</param>
     /// <param name="length">Length of the step, s.</param>
     public static bool Reports(BallEventKind kind, int before, double length) =>
-        before < MostEvents * Math.Max(1.0, length / UsualStep) || kind is BallEventKind.Rest or BallEventKind.Goal or BallEventKind.Squeezed;
+        before < MostEvents * Math.Max(1.0, length / UsualStep) || kind is BallEventKind.Rest or BallEventKind.Goal or BallEventKind.Pinned;
 
     /// <summary>The counters at the start of a step.</summary>
     public static StepBudget New => new() { LastHit = double.NegativeInfinity };

@@ -22,14 +22,14 @@ public sealed partial class StepLog
     /// Calls whose step had all the pieces (8 192) or evaluations (32 768) that one may have, before its end: the ball stayed where it was for the rest.
     /// 0 for anything like a football; where a ball is pressed from all sides time may not go on otherwise.
     /// </summary>
-    public long Stalled { get; internal set; }
+    public long StalledSteps { get; internal set; }
 
     /// <summary>
     /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after its fourteenth event,
-    /// are taken together; and after that event those slower than the slowest bounce, as of a ball that trembles in a corner. While the ball is <see cref="MotionState.Squeezed"/> there are none.
+    /// are taken together; and after that event those slower than the slowest bounce, as of a ball that trembles in a corner. While the ball is <see cref="MotionState.Pinned"/> there are none.
     /// After the 20th event of a step (of a step longer than 0.25 s: of each 0.25 s), all kinds but rest, goals and squeezes are counted here.
     /// </summary>
-    public long Untold { get; internal set; }
+    public long UnreportedImpacts { get; internal set; }
 
     /// <summary>
     /// Contacts of moving objects that were left out because more than 16 surfaces touched the ball at once, and that had no load. Stationary surfaces are never left out.
@@ -85,7 +85,7 @@ public sealed partial class StepLog
             return;
         }
 
-        var piece = new PathPiece(
+        var piece = new PathSegment(
             before.Time,
             after.Time - before.Time,
             before.Position,
@@ -95,7 +95,7 @@ public sealed partial class StepLog
             after.Velocity,
             in endAcceleration,
             before.Motion,
-            PathPiece.DegreeOf(order, observer.WantsEndAcceleration));
+            PathSegment.DegreeOf(order, observer.WantsEndAcceleration));
         Halted |= observer.Add(in before, in after, in piece);
     }
 
@@ -148,7 +148,7 @@ public sealed partial class StepLog
         }
         else
         {
-            Untold++;
+            UnreportedImpacts++;
         }
     }
 
@@ -162,13 +162,13 @@ public sealed partial class StepLog
 
         Steps += other.Steps;
         Evaluations += other.Evaluations;
-        Stalled += other.Stalled;
-        Untold += other.Untold;
+        StalledSteps += other.StalledSteps;
+        UnreportedImpacts += other.UnreportedImpacts;
         ZoneEvents += other.ZoneEvents;
     }
 
     /// <summary>Mark of its contents now, to come back to.</summary>
-    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, Stalled, Untold, LeftOut);
+    internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut);
 
     /// <summary>Forgets what came after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
@@ -176,8 +176,8 @@ public sealed partial class StepLog
         Events.TakeBack(mark.Events, mark.Missed, mark.Impacts);
         Steps = mark.Steps;
         Evaluations = mark.Evaluations;
-        Stalled = mark.Stalled;
-        Untold = mark.Untold;
+        StalledSteps = mark.Stalled;
+        UnreportedImpacts = mark.Untold;
         LeftOut = mark.LeftOut;
         Halted = false;
     }
@@ -188,8 +188,8 @@ public sealed partial class StepLog
         Events.Clear();
         Steps = 0;
         Evaluations = 0;
-        Stalled = 0;
-        Untold = 0;
+        StalledSteps = 0;
+        UnreportedImpacts = 0;
         LeftOut = 0;
         Halted = false;
         ZoneEvents = 0;

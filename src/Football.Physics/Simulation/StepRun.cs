@@ -204,7 +204,7 @@ internal ref struct StepRun
         }
         else
         {
-            Log.Untold++;
+            Log.UnreportedImpacts++;
         }
     }
 

@@ -34,12 +34,12 @@ internal static class StepperFactory
         // The measured law in a field, any mixture point by point, and the airs of one law each.
         return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch
         {
-            (false, true, ForceLaw.Empirical, CoefficientForm.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
+            (false, true, ForceLaw.Empirical, AerodynamicModel.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
             (true, _, _, _) or (_, true, _, _) => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
             (_, _, ForceLaw.None, _) => Of<NoAir, TIntegrator>(scene, settings, in air, default),
             (_, _, ForceLaw.Constant, _) => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
-            (_, _, _, CoefficientForm.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
-            (_, _, _, CoefficientForm.Regularised) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
+            (_, _, _, AerodynamicModel.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
+            (_, _, _, AerodynamicModel.Regularized) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
             _ => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
         };
     }

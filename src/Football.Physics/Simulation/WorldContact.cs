@@ -111,7 +111,7 @@ internal sealed class WorldContact
         // A ball that trembles in a corner would tell of each time that it comes back.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
-            run.Log.Untold++;
+            run.Log.UnreportedImpacts++;
         }
         else
         {
@@ -153,7 +153,7 @@ internal sealed class WorldContact
     [SkipLocalsInit]
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
-        run.Log.Untold++;
+        run.Log.UnreportedImpacts++;
 
         // All contacts as one set, over no time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
@@ -197,15 +197,15 @@ internal sealed class WorldContact
         Vector3d normal = _world.Colliders[collider].At(s.Position, s.Time).Normal;
         s.Carrier = collider + _world.FirstCollider;
         s.SetGroundSpin(in spin);
-        s.Motion = MotionState.Squeezed;
+        s.Motion = MotionState.Pinned;
         s.Branch = DragBranch.Unknown;
-        run.Report(new BallEvent(BallEventKind.Squeezed, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
+        run.Report(new BallEvent(BallEventKind.Pinned, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
     }
 
     /// <summary>The ball has room again.</summary>
     public void EndSqueeze(ref BallState s, ref StepRun run)
     {
-        run.Report(new BallEvent(BallEventKind.Squeezed, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
+        run.Report(new BallEvent(BallEventKind.Pinned, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         Fly(ref s, s.Velocity, s.Spin);
     }
 
@@ -325,7 +325,7 @@ internal sealed class WorldContact
     /// <summary>The ball leaves what carries it: the step is divided anew.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        run.Report(new BallEvent(BallEventKind.Leave, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
+        run.Report(new BallEvent(BallEventKind.ContactEnd, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
         run.Part = 0;
         Fly(ref s, in velocity, in spin);
     }
@@ -352,7 +352,7 @@ internal sealed class WorldContact
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
         s.ClearIn = s.ClearIn == BallState.TouchesSeveral ? 0 : s.ClearIn;
-        s.Motion = MotionState.Stopped;
+        s.Motion = MotionState.Rest;
     }
 
     /// <summary>Raises a ball whose state says that it is in the ground, straight up.</summary>
@@ -466,14 +466,14 @@ internal sealed class WorldContact
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
 
         // Thrown back by another ball it hits the next thing anew, and that is not the second of two movers that bat it to and fro.
-        s.SqueezeUntil = s.Motion == MotionState.Squeezed ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
+        s.SqueezeUntil = s.Motion == MotionState.Pinned ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
             Fly(ref s, in velocity, in spin);
             return;
         }
 
-        if (s.Motion != MotionState.Squeezed)
+        if (s.Motion != MotionState.Pinned)
         {
             KeepCarrier(ref s, in velocity, in spin, Vector3d.Zero, in n, -1, ref run);
             return;

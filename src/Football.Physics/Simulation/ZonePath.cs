@@ -32,7 +32,7 @@ internal readonly struct ZonePath
         Vector3d p2 = p + (0.4 * v) + (0.05 * a);
         Vector3d p3 = end - (0.4 * w) + (0.05 * b);
         Vector3d p4 = end - (0.2 * w);
-        Bounds = BoundsOf(in p, in p1, in p2).With(BoundsOf(in p3, in p4, in end));
+        Bounds = BoundsOf(in p, in p1, in p2).Union(BoundsOf(in p3, in p4, in end));
         FastestSpeed = 5.0 * Math.Sqrt(Math.Max(
             Math.Max((p1 - p).LengthSquared, (p2 - p1).LengthSquared), Math.Max((p3 - p2).LengthSquared, Math.Max((p4 - p3).LengthSquared, (end - p4).LengthSquared))));
         GreatestAcceleration = 20.0 * Math.Sqrt(Math.Max(
@@ -55,7 +55,7 @@ internal readonly struct ZonePath
         return new ZonePath(in from, in way, Vector3d.Zero, in way, in way, Vector3d.Zero);
     }
 
-    /// <summary>The path of a piece, as <see cref="PathPiece"/> has it.</summary>
+    /// <summary>The path of a piece, as <see cref="PathSegment"/> has it.</summary>
     /// <param name="before">The ball at the piece's start.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="startAcceleration">Acceleration at the start, m/s².</param>

@@ -39,7 +39,7 @@ internal readonly struct ZoneSearch
         _border = new Border(in path, shape, level);
 
         // A hollow of curvature κ bends the distance by κ/(1 − κ d), here with κ d ≤ ¾; farther out the speed alone bounds it.
-        double hollow = shape.HollowCurvature;
+        double hollow = shape.MaximumConcaveCurvature;
         _speed = path.FastestSpeed;
         _bend = path.GreatestAcceleration + (4.0 * hollow * _speed * _speed);
         _near = hollow > 0 ? 0.5 * ((1.0 / hollow) - level) : double.PositiveInfinity;

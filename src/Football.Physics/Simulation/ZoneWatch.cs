@@ -25,8 +25,8 @@ internal sealed class ZoneWatch
         _all = Bounds3d.Nowhere;
         for (int i = 0; i < zones.Length; i++)
         {
-            _bounds[i] = zones[i].Shape.Bounds.Grown(_levels[i] + Zone.Touching);
-            _all = _all.With(in _bounds[i]);
+            _bounds[i] = zones[i].Shape.Bounds.Expanded(_levels[i] + Zone.Touching);
+            _all = _all.Union(in _bounds[i]);
         }
     }
 
@@ -69,10 +69,10 @@ internal sealed class ZoneWatch
         Vector3d to = after.Position;
         Vector3d v = h * before.Velocity;
         Vector3d w = h * after.Velocity;
-        Bounds3d box = BoundsOf(in from, from + (0.5 * v)).With(BoundsOf(in to, to - (0.5 * w)));
+        Bounds3d box = BoundsOf(in from, from + (0.5 * v)).Union(BoundsOf(in to, to - (0.5 * w)));
         Vector3d off = (h * h * startAcceleration) - ((6.0 * (to - from)) - (4.0 * v) - (2.0 * w));
-        box = box.Grown((QuinticMargin * off.Length) + Zone.Touching);
-        if (!_all.Touches(in box))
+        box = box.Expanded((QuinticMargin * off.Length) + Zone.Touching);
+        if (!_all.Intersects(in box))
         {
             return false;
         }
@@ -101,7 +101,7 @@ internal sealed class ZoneWatch
         log.ZonePlace = after.Position;
         if (IsNear(in before, in after, in startAcceleration))
         {
-            var path = ZonePath.Of(in before, in after, in startAcceleration, in endAcceleration, PathPiece.DegreeOf(order, hasEndAcceleration: true));
+            var path = ZonePath.Of(in before, in after, in startAcceleration, in endAcceleration, PathSegment.DegreeOf(order, hasEndAcceleration: true));
             Find(log, in path);
             Report(log, in path, in before, in after);
         }
@@ -117,7 +117,7 @@ internal sealed class ZoneWatch
         }
 
         log.ZonePlace = to;
-        if (_all.Touches(BoundsOf(in from, in to)))
+        if (_all.Intersects(BoundsOf(in from, in to)))
         {
             var path = ZonePath.Line(in from, in to);
             Find(log, in path);
@@ -139,7 +139,7 @@ internal sealed class ZoneWatch
     /// <summary>True if the border of a zone may lead through a box: the box touches the zone's, and its middle is no farther from the border than its corners are from the middle.</summary>
     private bool IsNear(int zone, in Bounds3d box)
     {
-        if (!_bounds[zone].Touches(in box))
+        if (!_bounds[zone].Intersects(in box))
         {
             return false;
         }

@@ -13,8 +13,8 @@ public enum MotionState
     Rolling = 2,
 
     /// <summary>At rest until the next kick; costs nothing.</summary>
-    Stopped = 3,
+    Rest = 3,
 
     /// <summary>Between things of which some move, and which leave it no room: it is not bounced, and not faster than they are.</summary>
-    Squeezed = 4,
+    Pinned = 4,
 }

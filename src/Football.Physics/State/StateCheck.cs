@@ -51,9 +51,9 @@ internal static class StateCheck
 
         // On the ground the axis is the spin; what a ball rests on may move.
         bool carried = state.SpinRate == 1 && state.Angle == 0;
-        return state.Motion == MotionState.Stopped
+        return state.Motion == MotionState.Rest
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
-            : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Squeezed) && axis <= FastestSpin * FastestSpin;
+            : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Pinned) && axis <= FastestSpin * FastestSpin;
     }
 
     /// <summary>Until then, s, what touches a ball at a time, and moves, counts for what touches it next.</summary>
@@ -79,14 +79,14 @@ internal static class StateCheck
         else
         {
             // On the ground the axis is the spin.
-            Check.Size("state.spin", state.SpinAxis, state.Motion != MotionState.Stopped ? FastestSpin : state.Carrier > 0 ? Limits.Spin : 0, "rad/s");
+            Check.Size("state.spin", state.SpinAxis, state.Motion != MotionState.Rest ? FastestSpin : state.Carrier > 0 ? Limits.Spin : 0, "rad/s");
             Check.Within("state.spinRate", state.SpinRate, 1, 1);
             Check.Within("state.angle", state.Angle, 0, 0);
         }
 
         // What a ball rests on may move.
         double moves = state.Carrier > 0 ? FastestSpeed : 0;
-        if (state.Motion == MotionState.Stopped)
+        if (state.Motion == MotionState.Rest)
         {
             Check.Size("state.velocity", state.Velocity, moves, "m/s");
         }

@@ -28,7 +28,7 @@ public static class LibraryRefusal
         {
             "timeStep" or "lookAhead.timeStep" => "solver.timeStep",
             "duration" or "lookAhead.duration" => "stop.time",
-            _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver."),
+            _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver.").Replace("aim.waypoint", "aim.through"),
         };
         int value = message.IndexOf(" is ", StringComparison.Ordinal) + 4;
         string[] allowed = message[(marker + Marker.Length)..end].Split(" | ");

@@ -48,5 +48,5 @@ internal static class AimRun
 
     private static bool IsFinite(in AimResult result) =>
         result.Velocity.IsFinite && result.Spin.IsFinite && result.Closest.IsFinite && double.IsFinite(result.Miss)
-        && double.IsFinite(result.ThroughMiss ?? 0) && double.IsFinite(result.Time);
+        && double.IsFinite(result.WaypointMiss ?? 0) && double.IsFinite(result.Time);
 }

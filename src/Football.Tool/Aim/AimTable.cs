@@ -23,7 +23,7 @@ internal static class AimTable
         Row("velocity", $"{kick.Velocity.X:0.000}, {kick.Velocity.Y:0.000}, {kick.Velocity.Z:0.000} m/s");
         Row("spin", $"{kick.Spin.X:0.00}, {kick.Spin.Y:0.00}, {kick.Spin.Z:0.00} rad/s");
         Row("passes the target at", $"{1e3 * kick.Miss:0.0} mm after {kick.Time:0.000} s");
-        if (kick.ThroughMiss is { } through)
+        if (kick.WaypointMiss is { } through)
         {
             Row("and the point on the way at", $"{1e3 * through:0.0} mm");
         }

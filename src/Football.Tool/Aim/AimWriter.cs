@@ -15,7 +15,7 @@ internal static class AimWriter
         WriteVector(json, "velocity", result.Velocity);
         WriteVector(json, "spin", result.Spin);
         json.WriteNumber("miss", result.Miss);
-        if (result.ThroughMiss is { } throughMiss)
+        if (result.WaypointMiss is { } throughMiss)
         {
             json.WriteNumber("throughMiss", throughMiss);
         }

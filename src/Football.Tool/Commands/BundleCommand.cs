@@ -42,7 +42,7 @@ internal static class BundleCommand
 
     private static int Tell(MatchBundle bundle, long tick, Terminal terminal)
     {
-        MatchSegment segment = bundle.Segment;
+        Recording segment = bundle.Segment;
         tick = tick < 0 ? segment.EndTick : tick;
         if (tick < segment.StartTick || tick > segment.EndTick)
         {
@@ -88,9 +88,9 @@ internal static class BundleCommand
     /// <summary>Where the replay and the recording differ in the first state that the recording has after a tick; null where it has none.</summary>
     private static StateDifference? DifferenceAfter(MatchBundle bundle, long tick)
     {
-        MatchSegment segment = bundle.Segment;
-        long left = (tick - segment.StartTick) % MatchSegment.KeyframeTicks;
-        long keyframe = left == 0 ? tick : tick + MatchSegment.KeyframeTicks - left;
+        Recording segment = bundle.Segment;
+        long left = (tick - segment.StartTick) % Recording.KeyframeTicks;
+        long keyframe = left == 0 ? tick : tick + Recording.KeyframeTicks - left;
         if (keyframe > segment.EndTick)
         {
             return null;

@@ -15,7 +15,7 @@ internal static class FitTable
             table.AddRow(
                 Cell.Of(fit.Names[i]),
                 fit.Value(i).ToString("0.0000", CultureInfo.InvariantCulture),
-                fit.Deviation(i).ToString("0.0000", CultureInfo.InvariantCulture),
+                fit.StandardError(i).ToString("0.0000", CultureInfo.InvariantCulture),
                 fit.IsIdentified(i) ? string.Empty : "not identified");
         }
 

@@ -1,5 +1,5 @@
-using System.Text.Json;
 using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Fit;
 
@@ -24,7 +24,7 @@ internal static class FitWriter
         writer.WriteStartObject("deviations");
         for (int i = 0; i < fit.Names.Count; i++)
         {
-            writer.WriteNumber(fit.Names[i], fit.Deviation(i));
+            writer.WriteNumber(fit.Names[i], fit.StandardError(i));
         }
 
         writer.WriteEndObject();
@@ -39,11 +39,11 @@ internal static class FitWriter
 
         writer.WriteEndArray();
         writer.WriteNumber("chiSquared", fit.ChiSquared);
-        writer.WriteNumber("freedom", fit.Freedom);
+        writer.WriteNumber("freedom", fit.DegreesOfFreedom);
         writer.WriteNumber("iterations", fit.Iterations);
         writer.WriteBoolean("converged", fit.Converged);
         writer.WriteNumber("probability", fit.Probability);
-        writer.WriteString("verdict", JsonNamingPolicy.CamelCase.ConvertName(fit.Verdict.ToString()));
+        writer.WriteString("verdict", fit.Verdict == TrackVerdict.NoiseOverestimated ? "tooWell" : Words.Of(fit.Verdict));
         writer.WriteString("explanation", fit.Explanation);
         if (fit.OtherSpin is { } other)
         {

@@ -21,8 +21,8 @@ internal static class MatchPicture
         AddEvents(above, pieces, piece => new PlotPoint(piece.Position.X, -piece.Position.Z));
 
         var figures = new List<XElement> { above.Draw() };
-        double from = pieces.Min(piece => piece.From);
-        double to = pieces.Max(piece => piece.To);
+        double from = pieces.Min(piece => piece.StartTime);
+        double to = pieces.Max(piece => piece.EndTime);
         const double Span = 30;
         int rows = (int)Math.Min(8, Math.Max(1, Math.Ceiling((to - from) / Span)));
         double length = (to - from) / rows;
@@ -38,13 +38,13 @@ internal static class MatchPicture
 
     private static Chart Side(MatchPiece[] all, double from, double to)
     {
-        MatchPiece[] pieces = [.. all.Where(piece => piece.To >= from && piece.From <= to)];
+        MatchPiece[] pieces = [.. all.Where(piece => piece.EndTime >= from && piece.StartTime <= to)];
         MatchPiece[] flights = [.. pieces.Where(piece => piece.Kind == MatchPieceKind.Flight)];
         var chart = new Chart(new Axis("time, s") { Min = from, Max = to, Margin = 0 }, new Axis("height, m")) { Title = "From the side", Width = Width, PlotHeight = 220 };
         foreach ((MatchPieceKind kind, string colour, string label) in (ReadOnlySpan<(MatchPieceKind, string, string)>)
             [(MatchPieceKind.Ground, Palette.Object, "seen: on the ground"), (MatchPieceKind.Lost, Palette.Red, "seen: lost"), (MatchPieceKind.Flight, Palette.Frame, "seen: in flight")])
         {
-            PlotPoint[] points = [.. pieces.Where(piece => piece.Kind == kind).SelectMany(piece => piece.Seen).Select(seen => new PlotPoint(seen.Time, seen.Position.Y))];
+            PlotPoint[] points = [.. pieces.Where(piece => piece.Kind == kind).SelectMany(piece => piece.Observed).Select(seen => new PlotPoint(seen.Time, seen.Position.Y))];
             if (points.Length > 0)
             {
                 chart.Items.Add(new ScatterItem(points) { Colour = colour, Size = 2, Label = label });
@@ -52,7 +52,7 @@ internal static class MatchPicture
         }
 
         AddFitted(chart, flights, (time, point) => new PlotPoint(time, point.Y));
-        AddEvents(chart, pieces, piece => new PlotPoint(piece.From, piece.Position.Y));
+        AddEvents(chart, pieces, piece => new PlotPoint(piece.StartTime, piece.Position.Y));
         return chart;
     }
 
@@ -65,7 +65,7 @@ internal static class MatchPicture
             bool first = true;
             foreach (MatchPiece flight in flights)
             {
-                PlotPoint[] points = [.. flight.Seen.Select((seen, i) => new PlotPoint(seen.Time, 100 * of(seen.Position - flight.Fitted[i])))];
+                PlotPoint[] points = [.. flight.Observed.Select((seen, i) => new PlotPoint(seen.Time, 100 * of(seen.Position - flight.Fitted[i])))];
                 chart.Items.Add(new PolylineItem(points) { Colour = colour, Width = 1, Label = first ? label : null });
                 first = false;
             }
@@ -76,7 +76,7 @@ internal static class MatchPicture
 
     private static void AddSeen(Chart chart, MatchPiece[] pieces, Func<Vector3d, PlotPoint> place, string colour, string label)
     {
-        PlotPoint[] points = [.. pieces.SelectMany(piece => piece.Seen).Select(seen => place(seen.Position))];
+        PlotPoint[] points = [.. pieces.SelectMany(piece => piece.Observed).Select(seen => place(seen.Position))];
         if (points.Length > 0)
         {
             chart.Items.Add(new ScatterItem(points) { Colour = colour, Size = 1.6, Label = label });
@@ -88,7 +88,7 @@ internal static class MatchPicture
         for (int i = 0; i < flights.Length; i++)
         {
             MatchPiece flight = flights[i];
-            PlotPoint[] points = [.. flight.Fitted.Select((point, k) => place(flight.Seen[k].Time, point))];
+            PlotPoint[] points = [.. flight.Fitted.Select((point, k) => place(flight.Observed[k].Time, point))];
             chart.Items.Add(new PolylineItem(points) { Colour = i % 2 == 0 ? Palette.Blue : Palette.Purple, Label = i < 2 ? "fitted flight" : null });
         }
     }

@@ -14,9 +14,9 @@ internal static class MatchTable
         {
             bool flies = piece.Kind == MatchPieceKind.Flight;
             pieces.AddRow(
-                MatchWriter.Word(piece.Kind), Text(piece.From, "0.00"), Text(piece.To, "0.00"), piece.Points.ToString(CultureInfo.InvariantCulture),
-                flies ? Text(100 * piece.Rms, "0.0") : "", flies ? Text(100 * piece.Worst, "0.0") : "", Text(piece.Velocity.Length, "0.0"), flies ? Text(piece.Spin.Length, "0") : "",
-                piece.Kind == MatchPieceKind.Impact ? $"{(piece.Restitution is { } e ? Text(e, "0.00") : "–")}, {Text(piece.Kept, "0.00")}" : "");
+                MatchWriter.Word(piece.Kind), Text(piece.StartTime, "0.00"), Text(piece.EndTime, "0.00"), piece.Points.ToString(CultureInfo.InvariantCulture),
+                flies ? Text(100 * piece.Rms, "0.0") : "", flies ? Text(100 * piece.MaximumResidual, "0.0") : "", Text(piece.Velocity.Length, "0.0"), flies ? Text(piece.Spin.Length, "0") : "",
+                piece.Kind == MatchPieceKind.Impact ? $"{(piece.Restitution is { } e ? Text(e, "0.00") : "–")}, {Text(piece.SpeedRetained, "0.00")}" : "");
         }
 
         terminal.PersonConsole.Write(pieces);
@@ -24,7 +24,7 @@ internal static class MatchTable
         Table numbers = new Table().Border(TableBorder.Simple).AddColumns("of the whole track", "value", "±");
         for (int i = 0; i < fit.Names.Count; i++)
         {
-            numbers.AddRow(Cell.Of(fit.Names[i]), Text(fit.Value(i), "0.000"), Text(fit.Deviation(i), "0.000"));
+            numbers.AddRow(Cell.Of(fit.Names[i]), Text(fit.Value(i), "0.000"), Text(fit.StandardError(i), "0.000"));
         }
 
         terminal.PersonConsole.Write(numbers);
@@ -47,8 +47,8 @@ internal static class MatchTable
         foreach (GroundWindow window in fit.Windows)
         {
             windows.AddRow(
-                MatchWriter.Word(window.Motion), Text(window.From, "0.00"), Text(window.To, "0.00"), window.Points.ToString(CultureInfo.InvariantCulture),
-                Text(window.Speed, "0.0"), Text(window.Resistance, "0.000"), Text(window.Deviation, "0.000"));
+                MatchWriter.Word(window.Motion), Text(window.StartTime, "0.00"), Text(window.EndTime, "0.00"), window.Points.ToString(CultureInfo.InvariantCulture),
+                Text(window.Speed, "0.0"), Text(window.Resistance, "0.000"), Text(window.StandardError, "0.000"));
         }
 
         terminal.PersonConsole.Write(windows);

@@ -20,17 +20,17 @@ internal static class MatchWriter
     public static string Word(MotionState motion) => motion == MotionState.Sliding ? "sliding" : "rolling";
 
     /// <summary>c₀ + c₁ v at the mean speed of the windows in which the ball rolls.</summary>
-    public static double RollingResistance(MatchFitResult fit) => fit.Scene.Ground.Material.RollingFriction + (fit.Scene.Ground.Material.RollingFrictionBySpeed * fit.RollingSpeed);
+    public static double RollingResistance(MatchFitResult fit) => fit.Scene.Ground.Material.RollingResistance + (fit.Scene.Ground.Material.RollingResistancePerSpeed * fit.RollingSpeed);
 
     /// <summary>The line of a piece; a time on the ground lists the windows in which the ball slides or rolls untouched.</summary>
     public static ReadOnlyMemory<byte> Piece(MatchPiece piece, MatchFitResult fit) => ResultWriter.Line(json =>
     {
         json.WriteString("kind", Word(piece.Kind));
-        json.WriteNumber("from", piece.From);
-        json.WriteNumber("to", piece.To);
+        json.WriteNumber("from", piece.StartTime);
+        json.WriteNumber("to", piece.EndTime);
         json.WriteNumber("points", piece.Points);
         json.WriteNumber("rms", piece.Rms);
-        json.WriteNumber("worst", piece.Worst);
+        json.WriteNumber("worst", piece.MaximumResidual);
         ResultWriter.WriteVector(json, "position", piece.Position);
         ResultWriter.WriteVector(json, "velocity", piece.Velocity);
         ResultWriter.WriteVector(json, "spin", piece.Spin);
@@ -51,7 +51,7 @@ internal static class MatchWriter
                 json.WriteNull("restitution");
             }
 
-            json.WriteNumber("kept", piece.Kept);
+            json.WriteNumber("kept", piece.SpeedRetained);
         }
 
         if (piece.Kind == MatchPieceKind.Ground)
@@ -85,7 +85,7 @@ internal static class MatchWriter
         json.WriteNumber("lift", Of(fit, "lift") ?? 1);
         json.WriteNumber("groundHeight", fit.Scene.Ground.Height);
         json.WriteNumber("restitution", fit.Scene.Ground.Material.NormalRestitution);
-        json.WriteNumber("restitutionRise", fit.Scene.Ground.Material.RestitutionRise);
+        json.WriteNumber("restitutionRise", fit.Scene.Ground.Material.GrazingRestitutionGain);
         if (double.IsFinite(fit.Scene.Ground.Material.ImpactFriction))
         {
             json.WriteNumber("friction", fit.Scene.Ground.Material.ImpactFriction);
@@ -96,8 +96,8 @@ internal static class MatchWriter
         }
 
         json.WriteNumber("slidingFriction", fit.Scene.Ground.Material.SlidingFriction);
-        json.WriteNumber("rollingFriction", fit.Scene.Ground.Material.RollingFriction);
-        json.WriteNumber("rollingFrictionBySpeed", fit.Scene.Ground.Material.RollingFrictionBySpeed);
+        json.WriteNumber("rollingFriction", fit.Scene.Ground.Material.RollingResistance);
+        json.WriteNumber("rollingFrictionBySpeed", fit.Scene.Ground.Material.RollingResistancePerSpeed);
         json.WriteEndObject();
         json.WriteStartObject("deviations");
         WriteDeviations(json, fit);
@@ -109,16 +109,16 @@ internal static class MatchWriter
     private static void WriteWindows(Utf8JsonWriter json, MatchPiece piece, MatchFitResult fit)
     {
         json.WriteStartArray("windows");
-        foreach (GroundWindow window in fit.Windows.Where(window => window.From >= piece.From && window.To <= piece.To))
+        foreach (GroundWindow window in fit.Windows.Where(window => window.StartTime >= piece.StartTime && window.EndTime <= piece.EndTime))
         {
             json.WriteStartObject();
             json.WriteString("motion", Word(window.Motion));
-            json.WriteNumber("from", window.From);
-            json.WriteNumber("to", window.To);
+            json.WriteNumber("from", window.StartTime);
+            json.WriteNumber("to", window.EndTime);
             json.WriteNumber("points", window.Points);
             json.WriteNumber("speed", window.Speed);
             json.WriteNumber("resistance", window.Resistance);
-            json.WriteNumber("deviation", window.Deviation);
+            json.WriteNumber("deviation", window.StandardError);
             json.WriteEndObject();
         }
 
@@ -162,11 +162,11 @@ internal static class MatchWriter
         {
             if (fit.Names[i] == "wind.x")
             {
-                ResultWriter.WriteVector(json, "wind", new Vector3d(fit.Deviation(i), 0, fit.Deviation(i + 1)));
+                ResultWriter.WriteVector(json, "wind", new Vector3d(fit.StandardError(i), 0, fit.StandardError(i + 1)));
             }
             else if (fit.Names[i] != "wind.z")
             {
-                json.WriteNumber(fit.Names[i], fit.Deviation(i));
+                json.WriteNumber(fit.Names[i], fit.StandardError(i));
             }
         }
     }

@@ -33,11 +33,11 @@ internal sealed class Flight
     }
 
     /// <summary>When the ball first meets a thing, or the end of the way where it meets none, s.</summary>
-    public double FirstMeeting => Events.Where(item => item.Thing != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
+    public double FirstMeeting => Events.Where(item => item.ColliderIndex != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
 
     /// <summary>The first impact with the ground; null where there is none.</summary>
     public static BallEvent? FirstTouchdown(Outcome outcome) =>
-        outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing == 0).Cast<BallEvent?>().FirstOrDefault();
+        outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.ColliderIndex == 0).Cast<BallEvent?>().FirstOrDefault();
 
     /// <summary>The legs of a shot whose path was kept.</summary>
     public static IEnumerable<(MotionState Motion, IReadOnlyList<Vector3d> Points)> LegsOf(Outcome outcome)
@@ -65,7 +65,7 @@ internal sealed class Flight
         }
 
         points.AddRange(samples.Skip(next).Select(sample => sample.Position));
-        if (motion != MotionState.Stopped)
+        if (motion != MotionState.Rest)
         {
             yield return (motion, points);
         }

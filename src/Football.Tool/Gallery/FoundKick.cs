@@ -21,7 +21,7 @@ internal static class FoundKick
         {
             From = new Vector3d(0, 0.11, 0),
             Target = Target,
-            Through = Through,
+            Waypoint = Through,
             Speed = 24,
             MaximumTopSpin = 60,
             MaximumSideSpin = 60,

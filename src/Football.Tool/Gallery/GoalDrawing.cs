@@ -44,7 +44,7 @@ internal static class GoalDrawing
             {
                 Fill = Palette.Paper,
                 Colour = goes ? Palette.Red : Palette.Blue,
-                Caption = goes ? "goal" : OfFrame(names.NameOf(happened.Thing)),
+                Caption = goes ? "goal" : OfFrame(names.NameOf(happened.ColliderIndex)),
             });
         }
 
@@ -55,7 +55,7 @@ internal static class GoalDrawing
     private static BallEvent? Arrival(Flight flight, Goal goal)
     {
         IEnumerable<BallEvent> goals = flight.Events.Where(item => item.Kind == BallEventKind.Goal);
-        IEnumerable<BallEvent> saves = flight.Events.Where(item => item.Kind == BallEventKind.Impact && item.Thing != 0 && Distance(goal, item.Position) < Near);
+        IEnumerable<BallEvent> saves = flight.Events.Where(item => item.Kind == BallEventKind.Impact && item.ColliderIndex != 0 && Distance(goal, item.Position) < Near);
         return goals.Concat(saves).Cast<BallEvent?>().FirstOrDefault();
     }
 

@@ -73,12 +73,12 @@ internal static class QueryShots
     private static GalleryShot Keeper(string id, string name, Vector3d velocity)
     {
         Goal goal = Furniture.Goal(Post);
-        var keeper = new Player { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, HighestHeight = 2.5 };
+        var keeper = new Player { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, MaximumHeight = 2.5 };
         Scene scene = Scene.Measured;
         var simulator = new Simulator(scene);
         var path = new Trajectory();
         simulator.LookAhead(simulator.Launch(s_from, velocity, Vector3d.Zero), new LookAheadRequest { Duration = 3 }, path);
-        KeeperAnswer answer = new Interception().FindSave(path, in keeper, goal);
+        KeeperResult answer = new Interception().FindSave(path, in keeper, goal);
         Vector3d At(double aside, double height) => new(-aside, height, -Post);
         string saved = answer.Saves ? FormattableString.Invariant($"He saves it, if he goes within {answer.LatestReaction:0.00} s.") : "He cannot get across in time.";
         return new GalleryShot
@@ -86,7 +86,7 @@ internal static class QueryShots
             Id = id,
             Name = name,
             About = FormattableString.Invariant(
-                $"{3.6 * velocity.Length:0} km/h from {Post:0} m, {Math.Abs(answer.Aside):0.0} m beside the keeper. {saved} The frame is what he covers by then."),
+                $"{3.6 * velocity.Length:0} km/h from {Post:0} m, {Math.Abs(answer.LateralOffset):0.0} m beside the keeper. {saved} The frame is what he covers by then."),
             Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
             OnGoal =
             [
@@ -95,8 +95,8 @@ internal static class QueryShots
                     Lines =
                     [
                         [
-                            At(answer.CoversFrom, 0.01), At(answer.CoversTo, 0.01), At(answer.CoversTo, answer.CoversUpTo), At(answer.CoversFrom, answer.CoversUpTo),
-                            At(answer.CoversFrom, 0.01),
+                            At(answer.ReachLeft, 0.01), At(answer.ReachRight, 0.01), At(answer.ReachRight, answer.ReachHeight), At(answer.ReachLeft, answer.ReachHeight),
+                            At(answer.ReachLeft, 0.01),
                         ],
                     ],
                 },
@@ -106,10 +106,10 @@ internal static class QueryShots
     }
 
     /// <summary>A goalkeeper in front of his line, stretched towards the ball as far as he can be when it is there.</summary>
-    private static Obstacle Dived(KeeperAnswer answer)
+    private static Obstacle Dived(KeeperResult answer)
     {
         const double around = 0.16;
-        double hands = Math.Min(answer.Aside + around, answer.CoversTo - around);
+        double hands = Math.Min(answer.LateralOffset + around, answer.ReachRight - around);
         return new Obstacle
         {
             Name = "keeper",

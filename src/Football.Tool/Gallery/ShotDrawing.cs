@@ -112,8 +112,8 @@ internal static class ShotDrawing
                 MotionState.Airborne => (Palette.Blue, "flies"),
                 MotionState.Sliding => (Palette.Orange, "slides"),
                 MotionState.Rolling => (Palette.Green, "rolls"),
-                MotionState.Stopped => (Palette.Green, "rests"),
-                MotionState.Squeezed => (Palette.Red, "is squeezed"),
+                MotionState.Rest => (Palette.Green, "rests"),
+                MotionState.Pinned => (Palette.Red, "is squeezed"),
                 _ => throw new ArgumentOutOfRangeException(nameof(flight), motion, null),
             };
             chart.Items.Add(new PolylineItem([.. points.Select(project)]) { Width = 2, Colour = colour, Label = legend ? does : null });
@@ -140,7 +140,7 @@ internal static class ShotDrawing
         AddMarks(chart, flight, project, BallEventKind.Impact, Mark.Ring, Palette.Blue, legend ? "impact" : null);
         AddMarks(chart, flight, project, BallEventKind.Net, Mark.Ring, Palette.Frame, legend ? "net" : null);
         AddMarks(chart, flight, project, BallEventKind.Goal, Mark.Diamond, Palette.Red, legend ? "goal" : null);
-        AddMarks(chart, flight, project, BallEventKind.Leave, Mark.Triangle, Palette.Blue, legend ? "leaves the ground" : null);
+        AddMarks(chart, flight, project, BallEventKind.ContactEnd, Mark.Triangle, Palette.Blue, legend ? "leaves the ground" : null);
         AddMarks(chart, flight, project, BallEventKind.Slide, Mark.Triangle, Palette.Orange, legend ? "slide begins" : null);
         AddMarks(chart, flight, project, BallEventKind.Roll, Mark.Square, Palette.Green, legend ? "roll begins" : null);
         AddMarks(chart, flight, project, BallEventKind.Rest, Mark.Cross, Palette.Red, legend ? "rest" : null);

@@ -63,7 +63,7 @@ internal sealed class ShotReport
             table.AddRow(
                 i.ToString(CultureInfo.InvariantCulture),
                 at.Time.ToString("F3", CultureInfo.InvariantCulture),
-                at.State.ToString().ToLowerInvariant(),
+                Words.Of(at.State),
                 at.Position.ToString("F2", CultureInfo.InvariantCulture),
                 at.Velocity.ToString("F2", CultureInfo.InvariantCulture),
                 at.Spin.ToString("F1", CultureInfo.InvariantCulture));

@@ -19,7 +19,7 @@ internal static class InterceptRun
         return new InterceptOutcome(scenario, [.. scenario.Runners.Select((_, i) => interception.WindowsOf(i).ToArray())], interception.FindShares().ToArray())
         {
             First = interception.First,
-            Lead = interception.Lead,
+            Lead = interception.TimeMargin,
         };
     }
 

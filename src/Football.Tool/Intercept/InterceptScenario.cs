@@ -31,7 +31,7 @@ internal sealed record InterceptScenario
     private static Player Read(InputObject item)
     {
         var defaults = new Player();
-        double[] heights = item.Numbers("heights", "[lowest, highest]", [defaults.LowestHeight, defaults.HighestHeight]);
+        double[] heights = item.Numbers("heights", "[lowest, highest]", [defaults.MinimumHeight, defaults.MaximumHeight]);
         return new Player
         {
             Position = item.Vector("position"),
@@ -40,8 +40,8 @@ internal sealed record InterceptScenario
             Acceleration = item.Number("acceleration", defaults.Acceleration),
             Speed = item.Number("speed", defaults.Speed),
             Reach = item.Number("reach", defaults.Reach),
-            LowestHeight = heights[0],
-            HighestHeight = heights[1],
+            MinimumHeight = heights[0],
+            MaximumHeight = heights[1],
         };
     }
 }

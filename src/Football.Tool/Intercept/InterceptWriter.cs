@@ -34,13 +34,13 @@ internal static class InterceptWriter
         json.WriteString("first", outcome.First < 0 ? null : outcome.Scenario.Names[outcome.First]);
         WriteLead(json, outcome.Lead);
         json.WriteStartArray("shares");
-        foreach (InterceptShare share in outcome.Shares)
+        foreach (PossessionInterval share in outcome.Shares)
         {
             json.WriteStartObject();
             json.WriteString("name", outcome.Scenario.Names[share.Player]);
             json.WriteNumber("from", share.From);
             json.WriteNumber("to", share.To);
-            WriteLead(json, share.Lead);
+            WriteLead(json, share.TimeMargin);
             json.WriteEndObject();
         }
 

@@ -30,7 +30,7 @@ internal static class NetMoves
         BallState state = simulator.Launch(scenario.Position, scenario.Velocity, scenario.Spin, scenario.Orientation);
         var log = new StepLog();
         var moving = new bool[bulges.Count];
-        while (state.Time < scenario.Duration && state.Motion != MotionState.Stopped)
+        while (state.Time < scenario.Duration && state.Motion != MotionState.Rest)
         {
             log.Clear();
             simulator.Step(ref state, scenario.TimeStep, log);

@@ -66,12 +66,12 @@ internal sealed class SweepPlan
     /// <summary>Whether the balls are flown many at a time: no row asks for more than the first impact.</summary>
     public bool FliesInLanes =>
         Scene.Aim is null && !SceneFields.Any(i => MayLeaveLanes(Fields[i])) && Scene.StopAt == SweepStop.Impact && !Row.WatchesFlight && Scene.Orientation is null && Scenes <= MostLaneScenes
-        && BallBatch.FliesSideBySide(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
+        && BallBatch.SupportsSimd(Scene.Scene) && Scene.Solver == SolverSettings.Default with { Integrator = Scene.Solver.Integrator };
 
     /// <summary>Whether the kicks are found many at a time: low ones, at a target that lies still, whenever and however fast they get there.</summary>
     public bool AimsInLanes =>
-        Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Through: null, SpinIsFree: false, Arc: AimArc.Low } request }
-        && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.FliesSideBySide(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
+        Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Waypoint: null, SpinIsFree: false, Arc: AimArc.Low } request }
+        && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.SupportsSimd(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
 
     /// <summary>Takes note of what is in a scene that rows may have.</summary>
     /// <param name="scene">The scene.</param>

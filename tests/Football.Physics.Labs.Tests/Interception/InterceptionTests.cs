@@ -52,7 +52,7 @@ public sealed class InterceptionTests
         Assert.True(query.FindSave(path, in passed, goal).Saves);
         Assert.False(query.FindSave(path, in passed, goal, 0.3).Saves);
         var there = new Player { Position = new Vector3d(0, 0, -5), Reach = 3 };
-        KeeperAnswer answer = query.FindSave(path, in there, goal, 0.3);
+        KeeperResult answer = query.FindSave(path, in there, goal, 0.3);
         Assert.Equal((true, 0.3), (answer.Saves, answer.Save.Time));
     }
 
@@ -61,8 +61,8 @@ public sealed class InterceptionTests
     {
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(0, 2, -20), 1);
         var goal = new Goal { Center = new Vector3d(0, 3, -11), Facing = new Vector3d(0, 0, 1) };
-        var keeper = new Player { Position = new Vector3d(0, 3, -10.5), HighestHeight = 5 };
-        Assert.Equal(2, new FootballPhysics.Prediction.Interception().FindSave(path, in keeper, goal).CoversUpTo, 1e-12);
+        var keeper = new Player { Position = new Vector3d(0, 3, -10.5), MaximumHeight = 5 };
+        Assert.Equal(2, new FootballPhysics.Prediction.Interception().FindSave(path, in keeper, goal).ReachHeight, 1e-12);
     }
 
     [Fact]
@@ -71,10 +71,10 @@ public sealed class InterceptionTests
         Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38) })];
         var query = new FootballPhysics.Prediction.Interception();
         query.Find(s_shot, runners);
-        (int first, double lead) = (query.First, query.Lead);
+        (int first, double lead) = (query.First, query.TimeMargin);
         Assert.InRange(first, 0, 21);
         Assert.Equal(first, query.FindFirst(s_shot, runners, out PathPoint at));
-        Assert.Equal(lead, query.Lead, 12);
+        Assert.Equal(lead, query.TimeMargin, 12);
         Assert.Equal(query.WindowsOf(first)[0].From, at.Time);
         Assert.Equal(query.WindowsOf(first)[0].Position, at.Position);
     }
@@ -85,13 +85,13 @@ public sealed class InterceptionTests
         Player[] runners = [.. Enumerable.Range(0, 22).Select(i => new Player { Position = new Vector3d(-12 + (1.7 * (i % 11)), 0, i < 11 ? -25 : -38), Reaction = 0.1 + (0.01 * i) })];
         var query = new FootballPhysics.Prediction.Interception();
         query.Find(s_shot, runners);
-        InterceptShare[] shares = query.FindShares().ToArray();
+        PossessionInterval[] shares = query.FindShares().ToArray();
         InterceptWindow[] windows = query.Windows.ToArray();
         Assert.InRange(shares.Length, 2, 60);
         for (double t = s_shot.StartTime; t < s_shot.EndTime; t += 0.0037)
         {
             bool covered = windows.Any(window => window.From <= t && t < window.To);
-            InterceptShare[] owner = [.. shares.Where(share => share.From <= t && t < share.To)];
+            PossessionInterval[] owner = [.. shares.Where(share => share.From <= t && t < share.To)];
             Assert.Equal(covered ? 1 : 0, owner.Length);
             if (covered)
             {
@@ -136,20 +136,20 @@ public sealed class InterceptionTests
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
         Trajectory path = Path(new Vector3d(0, 0.11, 0), new Vector3d(3.5, 4, -25), 2);
-        var keeper = new Player { Position = new Vector3d(3, 0, -19.5), Reaction = 0.2, Acceleration = 5, Speed = 6, Reach = 1.2, HighestHeight = 2.7 };
+        var keeper = new Player { Position = new Vector3d(3, 0, -19.5), Reaction = 0.2, Acceleration = 5, Speed = 6, Reach = 1.2, MaximumHeight = 2.7 };
         var query = new FootballPhysics.Prediction.Interception();
-        KeeperAnswer answer = query.FindSave(path, in keeper, goal);
+        KeeperResult answer = query.FindSave(path, in keeper, goal);
         Assert.True(answer.Crosses && answer.IsOnTarget);
         Assert.Equal(-20, answer.Crossing.Position.Z, 1e-9);
-        Assert.Equal(answer.Crossing.Position.X, answer.Aside * goal.Right.X, 1e-9);
+        Assert.Equal(answer.Crossing.Position.X, answer.LateralOffset * goal.Right.X, 1e-9);
         Assert.True(answer.Saves);
         Assert.InRange(answer.Save.Time, 0.2, answer.Crossing.Time);
-        Assert.InRange(answer.Aside, answer.CoversFrom, answer.CoversTo);
+        Assert.InRange(answer.LateralOffset, answer.ReachLeft, answer.ReachRight);
 
         // A microsecond later is too late, a microsecond sooner is not.
         Assert.InRange(answer.LatestReaction, 0.2, answer.Crossing.Time);
         Assert.True(query.FindSave(path, keeper.Reacting(answer.LatestReaction - 1e-6), goal).Saves);
-        KeeperAnswer late = query.FindSave(path, keeper.Reacting(answer.LatestReaction + 1e-6), goal);
+        KeeperResult late = query.FindSave(path, keeper.Reacting(answer.LatestReaction + 1e-6), goal);
         Assert.False(late.Saves);
         Assert.True(double.IsNaN(late.LatestReaction));
     }
@@ -159,7 +159,7 @@ public sealed class InterceptionTests
     {
         var query = new FootballPhysics.Prediction.Interception();
         Assert.Contains("runner.acceleration is 0; allowed: a finite number above 0.", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { Acceleration = 0 }])).Message);
-        Assert.Contains("runner.heights[1]", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { LowestHeight = 3 }])).Message);
+        Assert.Contains("runner.heights[1]", Assert.ThrowsAny<ArgumentException>(() => query.Find(s_shot, [new Player { MinimumHeight = 3 }])).Message);
     }
 
     private static Trajectory Path(Vector3d position, Vector3d velocity, double duration, StopAt stopAt = StopAt.Time)
@@ -186,11 +186,11 @@ public sealed class InterceptionTests
             Player[] runners =
             [
                 new Player { Position = new Vector3d(500, 0, 0) },
-                .. Enumerable.Range(0, 6).Select(_ => new Player { Position = (down.Position + (random.Uniform(0, 2) * random.Heading())).Horizontal, HighestHeight = 2.3 }),
+                .. Enumerable.Range(0, 6).Select(_ => new Player { Position = (down.Position + (random.Uniform(0, 2) * random.Heading())).Horizontal, MaximumHeight = 2.3 }),
             ];
             query.Find(path, runners);
             Assert.Equal(1, query.First);
-            Assert.Equal(0, query.Lead, 1e-8);
+            Assert.Equal(0, query.TimeMargin, 1e-8);
             Assert.Equal(1, query.FindFirst(path, runners, out PathPoint at));
             Assert.Equal(query.WindowsOf(1)[0].From, at.Time);
         }
@@ -209,9 +209,9 @@ public sealed class InterceptionTests
             var first = new Player { Position = path.PositionAt(random.Uniform(0.8, 2.5)).Horizontal + (random.Uniform(0, 3) * random.Heading()), Reaction = random.Uniform(0.1, 0.3) };
             Player[] runners = [.. Enumerable.Range(0, 8).Select(_ => first.Reacting(first.Reaction + random.Uniform(0, 3e-9)))];
             query.Find(path, runners);
-            (int of, double lead) = (query.First, query.Lead);
+            (int of, double lead) = (query.First, query.TimeMargin);
             Assert.Equal(of, query.FindFirst(path, runners, out PathPoint at));
-            Assert.Equal(lead, query.Lead);
+            Assert.Equal(lead, query.TimeMargin);
             if (of >= 0)
             {
                 Assert.Equal(query.WindowsOf(of)[0].From, at.Time);
@@ -238,9 +238,9 @@ public sealed class InterceptionTests
                 Velocity = random.Uniform(0, 6) * random.Heading(),
                 Reach = 0.9,
                 Reaction = random.Uniform(0, 0.3),
-                HighestHeight = 2.5,
+                MaximumHeight = 2.5,
             };
-            KeeperAnswer answer = query.FindSave(path, in keeper, goal);
+            KeeperResult answer = query.FindSave(path, in keeper, goal);
             if (!answer.Saves || !answer.Crosses)
             {
                 continue;

@@ -10,7 +10,7 @@ internal static class AimCheck
     {
         string what = $"{result.Status}, miss {result.Miss}: {request}";
         Assert.True(result.Velocity.IsFinite && result.Spin.IsFinite && result.Closest.IsFinite && double.IsFinite(result.Miss) && double.IsFinite(result.Time), what);
-        Assert.True(result.ThroughMiss is null == request.Through is null && double.IsFinite(result.ThroughMiss ?? 0), what);
+        Assert.True(result.WaypointMiss is null == request.Waypoint is null && double.IsFinite(result.WaypointMiss ?? 0), what);
         double wanted = speed ?? request.Speed;
         Assert.True(Math.Abs(result.Velocity.Length - wanted) <= 1e-9 * wanted, what);
         double elevation = Math.Atan2(result.Velocity.Y, result.Velocity.Horizontal.Length);

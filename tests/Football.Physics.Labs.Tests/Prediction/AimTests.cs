@@ -118,7 +118,7 @@ public sealed class AimTests
         {
             AimRequest request = AimCheck.Any(random);
             return method == AimMethod.TwoPoint || (method == AimMethod.Direct && i % 2 == 0)
-                ? request with { Through = (0.5 * request.Target) + new Vector3d(0, random.Uniform(0, 2), random.Uniform(-1, 1)) }
+                ? request with { Waypoint = (0.5 * request.Target) + new Vector3d(0, random.Uniform(0, 2), random.Uniform(-1, 1)) }
                 : request;
         })];
         foreach (AimRequest request in requests)

@@ -44,7 +44,7 @@ public sealed class ArrivalAimTests
         var path = new Trajectory();
         simulator.LookAhead(in state, new LookAheadRequest { Duration = 3, TimeStep = 0.01, StopAt = StopAt.Time }, path);
         BallEvent met = path.Events[0];
-        Assert.Equal(thing, simulator.NameOf(met.Thing));
+        Assert.Equal(thing, simulator.NameOf(met.ColliderIndex));
         var request = new AimRequest
         {
             From = new Vector3d(0, 0.11, 0),
@@ -61,7 +61,7 @@ public sealed class ArrivalAimTests
         // Flown: it meets that, and then the target.
         BallState again = simulator.Launch(request.From, found.Velocity, found.Spin);
         simulator.LookAhead(in again, new LookAheadRequest { Duration = found.Time, TimeStep = 0.005, StopAt = StopAt.Time }, path);
-        Assert.Equal(thing, simulator.NameOf(path.Events[0].Thing));
+        Assert.Equal(thing, simulator.NameOf(path.Events[0].ColliderIndex));
         Assert.Equal(1, path.Events.Count);
         Assert.InRange(Vector3d.Distance(path.Final.Position, request.Target), 0, 1.1e-3);
         Assert.Equal(request.Speed, found.Velocity.Length, 9);

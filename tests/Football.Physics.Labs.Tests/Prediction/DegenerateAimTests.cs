@@ -33,18 +33,18 @@ public sealed class DegenerateAimTests
         ("one iteration", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), TopSpin = 20, SideSpin = 10, MaximumIterations = 1 }),
         ("a tiny tolerance", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), TopSpin = 20, SideSpin = 10, Tolerance = 1e-300 }),
         ("a huge tolerance", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Tolerance = 1e9 }),
-        ("through the ball", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = s_from }),
-        ("through the target", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(18, 1, 3) }),
-        ("through behind the ball", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(-9, 1, 0) }),
-        ("through beyond the target", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(30, 1, 3) }),
-        ("through high above", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(9, 500, 0) }),
-        ("through far to the side", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(9, 1, 1000) }),
-        ("through below ground", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(9, -4, 0) }),
-        ("through with no spin allowed", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(9, 2, 2), MaximumTopSpin = 0, MaximumSideSpin = 0 }),
-        ("through with all spin allowed", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Through = new Vector3d(9, 2, 4), MaximumTopSpin = 10_000, MaximumSideSpin = 10_000 }),
-        ("through to above", new AimRequest { From = s_from, Target = new Vector3d(0, 5, 0), Through = new Vector3d(0, 2, 0) }),
-        ("through to the ball", new AimRequest { From = s_from, Target = s_from, Through = new Vector3d(4, 2, 0) }),
-        ("through out of reach", new AimRequest { From = s_from, Target = new Vector3d(90, 1, 3), Through = new Vector3d(50, 2, 2) }),
+        ("through the ball", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = s_from }),
+        ("through the target", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(18, 1, 3) }),
+        ("through behind the ball", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(-9, 1, 0) }),
+        ("through beyond the target", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(30, 1, 3) }),
+        ("through high above", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(9, 500, 0) }),
+        ("through far to the side", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(9, 1, 1000) }),
+        ("through below ground", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(9, -4, 0) }),
+        ("through with no spin allowed", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(9, 2, 2), MaximumTopSpin = 0, MaximumSideSpin = 0 }),
+        ("through with all spin allowed", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), Waypoint = new Vector3d(9, 2, 4), MaximumTopSpin = 10_000, MaximumSideSpin = 10_000 }),
+        ("through to above", new AimRequest { From = s_from, Target = new Vector3d(0, 5, 0), Waypoint = new Vector3d(0, 2, 0) }),
+        ("through to the ball", new AimRequest { From = s_from, Target = s_from, Waypoint = new Vector3d(4, 2, 0) }),
+        ("through out of reach", new AimRequest { From = s_from, Target = new Vector3d(90, 1, 3), Waypoint = new Vector3d(50, 2, 2) }),
         ("a target that outruns the ball", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), TargetVelocity = new Vector3d(900, 0, 0) }),
         ("a target that comes", new AimRequest { From = s_from, Target = new Vector3d(18, 1, 3), TargetVelocity = new Vector3d(-900, 0, 0) }),
     ];
@@ -54,7 +54,7 @@ public sealed class DegenerateAimTests
         ("default", Scene.Published),
         ("vacuum", Scene.Vacuum),
         ("no gravity", Scene.Vacuum with { Gravity = 0 }),
-        ("regularised, storm", Scene.Published with { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-40, 3, 25) } }),
+        ("regularised, storm", Scene.Published with { Forces = ForceSet.Regularized, Air = new Air { Wind = new Vector3d(-40, 3, 25) } }),
         ("beach ball", Scene.Published with { Ball = BallProperties.BeachBall }),
         ("raised ground", Scene.Published with { Ground = Ground.PublishedTurf with { Height = 3 } }),
     ];
@@ -64,7 +64,7 @@ public sealed class DegenerateAimTests
         var rows = new TheoryData<string, AimMethod>();
         foreach ((string name, AimRequest request) in s_requests)
         {
-            foreach (AimMethod method in Enum.GetValues<AimMethod>().Where(method => method != AimMethod.TwoPoint || request.Through is not null))
+            foreach (AimMethod method in Enum.GetValues<AimMethod>().Where(method => method != AimMethod.TwoPoint || request.Waypoint is not null))
             {
                 rows.Add(name, method);
             }
@@ -91,7 +91,7 @@ public sealed class DegenerateAimTests
         foreach ((_, Scene scene) in s_scenes)
         {
             var aimer = new Aimer(scene);
-            foreach ((string name, AimRequest request) in s_requests.Where(item => item.Request.Through is null))
+            foreach ((string name, AimRequest request) in s_requests.Where(item => item.Request.Waypoint is null))
             {
                 AimResult slowest = aimer.FindSlowest(request);
                 AimCheck.Holds(request, in slowest, scene, slowest.Velocity.Length);

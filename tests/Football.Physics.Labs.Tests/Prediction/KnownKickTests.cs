@@ -206,10 +206,10 @@ public sealed class KnownKickTests
     [MemberData(nameof(LightTwoPoints))]
     public void A_light_ball_passes_two_points_that_it_passed_before(Vector3d from, Vector3d through, Vector3d target, double speed)
     {
-        var request = new AimRequest { From = from, Through = through, Target = target, Speed = speed, MaximumElevationDegrees = 85, Tolerance = 1e-3 };
+        var request = new AimRequest { From = from, Waypoint = through, Target = target, Speed = speed, MaximumElevationDegrees = 85, Tolerance = 1e-3 };
         AimResult result = new Aimer(Scene.Published with { Ball = BallProperties.BeachBall }).Find(request);
         Assert.Equal(AimStatus.Hit, result.Status);
-        Assert.InRange(result.ThroughMiss!.Value, 0, request.ThroughTolerance);
+        Assert.InRange(result.WaypointMiss!.Value, 0, request.WaypointTolerance);
     }
 
     [Fact]

@@ -95,7 +95,7 @@ public sealed class LostKickTests
         var request = new AimRequest
         {
             From = new Vector3d(0, 1.8156848189959696, 0),
-            Through = new Vector3d(-1.160251610684084, 2.5077647138233905, 2.5406006873103726),
+            Waypoint = new Vector3d(-1.160251610684084, 2.5077647138233905, 2.5406006873103726),
             Target = new Vector3d(2.445295352470876, 2.2485201868058016, 3.0054643198824396),
             Speed = 22.91941769324216,
             MaximumTopSpin = 40,
@@ -107,6 +107,6 @@ public sealed class LostKickTests
         AimResult result = new Aimer(scene).Find(request);
         AimCheck.Holds(request, in result, scene);
         Assert.Equal(AimStatus.Hit, result.Status);
-        Assert.InRange(result.ThroughMiss!.Value, 0, request.ThroughTolerance);
+        Assert.InRange(result.WaypointMiss!.Value, 0, request.WaypointTolerance);
     }
 }

@@ -11,10 +11,10 @@ public sealed class TwoPointAimTests
         {
             From = new Vector3d(0, 0.11, 0),
             Target = new Vector3d(25.61015641475195, 3.134920612085321, -0.744245637757711),
-            Through = new Vector3d(7.846570690671645, 2.3210332258104875, -0.22802578450969788),
+            Waypoint = new Vector3d(7.846570690671645, 2.3210332258104875, -0.22802578450969788),
             Speed = 26.904411966867936,
             Tolerance = 0.01,
-            ThroughTolerance = 0.01,
+            WaypointTolerance = 0.01,
             MaximumIterations = 1,
         };
         var aimer = new Aimer(new Simulator(new Scene { Ball = BallProperties.Tunnel }));
@@ -34,7 +34,7 @@ public sealed class TwoPointAimTests
             AimResult result = aimer.Find(request);
             simulations += result.Simulations;
             AimCheck.Holds(request, in result);
-            Assert.True(result.Miss <= 1e-3 && result.ThroughMiss <= 1e-2, $"{result.Status} {result.Miss} {result.ThroughMiss}: {request}");
+            Assert.True(result.Miss <= 1e-3 && result.WaypointMiss <= 1e-2, $"{result.Status} {result.Miss} {result.WaypointMiss}: {request}");
         }
 
         Assert.InRange(simulations / 300.0, 1, 2);
@@ -64,7 +64,7 @@ public sealed class TwoPointAimTests
             Assert.InRange(shot.TopSpin, -40 - 1e-9, 40 + 1e-9);
             bool limited = Math.Abs(shot.SideSpin) > 39.999 || Math.Abs(shot.TopSpin) > 39.999;
             saturated += limited ? 1 : 0;
-            Assert.True(limited || direct.ThroughMiss <= 1e-2, $"{direct.ThroughMiss}: {request}");
+            Assert.True(limited || direct.WaypointMiss <= 1e-2, $"{direct.WaypointMiss}: {request}");
         }
 
         Assert.InRange(saturated, 5, 38);
@@ -80,7 +80,7 @@ public sealed class TwoPointAimTests
             AimResult result = aimer.Find(request with { MaximumTopSpin = 0, MaximumSideSpin = 0 });
             Assert.True(result.Miss <= 1e-3, $"{result.Status} {result.Miss}");
             Assert.Equal(0, result.Spin.Length, 1e-12);
-            Assert.True(result.ThroughMiss > 0.01);
+            Assert.True(result.WaypointMiss > 0.01);
         }
     }
 }

@@ -11,7 +11,7 @@ public sealed class BounceClassesTests
     [Fact]
     public void The_surface_of_the_track_is_near_in_every_class_and_dry_turf_is_not()
     {
-        Ground surface = Ground.Of(SurfaceMaterial.MatchTurf with { NormalRestitution = 0.72, RestitutionRise = 0.2, ImpactFriction = 0.33, TangentialRestitution = -0.1 });
+        Ground surface = Ground.Of(SurfaceMaterial.MatchTurf with { NormalRestitution = 0.72, GrazingRestitutionGain = 0.2, ImpactFriction = 0.33, TangentialRestitution = -0.1 });
         MatchFitResult fit = new MatchFit(new Scene { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) }).Find(Track(surface), new MatchFitRequest { Wind = false, Drag = false });
         BounceRow[] rows = [.. BounceClasses.Of(fit, [("own", surface), ("dryTurf", Ground.Of(SurfaceMaterial.DryTurf))])];
         BounceRow[] seen = [.. rows.Where(row => row.Surface is null)];

@@ -88,7 +88,7 @@ public sealed class TrackFitTests
         Assert.Equal([true, false, false, false], Enumerable.Range(9, 4).Select(found.IsIdentified));
         Assert.All(Enumerable.Range(0, 6), i => Assert.True(found.IsIdentified(i)));
         Assert.Equal(1, found.Value(11), 1e-6);
-        Assert.Equal(0.3, found.Deviation(11), 1e-6);
+        Assert.Equal(0.3, found.StandardError(11), 1e-6);
     }
 
     [Fact]
@@ -121,7 +121,7 @@ public sealed class TrackFitTests
         // Constant laws: twice the coefficient is twice the force.
         Scene scene = Scene.Measured with { Forces = ForceSet.Constant };
         Scene doubled = scene with { Forces = scene.Forces with { DragCoefficient = 2 * scene.Forces.DragCoefficient } };
-        Scene scaled = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 2, 1)] } };
+        Scene scaled = scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, 2, 1)] } };
         Vector3d Land(Scene of)
         {
             var simulator = new Simulator(of);
@@ -134,12 +134,12 @@ public sealed class TrackFitTests
     }
 
     [Theory]
-    [InlineData(CoefficientForm.Measured)]
-    [InlineData(CoefficientForm.Published)]
-    public void Scaled_laws_are_the_scaled_air(CoefficientForm form)
+    [InlineData(AerodynamicModel.Measured)]
+    [InlineData(AerodynamicModel.Published)]
+    public void Scaled_laws_are_the_scaled_air(AerodynamicModel form)
     {
         Scene scene = Scene.Measured with { Forces = ForceSet.Measured with { Coefficients = form } };
-        Scene scaled = scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.15, 0.8)] } };
+        Scene scaled = scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, 1.15, 0.8)] } };
         Vector3d End(Simulator simulator)
         {
             BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(18, 7, 2), new Vector3d(10, 30, 25));
@@ -148,7 +148,7 @@ public sealed class TrackFitTests
         }
 
         Vector3d asLaws = End(new Simulator(scaled));
-        Scene asForce = scene with { Forces = scene.Forces with { Custom = [.. scaled.Forces.Custom, IForce.From(_ => Vector3d.Zero)] } };
+        Scene asForce = scene with { Forces = scene.Forces with { CustomForces = [.. scaled.Forces.CustomForces, IForce.From(_ => Vector3d.Zero)] } };
         Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(asForce))), 0, 1e-6);
         Assert.InRange(Vector3d.Distance(asLaws, End(new Simulator(scene))), 0.5, 10);
 
@@ -162,7 +162,7 @@ public sealed class TrackFitTests
     public void Derivatives_in_scaled_air_are_its_differences()
     {
         Scene scene = Scene.Measured;
-        var simulator = new Simulator(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.15, 0.8)] } });
+        var simulator = new Simulator(scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, 1.15, 0.8)] } });
         var velocity = new Vector3d(18, 7, 2);
         Vector3d End(Vector3d changed)
         {

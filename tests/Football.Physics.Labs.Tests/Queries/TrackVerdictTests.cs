@@ -16,7 +16,7 @@ public sealed class TrackVerdictTests
             TrackFitResult found = new TrackFit().Find(Seen(Scene.Default, i, bounces: false, Noise, out _, out _));
             Assert.InRange(found.Probability, 1e-3, 1 - 1e-3);
             expected += found.Verdict == TrackVerdict.AsExpected ? 1 : 0;
-            Assert.Contains(FormattableString.Invariant($"χ² is {found.ChiSquared:0.0} of {found.Freedom} expected"), found.Explanation, StringComparison.Ordinal);
+            Assert.Contains(FormattableString.Invariant($"χ² is {found.ChiSquared:0.0} of {found.DegreesOfFreedom} expected"), found.Explanation, StringComparison.Ordinal);
         }
 
         Assert.InRange(expected, 11, 12);
@@ -33,7 +33,7 @@ public sealed class TrackVerdictTests
             Assert.InRange(poor.Probability, 0, 1e-3);
             Assert.Contains("once in a thousand", poor.Explanation, StringComparison.Ordinal);
             TrackFitResult well = new TrackFit().Find(Said(track, 2 * Noise));
-            Assert.Equal(TrackVerdict.TooWell, well.Verdict);
+            Assert.Equal(TrackVerdict.NoiseOverestimated, well.Verdict);
             Assert.Contains("too large", well.Explanation, StringComparison.Ordinal);
         }
     }
@@ -101,9 +101,9 @@ public sealed class TrackVerdictTests
             for (int k = 0; k < 6; k++)
             {
                 double miss = Math.Abs(found.Value(3 + k) - true_[k]);
-                off = Math.Max(off, miss / found.Deviation(3 + k));
+                off = Math.Max(off, miss / found.StandardError(3 + k));
                 over = Math.Max(over, miss / found.DeviationOverBalls(3 + k));
-                Assert.True(found.DeviationOverBalls(3 + k) >= found.Deviation(3 + k));
+                Assert.True(found.DeviationOverBalls(3 + k) >= found.StandardError(3 + k));
             }
 
             Assert.Equal(2, found.ByBall.Count);
@@ -111,7 +111,7 @@ public sealed class TrackVerdictTests
             worstOver = Math.Max(worstOver, over);
 
             // The true one fits as it should, wherever the wrong one has ended.
-            Assert.InRange(found.ByBall[i % 2].ChiSquared, 0.5 * found.Freedom, 1.5 * found.Freedom);
+            Assert.InRange(found.ByBall[i % 2].ChiSquared, 0.5 * found.DegreesOfFreedom, 1.5 * found.DegreesOfFreedom);
             bool tells = found.Verdict is TrackVerdict.OtherBall or TrackVerdict.Poor;
             Assert.True(found.Verdict != TrackVerdict.Poor, "one of the balls explains it");
             said += tells ? 1 : 0;
@@ -127,7 +127,7 @@ public sealed class TrackVerdictTests
     private static double Deviations(TrackFitResult found, in Vector3d spin, in Vector3d truth)
     {
         Vector3d off = spin - truth;
-        return Math.Max(Math.Abs(off.X) / found.Deviation(6), Math.Max(Math.Abs(off.Y) / found.Deviation(7), Math.Abs(off.Z) / found.Deviation(8)));
+        return Math.Max(Math.Abs(off.X) / found.StandardError(6), Math.Max(Math.Abs(off.Y) / found.StandardError(7), Math.Abs(off.Z) / found.StandardError(8)));
     }
 
     private static TrackPoint[] Said(TrackPoint[] track, double noise) => [.. track.Select(point => new TrackPoint(point.Time, point.Position, noise))];

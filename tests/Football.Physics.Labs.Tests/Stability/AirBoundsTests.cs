@@ -11,16 +11,16 @@ public sealed class AirBoundsTests
     private static readonly double[] s_speeds = [0.3, 2, 5, 7.5, 9, 10, 11, 11.7, 12, 12.1, 12.3, 12.5, 13, 14, 16, 17.5, 19, 25, 40, 60];
     private static readonly double[] s_spins = [0.1, 1, 5.3, 7, 12, 30, 80, 200, 600];
 
-    public static TheoryData<ForceLaw, CoefficientForm> Laws() => new()
+    public static TheoryData<ForceLaw, AerodynamicModel> Laws() => new()
     {
-        { ForceLaw.Empirical, CoefficientForm.Published },
-        { ForceLaw.Empirical, CoefficientForm.Regularised },
-        { ForceLaw.Constant, CoefficientForm.Published },
+        { ForceLaw.Empirical, AerodynamicModel.Published },
+        { ForceLaw.Empirical, AerodynamicModel.Regularized },
+        { ForceLaw.Constant, AerodynamicModel.Published },
     };
 
     [Theory]
     [MemberData(nameof(Laws))]
-    public void Drag_keeps_within_its_bounds(ForceLaw law, CoefficientForm form) => Holds(
+    public void Drag_keeps_within_its_bounds(ForceLaw law, AerodynamicModel form) => Holds(
         ForceSet.Published with { Drag = law, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None, Coefficients = form },
         (simulator, speed, spin) =>
         {
@@ -31,7 +31,7 @@ public sealed class AirBoundsTests
 
     [Theory]
     [MemberData(nameof(Laws))]
-    public void The_Magnus_force_keeps_within_its_bounds(ForceLaw law, CoefficientForm form) => Holds(
+    public void The_Magnus_force_keeps_within_its_bounds(ForceLaw law, AerodynamicModel form) => Holds(
         ForceSet.Published with { Drag = ForceLaw.None, Magnus = law, SpinDecay = ForceLaw.None, Coefficients = form },
         (simulator, speed, spin) =>
         {
@@ -45,7 +45,7 @@ public sealed class AirBoundsTests
     {
         foreach (ForceLaw law in (ForceLaw[])[ForceLaw.Empirical, ForceLaw.Constant])
         {
-            Scene scene = SceneOf(ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = law, SpinDecayCoefficient = 1e-4 });
+            Scene scene = SceneOf(ForceSet.None with { Coefficients = AerodynamicModel.Published, SpinDecay = law, SpinDecayCoefficient = 1e-4 });
             var bounds = new AirBounds(scene);
             var simulator = new Simulator(scene);
             foreach (double speed in s_speeds)
@@ -78,7 +78,7 @@ public sealed class AirBoundsTests
                 {
                     double speed = middle * (1 + (share * Width));
                     double h = Difference * speed;
-                    if (forces.Coefficients == CoefficientForm.Published && Jumps(speed, h, r * spin))
+                    if (forces.Coefficients == AerodynamicModel.Published && Jumps(speed, h, r * spin))
                     {
                         continue;
                     }

@@ -132,7 +132,7 @@ public sealed class EnergyCheckTests
         {
             double more = gain - Check.Of(Before, Length, After, Events)!.Value.Gained;
             BallState forged = After;
-            forged.Motion = After.Motion == MotionState.Stopped ? MotionState.Rolling : After.Motion;
+            forged.Motion = After.Motion == MotionState.Rest ? MotionState.Rolling : After.Motion;
 
             // Wind sees the square of u = v − W: along the part of v that is left when W is taken away.
             Vector3d u = After.Velocity - Check.Wind;

@@ -99,8 +99,8 @@ public sealed class FoundByTheLabTests
             Ball = new BallProperties { Mass = 0.4, Radius = 0.24, InertiaFactor = 0.1 },
             Air = new Air { Density = 100, KinematicViscosity = 0.1 },
             Gravity = 1e-6,
-            Forces = ForceSet.Regularised with { Buoyancy = false },
-            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 0, RollingFriction = 0 } },
+            Forces = ForceSet.Regularized with { Buoyancy = false },
+            Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 0, RollingResistance = 0 } },
         };
         var log = new StepLog();
         foreach (Integrator integrator in Enum.GetValues<Integrator>())
@@ -180,7 +180,7 @@ public sealed class FoundByTheLabTests
                 Magnus = ForceLaw.Constant,
                 MagnusCoefficient = -0.3,
                 SpinDecay = ForceLaw.None,
-                Coefficients = CoefficientForm.Regularised,
+                Coefficients = AerodynamicModel.Regularized,
             },
         };
         var log = new StepLog();

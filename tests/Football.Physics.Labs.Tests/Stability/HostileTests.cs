@@ -16,7 +16,7 @@ public sealed class HostileTests
         Assert.Equal((Integrator.Rk2, 6.3649022676890947), (scene.Settings.Integrator, scene.Scene.Forces.MagnusCoefficient));
         Assert.Equal([0.02, double.Epsilon, 1e-12, 0], scene.Frames[..4]);
         HostileScene forced = HostileGenerator.Make(431);
-        Assert.Equal("Damper { OfVelocity = 0.008215159551674171, OfSpin = 25.075046340978815 }", Assert.Single(forced.Scene.Forces.Custom).ToString());
+        Assert.Equal("Damper { OfVelocity = 0.008215159551674171, OfSpin = 25.075046340978815 }", Assert.Single(forced.Scene.Forces.CustomForces).ToString());
         Assert.Equal(new Vector3d(-0.8189793727143306, 5.250547456520825, 3.4591350911601237), forced.Velocity);
     }
 

@@ -98,7 +98,7 @@ public sealed class StressTests
                     {
                         NormalRestitution = 0.01 * Restitution,
                         SlidingFriction = 0.1 * Friction,
-                        RollingFriction = 0.01 * Friction,
+                        RollingResistance = 0.01 * Friction,
                     }
                 },
             },

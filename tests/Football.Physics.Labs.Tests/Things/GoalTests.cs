@@ -129,8 +129,8 @@ public sealed class GoalTests
     [Fact]
     public void A_ball_that_lies_still_and_is_pushed_over_the_line_is_in()
     {
-        var bodies = new Bodies();
-        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.2));
+        var bodies = new KinematicBodies();
+        KinematicBody foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.2));
         var ball = new Ball(s_scene with { Bodies = bodies });
         ball.Place(new Vector3d(1, 0.11, -19.9));
 

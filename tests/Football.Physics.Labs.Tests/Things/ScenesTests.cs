@@ -111,7 +111,7 @@ public sealed class ScenesTests
         Assert.InRange(models[0].LeastLoad, 0.1, 1);
         if (spin == 0)
         {
-            var surface = SurfaceMaterial.GoalFrame with { SlidingFriction = 0.5, RollingFriction = 0, NormalRestitution = 0.5 };
+            var surface = SurfaceMaterial.GoalFrame with { SlidingFriction = 0.5, RollingResistance = 0, NormalRestitution = 0.5 };
             var scene = new Scene
             {
                 Ball = BallProperties.Tunnel,

@@ -11,7 +11,7 @@ public sealed class AccuracyWantedTests
     {
         ["published"] = Scene.Published,
         ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(6, 0.5, -5) } },
-        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularized },
         ["constant"] = Scene.Published with { Forces = ForceSet.Constant },
         ["small ball"] = new() { Ball = BallProperties.YouthFootball },
     };
@@ -63,7 +63,7 @@ public sealed class AccuracyWantedTests
     }
 
     private static (FootballPhysics.Accuracy Wanted, double Metres)[] Wanted() =>
-        [(FootballPhysics.Accuracy.Millimetre, 1e-3), (FootballPhysics.Accuracy.TenthOfMillimetre, 1e-4), (FootballPhysics.Accuracy.Micrometre, 1e-6)];
+        [(FootballPhysics.Accuracy.Millimeter, 1e-3), (FootballPhysics.Accuracy.TenthOfMillimeter, 1e-4), (FootballPhysics.Accuracy.Micrometer, 1e-6)];
 
     private static BatchFlights Fly(Scene scene, BatchLaunches launches, BatchSettings settings)
     {

@@ -90,7 +90,7 @@ public sealed class ContactConvergenceTests
                 // They roll along the board side by side. Their sidespin, which nothing on the ground takes, keeps them slipping on each other: balls that stick to
                 // the ground and to each other cannot roll on as soon as one of them lags.
                 double tilt = random.Uniform(4, 9) * Math.PI / 180;
-                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.Of(SurfaceMaterial.DryTurf with { DrillingLength = 0 }), random.Uniform(-3, 3));
+                (Vector3d normal, Vector3d down, Scene scene) = Slope(tilt, 0.05, Ground.Of(SurfaceMaterial.DryTurf with { TorsionalPatchRadius = 0 }), random.Uniform(-3, 3));
                 var velocity = new Vector3d(random.Uniform(5, 9), 0, 0);
                 Vector3d rolling = Vector3d.Cross(normal, velocity) / Radius;
                 Vector3d lower = Radius * normal;

@@ -15,7 +15,7 @@ public sealed class ConvergenceTests
     {
         ReferenceCase[] cases = [.. ReferenceCase.All.Where(item =>
             item.StopAt == StopAt.Impact && item.Expected.Time > 0.5 && !item.Name.Contains("violent", StringComparison.Ordinal)
-            && item.Scene.Forces.Drag != ForceLaw.None && item.Scene.Forces.Coefficients == CoefficientForm.Published)];
+            && item.Scene.Forces.Drag != ForceLaw.None && item.Scene.Forces.Coefficients == AerodynamicModel.Published)];
         Assert.True(cases.Length > 25);
         Order.Hold(integrator.ToString(), [.. cases.Select(item => Order.Observed(coarsest, 3, step =>
             Vector3d.Distance(
@@ -111,7 +111,7 @@ public sealed class ConvergenceTests
         // An updraught that fades with height, and a gust in time.
         var gust = IForce.From(ball =>
             new Vector3d(0.4 * Math.Sin(3 * ball.Time), 0.3 * Math.Exp(-0.2 * ball.Position.Y), 0.01 * ball.AirVelocity.X));
-        Scene scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = CoefficientForm.Regularised, Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, Custom = [gust] } };
+        Scene scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = AerodynamicModel.Regularized, Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, CustomForces = [gust] } };
         var random = new Shots(77);
         Order.Hold(integrator.ToString(), [.. Enumerable.Range(0, 12).Select(_ =>
             OrderOf(scene, integrator, coarsest, random.Velocity(15, 30, 15, 35), random.Uniform(10, 60) * random.Direction()))], low, high);
@@ -171,7 +171,7 @@ public sealed class ConvergenceTests
         errors.Hold(p95: 1e-7);
     }
 
-    private static Scene Ground(Vector3d wind) => Scene.Published with { Air = new Air { Wind = wind }, Forces = ForceSet.Published with { Coefficients = CoefficientForm.Regularised } };
+    private static Scene Ground(Vector3d wind) => Scene.Published with { Air = new Air { Wind = wind }, Forces = ForceSet.Published with { Coefficients = AerodynamicModel.Regularized } };
 
     private static double OrderOf(Scene scene, Integrator integrator, double coarsest, Vector3d velocity, Vector3d spin)
     {

@@ -115,9 +115,9 @@ public sealed class FlightClosedFormTests
 
     /// <summary>Wind is the change to a frame that moves with the air: every law of flight.</summary>
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Regularised)]
-    public void A_flight_in_wind_is_the_flight_in_still_air_seen_from_a_moving_frame(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    public void A_flight_in_wind_is_the_flight_in_still_air_seen_from_a_moving_frame(AerodynamicModel form)
     {
         var wind = new Vector3d(4, -1, 6);
         var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = form } };

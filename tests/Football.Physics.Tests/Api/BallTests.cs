@@ -19,7 +19,7 @@ public sealed class BallTests
         Assert.Equal(0, ball.Time);
         Assert.Equal(0, ball.Events.Count);
         ball.Step(0.1);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.Equal(0, ball.Events.Count);
         ball.Step(0.1);
         Assert.Equal(0, ball.Events.Count);
@@ -42,7 +42,7 @@ public sealed class BallTests
         Assert.Equal(same.Final, path.Final);
         Assert.True(path.EndTime > 0.9);
         ball.Step(1);
-        BallEvent hit = Assert.Single(ball.Events.Span.ToArray(), happened => happened.Thing == 1);
+        BallEvent hit = Assert.Single(ball.Events.Span.ToArray(), happened => happened.ColliderIndex == 1);
         Assert.Equal("wall", ball.NameOf(hit));
         Assert.Null(ball.NameOf(new BallEvent(BallEventKind.Rest, -1, default, 0, default, default, default, default, default)));
         Assert.Contains("launch.velocity", Assert.Throws<ArgumentOutOfRangeException>(() => ball.Launch(default, new Vector3d(2000, 0, 0), default)).Message, StringComparison.Ordinal);

@@ -70,7 +70,7 @@ public sealed class GameRefusalTests
         TrackPoint[] track = [.. Enumerable.Range(0, 9).Select(i => new TrackPoint(0.05 * i, new Vector3d(i, 1 + (0.2 * i) - (0.01 * i * i), 0)))];
         TrackFitResult fit = new TrackFit(new Scene()).Find(track);
         Refused("index is 99; allowed: 0 … 8.", () => fit.Value(99));
-        Refused("index is -1; allowed: 0 … 8.", () => fit.Deviation(-1));
+        Refused("index is -1; allowed: 0 … 8.", () => fit.StandardError(-1));
         Refused("index is 9; allowed: 0 … 8.", () => fit.IsIdentified(9));
         Refused("column is 9; allowed: 0 … 8.", () => fit.Covariance(0, 9));
         Refused("row is -1; allowed: 0 … 8.", () => fit.Covariance(-1, 9));
@@ -111,7 +111,7 @@ public sealed class GameRefusalTests
     [Fact]
     public void A_log_that_is_never_cleared_stays_small_and_says_what_it_dropped()
     {
-        var simulator = new Simulator(Scene.Vacuum with { Ground = Ground.Of(SurfaceMaterial.DryTurf with { NormalRestitution = 1, RestitutionSpeed = double.PositiveInfinity }) });
+        var simulator = new Simulator(Scene.Vacuum with { Ground = Ground.Of(SurfaceMaterial.DryTurf with { NormalRestitution = 1, RestitutionSpeedScale = double.PositiveInfinity }) });
         BallState state = simulator.Launch(new Vector3d(0, 0.13, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         var every = new StepLog(mostEvents: 1 << 20);
@@ -138,7 +138,7 @@ public sealed class GameRefusalTests
     [Fact]
     public void A_body_moved_for_another_time_than_the_step_s_is_refused_before_the_step()
     {
-        Ball ball = AmongTwo(out Body keeper, out Body wall);
+        Ball ball = AmongTwo(out KinematicBody keeper, out KinematicBody wall);
         wall.MoveTo(new Vector3d(3, 1, -9), Vector3d.Zero, 0);
         for (int i = 0; i < 60; i++)
         {
@@ -162,7 +162,7 @@ public sealed class GameRefusalTests
     [Fact]
     public void Bodies_moved_within_a_look_ahead_or_before_a_rollback_are_no_mistake()
     {
-        Ball ball = AmongTwo(out Body keeper, out _);
+        Ball ball = AmongTwo(out KinematicBody keeper, out _);
         var runner = new FixedStepRunner(ball.Simulator, 1.0 / 60.0);
         var rollback = new Rollback(runner, 60);
         var path = new Trajectory();
@@ -174,14 +174,14 @@ public sealed class GameRefusalTests
 
         BallState state = runner.State;
         keeper.MoveTo(new Vector3d(0, 1, -11), Vector3d.Zero, runner.Time);
-        ball.Simulator.LookAhead(in state, new LookAheadRequest { Duration = 2, BodiesAt = time => keeper.MoveTo(new Vector3d(time, 1, -11), Vector3d.Zero, time) }, path);
-        Assert.NotNull(rollback.Correct(new KickInput(5, new Vector3d(0, 3, -15), Vector3d.Zero)));
+        ball.Simulator.LookAhead(in state, new LookAheadRequest { Duration = 2, MoveBodies = time => keeper.MoveTo(new Vector3d(time, 1, -11), Vector3d.Zero, time) }, path);
+        Assert.NotNull(rollback.ApplyServerState(new KickInput(5, new Vector3d(0, 3, -15), Vector3d.Zero)));
         runner.Step();
     }
 
-    private static Ball AmongTwo(out Body keeper, out Body wall)
+    private static Ball AmongTwo(out KinematicBody keeper, out KinematicBody wall)
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         keeper = bodies.Add("keeper", new SphereShape(Vector3d.Zero, 0.5), SurfaceMaterial.Glove);
         wall = bodies.Add("wall", new SphereShape(Vector3d.Zero, 0.5));
         wall.MoveTo(new Vector3d(30, 1, 0), Vector3d.Zero, 0);
@@ -199,7 +199,7 @@ public sealed class GameRefusalTests
 
     private sealed class Holes : ISurfacePattern
     {
-        public double LeastWidth => 1;
+        public double MinimumWidth => 1;
 
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.Wood, null!];
 

@@ -37,7 +37,7 @@ public sealed class SerializationTests
     [Fact]
     public void Requests_are_the_same_after_it()
     {
-        var aim = new AimRequest { From = new Vector3d(1, 0.11, -2), Target = new Vector3d(3, 1.5, -20), Through = new Vector3d(2, 2, -9), TopSpin = 0.1, Arc = AimArc.High };
+        var aim = new AimRequest { From = new Vector3d(1, 0.11, -2), Target = new Vector3d(3, 1.5, -20), Waypoint = new Vector3d(2, 2, -9), TopSpin = 0.1, Arc = AimArc.High };
         Assert.All(Both(aim), read => Assert.Equal(aim, read));
         Assert.All(Both(new AimRequest()), read => Assert.True(double.IsNaN(read.Target.X)));
         var look = new LookAheadRequest { UntilPlane = new Plane3d(new Vector3d(0, 0, -11), new Vector3d(0, 0, 1)), Duration = 1.0 / 3 };
@@ -49,11 +49,11 @@ public sealed class SerializationTests
     [Fact]
     public void Results_are_the_same_after_it()
     {
-        AimResult result = new Aimer().Find(new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(3, 1.5, -20), Through = new Vector3d(2, 2, -9) });
+        AimResult result = new Aimer().Find(new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(3, 1.5, -20), Waypoint = new Vector3d(2, 2, -9) });
         foreach (AimResult read in Both(result))
         {
             Assert.Equal((result.Status, result.Velocity, result.Spin, result.Miss), (read.Status, read.Velocity, read.Spin, read.Miss));
-            Assert.Equal((result.Time, result.Closest, result.ThroughMiss, result.Simulations), (read.Time, read.Closest, read.ThroughMiss, read.Simulations));
+            Assert.Equal((result.Time, result.Closest, result.WaypointMiss, result.Simulations), (read.Time, read.Closest, read.WaypointMiss, read.Simulations));
         }
     }
 

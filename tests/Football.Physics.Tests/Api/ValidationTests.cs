@@ -107,7 +107,7 @@ public sealed class ValidationTests
                     simulator.Step(ref state, 1, log);
                 }
 
-                Assert.True(log.Stalled == 0, $"{integrator}: {log.Stalled} of 20 steps stalled, {scene}");
+                Assert.True(log.StalledSteps == 0, $"{integrator}: {log.StalledSteps} of 20 steps stalled, {scene}");
                 Assert.True(state.Position.IsFinite && state.Velocity.Length <= 101 + (60 * scene.Gravity) && state.Spin.Length < 2000);
             }
         }
@@ -123,7 +123,7 @@ public sealed class ValidationTests
         Refused("forces.drag", "7", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Drag = (ForceLaw)7 } }));
         Refused("forces.magnus", "7", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Magnus = (ForceLaw)7 } }));
         Refused("forces.spinDecay", "-1", () => new Simulator(s_scene with { Forces = ForceSet.Published with { SpinDecay = (ForceLaw)(-1) } }));
-        Refused("forces.coefficients", "9", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)9 } }));
+        Refused("forces.coefficients", "9", () => new Simulator(s_scene with { Forces = ForceSet.Published with { Coefficients = (AerodynamicModel)9 } }));
         Refused("ground.aerodynamics", "5", () => new Simulator(s_scene with { Ground = Ground.PublishedTurf with { Aerodynamics = (GroundAerodynamics)5 } }));
         Refused("solver.integrator", "99", () => new Simulator(Scene.Published, new SolverSettings { Integrator = (Integrator)99 }));
         Refused("solver.collisionTiming", "2", () => new Simulator(Scene.Published, new SolverSettings { CollisionTiming = (CollisionTiming)2 }));
@@ -170,7 +170,7 @@ public sealed class ValidationTests
     {
         Assert.Equal("ball.dragCurve", Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Ball = new BallProperties { DragCurve = null! } })).ParamName);
         Assert.Equal("ground.pattern.surfaces", Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Ground = new Ground { Pattern = new NoSurfaces() } })).ParamName);
-        Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Forces = ForceSet.Published with { Custom = [null!] } }));
+        Assert.Throws<ArgumentNullException>(() => new Simulator(s_scene with { Forces = ForceSet.Published with { CustomForces = [null!] } }));
         Assert.Throws<ArgumentNullException>(() => IForce.From(null!));
     }
 
@@ -178,7 +178,7 @@ public sealed class ValidationTests
     public void Every_preset_is_valid()
     {
         Assert.All([Scene.Published, Scene.Published, Scene.Measured, Scene.Vacuum, Scene.HighAltitude, Scene.Published with { Air = new Air { Wind = new Vector3d(1, 2, 3) } }], scene => scene.Validate());
-        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularised, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
+        Assert.All([ForceSet.None, ForceSet.Constant, ForceSet.Regularized, ForceSet.Measured], forces => (s_scene with { Forces = forces }).Validate());
         Assert.All([Ground.PublishedTurf, Ground.Presets["publishedWetTurf"], Ground.Presets["publishedCourt"], Ground.Presets["publishedSand"]], ground => (s_scene with { Ground = ground }).Validate());
         Assert.All(
             [
@@ -226,7 +226,7 @@ public sealed class ValidationTests
             "ground.tangentialRestitution[1]" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { }, TangentialRestitutionZ = value } }),
             "ground.spinRestitution" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SpinRestitution = value } } }),
             "ground.slidingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SlidingFriction = value } } }),
-            "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { RollingFriction = value } } }),
+            "ground.rollingFriction" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { RollingResistance = value } } }),
             "ground.spinDamping" => new Simulator(s_scene with { Ground = ground with { Material = ground.Material with { SpinDamping = value } } }),
             "ground.minimumBounceSpeed" => new Simulator(s_scene with { Ground = ground with { MinimumBounceSpeed = value } }),
             "ground.restEnergy" => new Simulator(s_scene with { Ground = ground with { RestEnergy = value } }),
@@ -240,7 +240,7 @@ public sealed class ValidationTests
     {
         public IReadOnlyList<SurfaceMaterial> Surfaces => null!;
 
-        public double LeastWidth => 1;
+        public double MinimumWidth => 1;
 
         public int At(double x, double z) => 0;
     }

@@ -164,7 +164,7 @@ public sealed class BallBatchTests
         BatchLaunches launches = BatchScenes.Launches(5, 20);
         BatchFlights without = BatchScenes.Fly(new BallBatch(Scene.Published), launches);
         var gust = IForce.From(ball => new Vector3d(0.4 + (0.1 * ball.Position.Y), 0, -0.02 * ball.AirVelocity.Z));
-        BatchFlights flights = AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { Custom = [gust] } }, launches);
+        BatchFlights flights = AreFlownAlone(Scene.Published with { Forces = ForceSet.Published with { CustomForces = [gust] } }, launches);
         for (int i = 0; i < 20; i++)
         {
             // Half a metre in a second, and there is no shot so short.

@@ -36,7 +36,7 @@ public sealed class BatchAimerTests
         }
 
         Assert.InRange(hits, Count / 2, Count);
-        Assert.True(aimer.FlownSingly < Count / 20, $"{aimer.FlownSingly} handed on");
+        Assert.True(aimer.ScalarFallbackCount < Count / 20, $"{aimer.ScalarFallbackCount} handed on");
     }
 
     /// <summary>At these spins and speeds the drag law's branch with spin is so narrow that a large step may miss it.</summary>

@@ -9,7 +9,7 @@ internal static class BatchScenes
     {
         ["published"] = Scene.Published,
         ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(4, 1, -3) } },
-        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised, Air = new Air { Wind = new Vector3d(-2, 0, 5) } },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularized, Air = new Air { Wind = new Vector3d(-2, 0, 5) } },
         ["constant"] = Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 } },
         ["vacuum"] = Scene.Vacuum,
         ["no lift"] = Scene.Published with { Forces = ForceSet.Published with { Magnus = ForceLaw.None } },

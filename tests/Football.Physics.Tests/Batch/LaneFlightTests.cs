@@ -60,7 +60,7 @@ public sealed class LaneFlightTests
     {
         foreach (int form in (int[])[-1, 3, 7])
         {
-            var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = (CoefficientForm)form } };
+            var scene = Scene.Published with { Forces = ForceSet.Published with { Coefficients = (AerodynamicModel)form } };
             string message = Assert.Throws<ArgumentOutOfRangeException>(() => Create(scene)).Message;
             Assert.Contains($"forces.coefficients is {form}", message, StringComparison.Ordinal);
             Assert.Throws<ArgumentOutOfRangeException>(() => new BallBatch(scene));

@@ -21,7 +21,7 @@ public sealed class LaneLawPointTests
     {
         // Its weight changes by e within 0.25 m/s: of a speed of 12 m/s in float by 2e-6.
         FittedLaneLaw<Lanes1, RegularisedLaneFit<Lanes1>> law = default;
-        Compare(ref law, ForceSet.Regularised, 4e-6, DecayBound);
+        Compare(ref law, ForceSet.Regularized, 4e-6, DecayBound);
     }
 
     [Fact]

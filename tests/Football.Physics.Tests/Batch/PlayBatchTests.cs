@@ -16,10 +16,10 @@ public sealed class PlayBatchTests
     {
         var simulator = new Simulator();
         BatchLaunches launches = Launches();
-        var plays = new BatchPlays(Count, samples: 20);
+        var plays = new BatchResults(Count, samples: 20);
         foreach (LookAheadRequest request in (LookAheadRequest[])[new() { Duration = 60 }, new() { UntilPlane = s_line }])
         {
-            new PlayBatch(simulator, threads).Play(launches, plays, Count, request);
+            new BatchSimulator(simulator, threads).Run(launches, plays, Count, request);
             var path = new Trajectory(4096);
             int crossed = 0;
             for (int i = 0; i < Count; i++)
@@ -46,8 +46,8 @@ public sealed class PlayBatchTests
         var launches = new BatchLaunches(2);
         launches.Set(0, new Vector3d(0, 0.11, 0), new Vector3d(0, 3, -20), Vector3d.Zero);
         launches.Set(1, new Vector3d(0, 0.11, 0), new Vector3d(12, 3, -20), Vector3d.Zero);
-        var plays = new BatchPlays(2);
-        new PlayBatch(new Simulator(scene)).Play(launches, plays, 2, new LookAheadRequest { Duration = 3 });
+        var plays = new BatchResults(2);
+        new BatchSimulator(new Simulator(scene)).Run(launches, plays, 2, new LookAheadRequest { Duration = 3 });
         Assert.Equal([true, false], plays.Scored);
     }
 
@@ -94,10 +94,10 @@ public sealed class PlayBatchTests
     {
         Scene scene = new() { Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(0, 0.5, -9), 0.8), Mass = 3 }] };
         BatchLaunches launches = Launches();
-        var one = new BatchPlays(Count);
-        var four = new BatchPlays(Count);
-        new PlayBatch(new Simulator(scene)).Play(launches, one, Count, new LookAheadRequest { Duration = 4 });
-        new PlayBatch(new Simulator(scene), 4).Play(launches, four, Count, new LookAheadRequest { Duration = 4 });
+        var one = new BatchResults(Count);
+        var four = new BatchResults(Count);
+        new BatchSimulator(new Simulator(scene)).Run(launches, one, Count, new LookAheadRequest { Duration = 4 });
+        new BatchSimulator(new Simulator(scene), 4).Run(launches, four, Count, new LookAheadRequest { Duration = 4 });
         for (int i = 0; i < Count; i++)
         {
             Assert.Equal(one.Position[i], four.Position[i]);
@@ -111,8 +111,8 @@ public sealed class PlayBatchTests
         Scene scene = Scene.Published with { Forces = new ForceSet { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None }, Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { NormalRestitution = 1 } } };
         var launches = new BatchLaunches(1);
         launches.Set(0, new Vector3d(0, 0.2, 0), Vector3d.Zero, Vector3d.Zero);
-        var plays = new BatchPlays(1);
-        new PlayBatch(new Simulator(scene)).Play(launches, plays, 1, new LookAheadRequest { Duration = 600, StopAt = StopAt.Time });
+        var plays = new BatchResults(1);
+        new BatchSimulator(new Simulator(scene)).Run(launches, plays, 1, new LookAheadRequest { Duration = 600, StopAt = StopAt.Time });
 
         // A hop of 9 cm takes 2 √(2 h/g).
         Assert.Equal(600 / (2 * Math.Sqrt(2 * 0.09 / scene.Gravity)), plays.Bounces[0], 2.0);

@@ -27,7 +27,7 @@ public sealed class BytesTests
     public void Every_flipped_bit_of_a_segment_is_refused()
     {
         byte[] bytes = Segment().ToBytes();
-        ForEveryBit(bytes, flipped => MatchSegment.FromBytes(flipped));
+        ForEveryBit(bytes, flipped => Recording.FromBytes(flipped));
     }
 
     [Fact]
@@ -38,11 +38,11 @@ public sealed class BytesTests
             for (int length = 0; length < bytes.Length; length++)
             {
                 Refused(() => KickLog.FromBytes(bytes.AsSpan(0, length)));
-                Refused(() => MatchSegment.FromBytes(bytes.AsSpan(0, length)));
+                Refused(() => Recording.FromBytes(bytes.AsSpan(0, length)));
             }
 
             Refused(() => KickLog.FromBytes([.. bytes, 0]));
-            Refused(() => MatchSegment.FromBytes([.. bytes, 0]));
+            Refused(() => Recording.FromBytes([.. bytes, 0]));
         }
     }
 
@@ -98,9 +98,9 @@ public sealed class BytesTests
         var runner = new FixedStepRunner(simulator);
         runner.Restore(0, simulator.Launch(new Vector3d(1e6, 500, 0), new Vector3d(1000, 0, 0), Vector3d.Zero));
         runner.Kicks.Add(new KickInput(3, Vector3d.Up, Vector3d.Zero));
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         Inputs.Play(runner, 10);
-        Assert.Null(MatchSegment.FromBytes(segment.ToBytes()).FirstDivergence(simulator));
+        Assert.Null(Recording.FromBytes(segment.ToBytes()).FirstDivergence(simulator));
     }
 
     [Theory]
@@ -111,22 +111,22 @@ public sealed class BytesTests
     [InlineData(1e-18)]
     public void A_segment_whose_step_is_none_or_would_not_move_its_clock_is_refused(double timeStep)
     {
-        MatchSegment segment = Segment();
+        Recording segment = Segment();
         byte[] bytes = segment.ToBytes();
 
         // Behind the format, the version and its length, and the hash of the scene.
         BitConverter.TryWriteBytes(bytes.AsSpan(5 + 1 + segment.Version.Length + 8), timeStep);
         Crc32.Seal(bytes);
-        Assert.StartsWith("The bytes are broken: timeStep is ", Refused(() => MatchSegment.FromBytes(bytes)));
+        Assert.StartsWith("The bytes are broken: timeStep is ", Refused(() => Recording.FromBytes(bytes)));
     }
 
     [Fact]
     public void A_segment_in_short_steps_is_played_again()
     {
         var runner = new FixedStepRunner(timeStep: 1e-9, maximumFrameTime: 1e-6);
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         runner.Step();
-        Assert.Null(MatchSegment.FromBytes(segment.ToBytes()).FirstDivergence(runner.Simulator));
+        Assert.Null(Recording.FromBytes(segment.ToBytes()).FirstDivergence(runner.Simulator));
     }
 
     /// <summary>To sort them would take as long as their number squared: four bytes each, in the worst order.</summary>
@@ -204,12 +204,12 @@ public sealed class BytesTests
         return log;
     }
 
-    private static MatchSegment Segment()
+    private static Recording Segment()
     {
         var runner = new FixedStepRunner();
         runner.QueueKick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
         runner.Step();
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         Inputs.Play(runner, 8);
         return segment;
     }

@@ -29,8 +29,8 @@ public sealed class ClockJumpTests
     [Fact]
     public void A_body_that_is_not_moved_goes_on_from_where_it_is()
     {
-        var bodies = new Bodies();
-        Body keeper = bodies.Add("keeper", BodyKind.Player);
+        var bodies = new KinematicBodies();
+        KinematicBody keeper = bodies.Add("keeper", BodyKind.Player);
         var ball = new Ball(new Scene { Bodies = bodies });
         keeper.MoveTo(new Vector3d(-4, 0, 0), new Vector3d(1, 0, 0), 0);
         for (int i = 0; i < 120; i++)
@@ -46,7 +46,7 @@ public sealed class ClockJumpTests
             ball.Step(Tick);
             foreach (BallEvent happened in ball.Events)
             {
-                hits += happened.Thing > 0 ? 1 : 0;
+                hits += happened.ColliderIndex > 0 ? 1 : 0;
             }
         }
 
@@ -80,7 +80,7 @@ public sealed class ClockJumpTests
         var belt = new Obstacle { Name = "belt", Shape = new BoxShape(new Vector3d(0, 0.4, 0), new Vector3d(50, 0.4, 5)), Surface = SurfaceMaterial.Wood, Velocity = new Vector3d(0.3, 0, 0) };
         var simulator = new Simulator(new Scene { Obstacles = [belt] });
         BallState ball = simulator.Launch(new Vector3d(0, 0.8 + simulator.Scene.Ball.Radius, 0), new Vector3d(0.3, 0, 0), Vector3d.Zero);
-        var runner = new FixedStepRunner(simulator, Tick) { WireTicks = 4 };
+        var runner = new FixedStepRunner(simulator, Tick) { QuantizationInterval = 4 };
         runner.Restore(0, in ball);
         var plain = new FixedStepRunner(simulator, Tick);
         plain.Restore(0, in ball);
@@ -90,22 +90,22 @@ public sealed class ClockJumpTests
             plain.Step();
         }
 
-        Assert.Equal(MotionState.Stopped, runner.Motion);
+        Assert.Equal(MotionState.Rest, runner.Motion);
         Assert.Equal(0.3, runner.Velocity.X, 1e-12);
         Assert.Equal(0, (runner.State.Position - plain.State.Position).Length, 1e-9);
-        Assert.False(runner.TryWriteWire(runner.State, new byte[Snapshot.WireSize]));
+        Assert.False(runner.TryWriteQuantized(runner.State, new byte[Snapshot.QuantizedSize]));
     }
 
-    private static Simulator WithPlayer(out Body player)
+    private static Simulator WithPlayer(out KinematicBody player)
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         player = bodies.Add("keeper", BodyKind.Player);
         return new Simulator(Pitch.Standard.On(new Scene { Bodies = bodies }));
     }
 
     private static ulong Placed(string kind, double speed, bool placesFirst)
     {
-        Simulator simulator = WithPlayer(out Body player);
+        Simulator simulator = WithPlayer(out KinematicBody player);
         IPlayed played = IPlayed.Of(kind, simulator);
         for (int i = 0; i < 300; i++)
         {
@@ -136,7 +136,7 @@ public sealed class ClockJumpTests
 
     private static ulong Restored(string kind, bool restoresFirst)
     {
-        Simulator simulator = WithPlayer(out Body player);
+        Simulator simulator = WithPlayer(out KinematicBody player);
         IPlayed played = IPlayed.Of(kind, simulator);
         BallState[] kept = [];
         for (int i = 0; i < 300; i++)
@@ -175,8 +175,8 @@ public sealed class ClockJumpTests
             return new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));
         }
 
-        var bodies = new Bodies();
-        var players = new Body[8];
+        var bodies = new KinematicBodies();
+        var players = new KinematicBody[8];
         var positions = new Vector3d[8];
         var velocities = new Vector3d[8];
         for (int i = 0; i < 8; i++)
@@ -189,7 +189,7 @@ public sealed class ClockJumpTests
         var kick = new KickInput(10, new Vector3d(U(-9, 9), U(0, 2), U(-9, 9)), new Vector3d(0, U(-20, 20), 0), 1);
         var simulator = new Simulator(Pitch.Standard.On(new Scene { Bodies = bodies }));
         FixedStepRunner runner = balls == 1 ? new FixedStepRunner(simulator, Tick) : new FixedStepRunner(new BallGroup(simulator, balls), Tick);
-        runner.WireTicks = wireTicks;
+        runner.QuantizationInterval = wireTicks;
         var rollback = new Rollback(runner, 64);
         if (late == 0)
         {
@@ -197,7 +197,7 @@ public sealed class ClockJumpTests
         }
 
         var hashes = new List<ulong>();
-        byte[] wire = new byte[Snapshot.WireSize];
+        byte[] wire = new byte[Snapshot.QuantizedSize];
         for (int tick = 0; tick < 120; tick++)
         {
             for (int i = 0; i < 8; i++)
@@ -208,10 +208,10 @@ public sealed class ClockJumpTests
             runner.Step();
             if (late > 0 && runner.Tick == 10 + late)
             {
-                rollback.Correct(in kick);
+                rollback.ApplyServerState(in kick);
             }
 
-            unheld += runner.Tick % wireTicks == 0 && !runner.TryWriteWire(runner.State, wire) ? 1 : 0;
+            unheld += runner.Tick % wireTicks == 0 && !runner.TryWriteQuantized(runner.State, wire) ? 1 : 0;
             hashes.Add(rollback.HashAt(runner.Tick));
         }
 

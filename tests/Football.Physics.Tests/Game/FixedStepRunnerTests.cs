@@ -219,7 +219,7 @@ public sealed class FixedStepRunnerTests
         var runner = new FixedStepRunner();
         runner.Kicks.Add(new KickInput(5, s_velocity, s_spin));
         Inputs.Play(runner, 5);
-        Assert.Equal(MotionState.Stopped, runner.State.Motion);
+        Assert.Equal(MotionState.Rest, runner.State.Motion);
         runner.Step();
         Assert.Equal(MotionState.Airborne, runner.State.Motion);
     }

@@ -136,7 +136,7 @@ public sealed class FootTests
             Vector3d wantedSpin = random.Uniform(0, 100) * random.Direction();
             FootStrike wanted = new Foot().StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
             double fastest = random.Uniform(0.1, 0.99) * wanted.FootVelocity.Length;
-            FootStrike strike = new Foot { FastestSpeed = fastest }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
+            FootStrike strike = new Foot { MaximumSpeed = fastest }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
             double share = fastest / wanted.FootVelocity.Length;
             Assert.False(strike.FastEnough);
             Assert.InRange(fastest - strike.FootVelocity.Length, 0, 1e-9);
@@ -145,7 +145,7 @@ public sealed class FootTests
             Assert.InRange(Vector3d.Distance(strike.Normal, wanted.Normal), 0, 1e-9);
 
             // With as much as it takes nothing changes.
-            FootStrike same = new Foot { FastestSpeed = wanted.FootVelocity.Length }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
+            FootStrike same = new Foot { MaximumSpeed = wanted.FootVelocity.Length }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, wantedVelocity, wantedSpin);
             Assert.True(same.FastEnough);
             Assert.Equal(wanted.FootVelocity, same.FootVelocity);
         }
@@ -155,7 +155,7 @@ public sealed class FootTests
     public void A_leg_that_is_too_slow_plays_a_moving_ball_the_wanted_way_where_it_can()
     {
         var random = new Shots(44);
-        Foot[] foots = [new Foot { FastestSpeed = 2 }, new Foot { FastestSpeed = 12 }];
+        Foot[] foots = [new Foot { MaximumSpeed = 2 }, new Foot { MaximumSpeed = 12 }];
         int slower = 0;
         int swings = 0;
         for (int i = 0; i < 500; i++)
@@ -166,7 +166,7 @@ public sealed class FootTests
             Foot foot = foots[i % 2];
             FootStrike strike = foot.StrikeFor(s_ball, v, w, wanted, random.Uniform(0, 60) * random.Direction());
             FootStrike played = foot.Strike(s_ball, v, w, strike.FootVelocity, strike.Normal);
-            Assert.InRange(strike.FootVelocity.Length, 0, foot.FastestSpeed + 1e-9);
+            Assert.InRange(strike.FootVelocity.Length, 0, foot.MaximumSpeed + 1e-9);
             Assert.InRange(Vector3d.Distance(played.Velocity, strike.Velocity), 0, 1e-9);
             bool straight = Vector3d.Cross(strike.Velocity, wanted).Length < 1e-6 * wanted.Length;
             Assert.InRange(strike.Velocity.Length, 0, straight ? wanted.Length + 1e-9 : 100);
@@ -185,7 +185,7 @@ public sealed class FootTests
         Refused("foot.mass is 0", () => Strike(new Foot { Mass = 0 }));
         Refused("foot.restitution is 1.2", () => Strike(new Foot { Restitution = 1.2 }));
         Refused("foot.tangentialRestitution is -1", () => Strike(new Foot { TangentialRestitution = -1 }));
-        Refused("foot.fastestSpeed is 0", () => new Foot { FastestSpeed = 0 }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 2, 3), Vector3d.Zero));
+        Refused("foot.maximumSpeed is 0", () => new Foot { MaximumSpeed = 0 }.StrikeFor(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 2, 3), Vector3d.Zero));
         Refused("foot.friction is NaN", () => Strike(new Foot { Friction = double.NaN }));
         Refused("foot.normal is (0, 0, 0)", () => new Foot().Strike(s_ball, Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 0, 0), Vector3d.Zero));
         Refused("kick.velocity is (3, 0, 0)", () => new Foot().StrikeFor(s_ball, new Vector3d(3, 0, 0), Vector3d.Zero, new Vector3d(3, 0, 0), Vector3d.Zero));

@@ -12,7 +12,7 @@ internal static class Inputs
     [
         new(),
         new(Scene.Published with { Air = new Air { Wind = new Vector3d(4, 0, -7) } }),
-        new(Scene.Published with { Forces = ForceSet.Regularised, Ground = Ground.Presets["publishedWetTurf"] }),
+        new(Scene.Published with { Forces = ForceSet.Regularized, Ground = Ground.Presets["publishedWetTurf"] }),
         new(Scene.Published with { Forces = ForceSet.Constant }, new SolverSettings { Integrator = Integrator.Rk2 }),
         new(Scene.Vacuum, new SolverSettings { Integrator = Integrator.SemiImplicitEuler, CollisionTiming = CollisionTiming.Bisection }),
         new(Scene.Measured with
@@ -21,7 +21,7 @@ internal static class Inputs
             Air = new Air { WindField = new WindByHeight(6, 1, -2, gusts: new Gusts { Seed = 11 }) },
             Forces = ForceSet.Measured with { KnuckleSeed = -5 },
         }),
-        new(Scene.Published with { Forces = ForceSet.Published with { Custom = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
+        new(Scene.Published with { Forces = ForceSet.Published with { CustomForces = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } }),
     ];
 
     public static Gen<Simulator> Simulators => Gen.Elements(s_simulators);

@@ -7,10 +7,10 @@ public sealed class KeyframeTests
     public void A_replay_of_ninety_minutes_jumps_anywhere_in_fewer_steps_than_a_keyframe_has()
     {
         FixedStepRunner match = Match(players: 0);
-        MatchSegment segment = match.Record();
+        Recording segment = match.Record();
         const int Ticks = 90 * 60 * 60;
         Play(match, Ticks);
-        segment = MatchSegment.FromBytes(segment.ToBytes());
+        segment = Recording.FromBytes(segment.ToBytes());
         Assert.Equal(Ticks, segment.EndTick);
 
         FixedStepRunner replay = segment.Replay(Match(players: 0).Simulator);
@@ -24,11 +24,11 @@ public sealed class KeyframeTests
             Assert.Equal(segment.HashAt(tick), Snapshot.Hash(replay.State));
         }
 
-        Assert.InRange(most, MatchSegment.KeyframeTicks / 2, MatchSegment.KeyframeTicks - 1);
+        Assert.InRange(most, Recording.KeyframeTicks / 2, Recording.KeyframeTicks - 1);
         Assert.Equal(0, segment.Seek(replay, 0));
         Assert.Equal(1, segment.Seek(replay, 1));
         Assert.Equal(1, segment.Seek(replay, 2));
-        Assert.Equal(Ticks % MatchSegment.KeyframeTicks, segment.Seek(replay, Ticks));
+        Assert.Equal(Ticks % Recording.KeyframeTicks, segment.Seek(replay, Ticks));
         Assert.Equal(0, segment.Seek(replay, Ticks));
     }
 
@@ -37,10 +37,10 @@ public sealed class KeyframeTests
     public void A_jump_has_players_and_obstacles_with_a_mass_where_they_were()
     {
         FixedStepRunner match = Match(players: 6);
-        MatchSegment segment = match.Record();
+        Recording segment = match.Record();
         Play(match, 1000);
-        Assert.NotEqual(0, MatchSegment.FromBytes(segment.ToBytes()).Replay(Match(6).Simulator).Simulator.World.Obstacles.Count);
-        segment = MatchSegment.FromBytes(segment.ToBytes());
+        Assert.NotEqual(0, Recording.FromBytes(segment.ToBytes()).Replay(Match(6).Simulator).Simulator.World.Obstacles.Count);
+        segment = Recording.FromBytes(segment.ToBytes());
         Assert.Null(segment.FirstDivergence(Match(6).Simulator));
         FixedStepRunner replay = segment.Replay(Match(6).Simulator);
         var random = new Random(2);
@@ -65,11 +65,11 @@ public sealed class KeyframeTests
     {
         FixedStepRunner match = Match(players: 0);
         var rollback = new Rollback(match, 100);
-        MatchSegment segment = match.Record();
+        Recording segment = match.Record();
         Play(match, 200);
-        Assert.NotNull(rollback.Correct(new KickInput(110, new Vector3d(2, 3, -9), Vector3d.Zero, 9)));
+        Assert.NotNull(rollback.ApplyServerState(new KickInput(110, new Vector3d(2, 3, -9), Vector3d.Zero, 9)));
         Play(match, 300);
-        MatchSegment received = MatchSegment.FromBytes(segment.ToBytes());
+        Recording received = Recording.FromBytes(segment.ToBytes());
         FixedStepRunner replay = received.Replay(match.Simulator);
         foreach (long tick in new long[] { 128, 300, 192, 127, 255 })
         {
@@ -82,7 +82,7 @@ public sealed class KeyframeTests
     public void What_is_no_runner_of_the_segment_or_no_tick_of_it_is_refused()
     {
         FixedStepRunner match = Match(players: 0);
-        MatchSegment segment = match.Record();
+        Recording segment = match.Record();
         Play(match, 10);
         FixedStepRunner replay = segment.Replay(match.Simulator);
         Assert.Throws<ArgumentException>(() => segment.Seek(match, 3));
@@ -94,13 +94,13 @@ public sealed class KeyframeTests
     public void A_segment_of_another_format_or_with_another_keyframe_is_refused_by_name()
     {
         FixedStepRunner match = Match(players: 0);
-        MatchSegment segment = match.Record();
+        Recording segment = match.Record();
         Play(match, 70);
         byte[] bytes = segment.ToBytes();
         byte[] older = [.. bytes];
         older[4] = (byte)'3';
         Crc32.Seal(older);
-        Assert.Contains("format FBSG3; allowed: FBSG4", Assert.Throws<FormatException>(() => MatchSegment.FromBytes(older)).Message);
+        Assert.Contains("format FBSG3; allowed: FBSG4", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
 
         // The place of the one keyframe: the last of the bytes but the checksum.
         byte[] other = [.. bytes];
@@ -109,8 +109,8 @@ public sealed class KeyframeTests
         state.Position += new Vector3d(1, 0, 0);
         Snapshot.Write(in state, other.AsSpan(at));
         Crc32.Seal(other);
-        Assert.Contains("a keyframe is not the state of its tick", Assert.Throws<FormatException>(() => MatchSegment.FromBytes(other)).Message);
-        Assert.Matches(@"^\d+\.\d+\.\d+", MatchSegment.FromBytes(bytes).Version);
+        Assert.Contains("a keyframe is not the state of its tick", Assert.Throws<FormatException>(() => Recording.FromBytes(other)).Message);
+        Assert.Matches(@"^\d+\.\d+\.\d+", Recording.FromBytes(bytes).Version);
     }
 
     private static void Play(FixedStepRunner match, long to)
@@ -135,8 +135,8 @@ public sealed class KeyframeTests
             return new FixedStepRunner(timeStep: 1.0 / 60);
         }
 
-        var bodies = new Bodies();
-        Body[] all = [.. Enumerable.Range(0, players).Select(_ => bodies.Add("player", BodyKind.Player))];
+        var bodies = new KinematicBodies();
+        KinematicBody[] all = [.. Enumerable.Range(0, players).Select(_ => bodies.Add("player", BodyKind.Player))];
         Scene scene = Pitch.Standard.On() with
         {
             Bodies = bodies,
@@ -144,7 +144,7 @@ public sealed class KeyframeTests
         };
         return new FixedStepRunner(new Simulator(scene), 1.0 / 60)
         {
-            BodiesAt = time =>
+            MoveBodies = time =>
             {
                 for (int i = 0; i < all.Length; i++)
                 {

@@ -97,7 +97,7 @@ public sealed class KickTreeTests
             runner.Step();
         }
 
-        Assert.NotEqual(MotionState.Stopped, runner.StateOf(balls - 1).Motion);
+        Assert.NotEqual(MotionState.Rest, runner.StateOf(balls - 1).Motion);
     }
 
     /// <summary>A segment whose kicks are for a ball that it does not have is broken.</summary>
@@ -107,7 +107,7 @@ public sealed class KickTreeTests
         byte[] Segment(int ball)
         {
             var runner = new FixedStepRunner(new BallGroup(new Simulator(), 2));
-            MatchSegment segment = runner.Record();
+            Recording segment = runner.Record();
             runner.Kicks.Add(new KickInput(3, new Vector3d(0, 1, -4), default, ball: 1));
             for (int i = 0; i < 10; i++)
             {
@@ -126,7 +126,7 @@ public sealed class KickTreeTests
                     Crc32.Seal(other);
                     try
                     {
-                        MatchSegment.FromBytes(other);
+                        Recording.FromBytes(other);
                     }
                     catch (FormatException refusal) when (refusal.Message.Contains("a ball is kicked", StringComparison.Ordinal))
                     {
@@ -145,8 +145,8 @@ public sealed class KickTreeTests
             return bytes;
         }
 
-        Assert.Equal(2, MatchSegment.FromBytes(Segment(1)).Balls);
-        Assert.Throws<FormatException>(() => MatchSegment.FromBytes(Segment(2)));
+        Assert.Equal(2, Recording.FromBytes(Segment(1)).Balls);
+        Assert.Throws<FormatException>(() => Recording.FromBytes(Segment(2)));
     }
 
     [Fact]

@@ -7,12 +7,12 @@ public sealed class PlaceTests
     public void A_new_ball_is_at_rest_and_nothing_happens_to_it()
     {
         var ball = new Ball();
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         ball.Step(0.01);
-        Assert.Equal((MotionState.Stopped, 0), (ball.Motion, ball.Events.Count));
+        Assert.Equal((MotionState.Rest, 0), (ball.Motion, ball.Events.Count));
         var runner = new FixedStepRunner();
         runner.Step();
-        Assert.Equal((MotionState.Stopped, 0), (runner.Motion, runner.Events.Count));
+        Assert.Equal((MotionState.Rest, 0), (runner.Motion, runner.Events.Count));
         ball.Place(new Vector3d(0, 2, 0));
         Assert.Equal(MotionState.Airborne, ball.Motion);
     }
@@ -24,7 +24,7 @@ public sealed class PlaceTests
         runner.QueueKick(new Vector3d(0, 5, -20), default);
         runner.Place(new Vector3d(3, 0, 4));
         runner.Step();
-        Assert.Equal(MotionState.Stopped, runner.Motion);
+        Assert.Equal(MotionState.Rest, runner.Motion);
         Assert.Equal((3.0, 4.0), (runner.State.Position.X, runner.State.Position.Z));
         Assert.Equal(0, runner.Kicks.Count);
     }
@@ -45,7 +45,7 @@ public sealed class PlaceTests
     [Fact]
     public void A_force_that_is_not_finite_is_refused_by_name_and_nothing_has_changed()
     {
-        var ball = new Ball(Scene.Published with { Forces = ForceSet.Published with { Custom = [new Broken()] } });
+        var ball = new Ball(Scene.Published with { Forces = ForceSet.Published with { CustomForces = [new Broken()] } });
         ball.Place(new Vector3d(0, 2, 0));
         BallState before = ball.State;
         string message = Assert.Throws<InvalidOperationException>(() => ball.Step(0.01)).Message;
@@ -64,6 +64,6 @@ public sealed class PlaceTests
 
     private sealed class Broken : IForce
     {
-        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddForce(new Vector3d(0, Math.Sqrt(-ball.Position.Y), 0));
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce(new Vector3d(0, Math.Sqrt(-ball.Position.Y), 0));
     }
 }

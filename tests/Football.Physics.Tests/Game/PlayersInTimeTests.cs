@@ -23,7 +23,7 @@ public sealed class PlayersInTimeTests
             late.Advance(frame);
             if (!arrived && late.Tick >= Kick.Tick + 8)
             {
-                arrived = rollback.Correct(Kick) is not null;
+                arrived = rollback.ApplyServerState(Kick) is not null;
                 Assert.True(arrived);
             }
         }
@@ -52,7 +52,7 @@ public sealed class PlayersInTimeTests
             if (late.Tick == Kick.Tick + 11)
             {
                 // Between the move and the step: what was moved for the step to come counts too.
-                Assert.NotNull(rollback.Correct(Kick));
+                Assert.NotNull(rollback.ApplyServerState(Kick));
             }
 
             late.Step();
@@ -72,11 +72,11 @@ public sealed class PlayersInTimeTests
         }
 
         BallState before = runner.State;
-        Assert.StartsWith("bodies: they moved at tick 11", Assert.Throws<InvalidOperationException>(() => rollback.Correct(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
+        Assert.StartsWith("bodies: they moved at tick 11", Assert.Throws<InvalidOperationException>(() => rollback.ApplyServerState(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
         Assert.Equal(1, runner.Kicks.Count);
         Assert.True(Snapshot.Same(before, runner.State));
-        runner.BodiesAt = move;
-        Assert.NotNull(rollback.Correct(new KickInput(5, new Vector3d(1, 2, 3), default)));
+        runner.MoveBodies = move;
+        Assert.NotNull(rollback.ApplyServerState(new KickInput(5, new Vector3d(1, 2, 3), default)));
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public sealed class PlayersInTimeTests
     {
         FixedStepRunner runner = Match(out Action<double> move, asks: false);
         runner.Kicks.Add(Kick);
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         for (int i = 0; i < Ticks; i++)
         {
             move(runner.Time);
@@ -92,7 +92,7 @@ public sealed class PlayersInTimeTests
         }
 
         byte[] bytes = segment.ToBytes();
-        var received = MatchSegment.FromBytes(bytes);
+        var received = Recording.FromBytes(bytes);
         Assert.Equal(bytes, received.ToBytes());
         Assert.Null(received.FirstDivergence(Match(out _, asks: false).Simulator));
         Assert.NotNull(received.FirstDivergence(Match(out _, asks: false).Simulator, _ => { }));
@@ -109,7 +109,7 @@ public sealed class PlayersInTimeTests
     {
         FixedStepRunner New()
         {
-            var runner = new FixedStepRunner(new BallGroup(Match(out Action<double> move).Simulator, 3)) { BodiesAt = move };
+            var runner = new FixedStepRunner(new BallGroup(Match(out Action<double> move).Simulator, 3)) { MoveBodies = move };
             runner.Place(new Vector3d(0, 0.11, 1), 1);
             runner.Place(new Vector3d(0, 0.11, -1), 2);
             return runner;
@@ -118,7 +118,7 @@ public sealed class PlayersInTimeTests
         FixedStepRunner inTime = New();
         FixedStepRunner late = New();
         var rollback = new Rollback(late);
-        MatchSegment segment = late.Record();
+        Recording segment = late.Record();
         KickInput[] kicks = [new(20, new Vector3d(0, 0, -6), default, 3), new(20, new Vector3d(0, 2, -7), default, 3, ball: 1), new(60, new Vector3d(0, 1, 9), default, 5, ball: 2)];
         foreach (KickInput kick in kicks)
         {
@@ -131,13 +131,13 @@ public sealed class PlayersInTimeTests
             late.Step();
             foreach (KickInput kick in kicks.Where(kick => kick.Tick + 8 == late.Tick))
             {
-                rollback.Correct(in kick);
+                rollback.ApplyServerState(in kick);
             }
         }
 
         Assert.Equal(Snapshot.Hash(inTime.States), Snapshot.Hash(late.States));
         Assert.Equal(rollback.HashAt(Ticks), Snapshot.Hash(late.States));
-        Assert.Null(MatchSegment.FromBytes(segment.ToBytes()).FirstDivergence(new BallGroup(Match(out _).Simulator, 3)));
+        Assert.Null(Recording.FromBytes(segment.ToBytes()).FirstDivergence(new BallGroup(Match(out _).Simulator, 3)));
         Assert.Throws<ArgumentException>(() => segment.Replay(new BallGroup(Match(out _).Simulator, 2)));
     }
 
@@ -157,7 +157,7 @@ public sealed class PlayersInTimeTests
         // A rollback, and a recording, keep theirs.
         var longer = new FixedStepRunner { KickTicks = 10 };
         _ = new Rollback(longer, 50);
-        MatchSegment segment = longer.Record();
+        Recording segment = longer.Record();
         for (int i = 0; i < 200; i++)
         {
             longer.QueueKick(new Vector3d(1, 0, 0), default);
@@ -172,7 +172,7 @@ public sealed class PlayersInTimeTests
 
     private static FixedStepRunner Match(out Action<double> move, bool asks = true)
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         for (int i = 0; i < Players; i++)
         {
             bodies.Add("player", i % 2 == 0 ? BodyKind.Player : BodyKind.Boot);
@@ -193,7 +193,7 @@ public sealed class PlayersInTimeTests
         runner.QueueKick(new Vector3d(2, 3, -4), new Vector3d(10, 0, 0));
         if (asks)
         {
-            runner.BodiesAt = move;
+            runner.MoveBodies = move;
         }
 
         return runner;

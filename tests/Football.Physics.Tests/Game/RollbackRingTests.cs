@@ -20,13 +20,13 @@ public sealed class RollbackRingTests
         }
 
         Assert.Equal(30, rollback.OldestTick);
-        Assert.Equal(41, rollback.Correct(in s_late));
+        Assert.Equal(41, rollback.ApplyServerState(in s_late));
         Assert.True(Snapshot.Same(expected.State, runner.State));
         Assert.Equal(60, runner.Tick);
         Assert.Equal(Snapshot.Hash(runner.State), rollback.HashAt(60));
 
         // Again the same kick changes nothing, and taking it back brings the old match back.
-        Assert.Null(rollback.Correct(in s_late));
+        Assert.Null(rollback.ApplyServerState(in s_late));
         Assert.Equal(41, rollback.Remove(40, player: 1));
         FixedStepRunner without = Runner(simulator, s_first);
         while (without.Tick < 60)
@@ -53,9 +53,9 @@ public sealed class RollbackRingTests
             known = server.Tick == 45 ? server.State : known;
         }
 
-        Assert.Equal(45, rollback.Correct(45, in known));
+        Assert.Equal(45, rollback.ApplyServerState(45, in known));
         Assert.True(Snapshot.Same(server.State, client.State));
-        Assert.Null(rollback.Correct(45, in known));
+        Assert.Null(rollback.ApplyServerState(45, in known));
     }
 
     [Fact]
@@ -68,8 +68,8 @@ public sealed class RollbackRingTests
         Assert.Equal(12, rollback.OldestTick);
         Assert.Equal(runner.State.Position, rollback.StateAt(20).Position);
         Assert.Throws<ArgumentOutOfRangeException>(() => rollback.StateAt(11));
-        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.Correct(new KickInput(11, default, default)));
-        Assert.Null(rollback.Correct(new KickInput(30, new Vector3d(1, 0, 0), default)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ApplyServerState(new KickInput(11, default, default)));
+        Assert.Null(rollback.ApplyServerState(new KickInput(30, new Vector3d(1, 0, 0), default)));
         runner.Place(new Vector3d(1, 1, 1));
         Assert.Equal(20, rollback.OldestTick);
     }
@@ -84,7 +84,7 @@ public sealed class RollbackRingTests
             runner.Step();
         }
 
-        Assert.Equal(4, rollback.Correct(in s_first));
+        Assert.Equal(4, rollback.ApplyServerState(in s_first));
         Assert.Contains(rollback.Events.Span.ToArray(), happened => happened.Kind == BallEventKind.Impact);
     }
 

@@ -98,13 +98,13 @@ public sealed class RollbackTests
         var plays = from match in Matches from start in Gen.Choose(0, Ticks / 2) select (match, start);
         Prop.ForAll(plays.ToArbitrary(), play =>
         {
-            MatchSegment segment = Record(play.match.Simulator, play.match.Kicks, play.start);
+            Recording segment = Record(play.match.Simulator, play.match.Kicks, play.start);
             Assert.Equal(play.start, segment.StartTick);
             Assert.Equal(Ticks, segment.EndTick);
             Assert.Null(segment.FirstDivergence(play.match.Simulator));
 
             byte[] bytes = segment.ToBytes();
-            var again = MatchSegment.FromBytes(bytes);
+            var again = Recording.FromBytes(bytes);
             Assert.Null(again.FirstDivergence(play.match.Simulator));
             Assert.Equal(bytes, again.ToBytes());
             Assert.Equal(segment.HashAt(Ticks), again.HashAt(Ticks));
@@ -125,7 +125,7 @@ public sealed class RollbackTests
             BallState[] right = Inputs.Play(Inputs.Runner(play.match.Simulator, [.. play.match.Kicks, play.extra]), Ticks);
             int first = Enumerable.Range(0, Ticks + 1).FirstOrDefault(t => !Snapshot.Same(left[t], right[t]), -1);
 
-            MatchSegment segment = Record(play.match.Simulator, play.match.Kicks, 0);
+            Recording segment = Record(play.match.Simulator, play.match.Kicks, 0);
             segment.Kicks.Add(play.extra);
             Assert.Equal(first < 0 ? null : first, segment.FirstDivergence(play.match.Simulator));
         }).QuickCheckThrowOnFailure();
@@ -135,7 +135,7 @@ public sealed class RollbackTests
     public void Another_scene_is_told_to_be_another()
     {
         KickInput[] kicks = [new(20, new Vector3d(2, 6, -20), new Vector3d(0, 30, 0))];
-        MatchSegment segment = Record(new Simulator(Scene.Published), kicks, 0);
+        Recording segment = Record(new Simulator(Scene.Published), kicks, 0);
         var windy = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 1) } });
         Assert.StartsWith("scene has 1 balls", Assert.Throws<ArgumentException>(() => segment.FirstDivergence(windy)).Message, StringComparison.Ordinal);
     }
@@ -145,7 +145,7 @@ public sealed class RollbackTests
     {
         var runner = new FixedStepRunner();
         runner.QueueKick(new Vector3d(2, 6, -20), new Vector3d(0, 30, 0));
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         BallState[] states = Inputs.Play(runner, 50);
         runner.Restore(30, states[30]);
         Assert.Same(segment, runner.Recording);
@@ -167,10 +167,10 @@ public sealed class RollbackTests
         byte[] bytes = Record(new Simulator(Scene.Published), kicks, 0).ToBytes();
         for (int length = 0; length < bytes.Length; length++)
         {
-            Assert.Throws<FormatException>(() => MatchSegment.FromBytes(bytes.AsSpan(0, length)));
+            Assert.Throws<FormatException>(() => Recording.FromBytes(bytes.AsSpan(0, length)));
         }
 
-        Assert.Throws<FormatException>(() => MatchSegment.FromBytes([.. bytes, 0]));
+        Assert.Throws<FormatException>(() => Recording.FromBytes([.. bytes, 0]));
         var random = new Random(1);
         int refused = 0;
         for (int i = 0; i < 20_000; i++)
@@ -179,7 +179,7 @@ public sealed class RollbackTests
             broken[random.Next(Math.Min(broken.Length, 300))] = (byte)random.Next(256);
             try
             {
-                MatchSegment.FromBytes(broken);
+                Recording.FromBytes(broken);
             }
             catch (FormatException)
             {
@@ -191,11 +191,11 @@ public sealed class RollbackTests
         Assert.InRange(refused, 2_000, 20_000);
     }
 
-    private static MatchSegment Record(Simulator simulator, KickInput[] kicks, int start)
+    private static Recording Record(Simulator simulator, KickInput[] kicks, int start)
     {
         FixedStepRunner runner = Inputs.Runner(simulator, kicks);
         Inputs.Play(runner, start);
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         Inputs.Play(runner, Ticks - start);
         return segment;
     }

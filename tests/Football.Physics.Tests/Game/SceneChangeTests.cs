@@ -26,9 +26,9 @@ public sealed class SceneChangeTests
     public void A_ball_at_rest_stays_so_and_one_below_the_new_ground_is_raised()
     {
         var ball = new Ball(s_dry) { Simulator = s_windy };
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         ball.Simulator = s_high;
-        Assert.Equal((MotionState.Stopped, s_high.ContactHeight), (ball.Motion, ball.State.Position.Y));
+        Assert.Equal((MotionState.Rest, s_high.ContactHeight), (ball.Motion, ball.State.Position.Y));
         ball.Simulator = s_dry;
         Assert.Equal(MotionState.Airborne, ball.Motion);
     }
@@ -65,7 +65,7 @@ public sealed class SceneChangeTests
                 ball.Step(1.0 / 60);
                 foreach (BallEvent happened in ball.Events)
                 {
-                    hits |= happened.Thing > 0 && Math.Abs(happened.Position.Z + 2.79) < 0.05;
+                    hits |= happened.ColliderIndex > 0 && Math.Abs(happened.Position.Z + 2.79) < 0.05;
                 }
             }
 
@@ -82,7 +82,7 @@ public sealed class SceneChangeTests
         runner.Step();
         Vector3d place = runner.State.Position;
         runner.Simulator = s_windy;
-        Assert.Equal((1L, place, (MatchSegment?)null), (runner.Tick, runner.State.Position, runner.Recording));
+        Assert.Equal((1L, place, (Recording?)null), (runner.Tick, runner.State.Position, runner.Recording));
         for (int i = 0; i < 50; i++)
         {
             runner.Step();

@@ -10,18 +10,18 @@ public sealed class StageTests
     [Fact]
     public void A_stage_with_nothing_on_it_plays_the_default_scene()
     {
-        var stage = new Stage();
+        var stage = new BallScene();
         stage.Compile();
         Assert.Same(Scene.Default, stage.Game.Scene);
         Assert.Same(stage.Game, stage.Ahead);
         Assert.Contains("compiled already", Assert.Throws<InvalidOperationException>(() => stage.Add(Goal)).Message, StringComparison.Ordinal);
-        Assert.Contains("Compile", Assert.Throws<InvalidOperationException>(() => new Stage().Game).Message, StringComparison.Ordinal);
+        Assert.Contains("Compile", Assert.Throws<InvalidOperationException>(() => new BallScene().Game).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void A_place_has_its_nearest_goal()
     {
-        var stage = new Stage();
+        var stage = new BallScene();
         Assert.Equal(-1, stage.NearestGoal(Vector3d.Zero));
         stage.Add(Goal);
         stage.Add(Goal with { Center = new Vector3d(0, 0, 11) });
@@ -37,7 +37,7 @@ public sealed class StageTests
     [Fact]
     public void Every_part_of_a_goal_belongs_to_it()
     {
-        var stage = new Stage(Scene.Default with { Goals = [Goal with { Center = new Vector3d(50, 0, 0), HasNet = false }] });
+        var stage = new BallScene(Scene.Default with { Goals = [Goal with { Center = new Vector3d(50, 0, 0), HasNet = false }] });
         stage.Add(Goal);
         stage.Add(Goal with { Center = new Vector3d(0, 0, 11), Facing = new Vector3d(0, 0, -1) });
         stage.AddPlayer("wall 1", new Vector3d(3, 0, 5));
@@ -59,7 +59,7 @@ public sealed class StageTests
 
             foreach (BallEvent happened in log.Events)
             {
-                seen[stage.GoalOf(in happened)].Add(happened.Thing < 0 ? "" : stage.Game.NameOf(happened.Thing)!);
+                seen[stage.GoalOf(in happened)].Add(happened.ColliderIndex < 0 ? "" : stage.Game.NameOf(happened.ColliderIndex)!);
             }
         }
 
@@ -86,7 +86,7 @@ public sealed class StageTests
     [Fact]
     public void A_keeper_and_nets_follow_the_ball_without_allocating()
     {
-        Stage stage = WithKeeper();
+        BallScene stage = WithKeeper();
         var runner = new FixedStepRunner(stage.Game, TimeStep);
         long least = long.MaxValue;
         for (int shot = 0; shot < 4; shot++)
@@ -111,7 +111,7 @@ public sealed class StageTests
     [Fact]
     public void A_net_bulges_where_the_ball_is_and_hangs_flat_again()
     {
-        var stage = new Stage();
+        var stage = new BallScene();
         stage.Add(Goal);
         stage.Compile();
         Net back = Goal.Nets().First();
@@ -238,7 +238,7 @@ public sealed class StageTests
     public void A_segment_is_played_to_any_tick_and_a_false_one_is_found()
     {
         var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), TimeStep);
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         runner.QueueKick(25, new Vector3d(0.1, 0.4, -1), -10, 30);
         var states = new List<BallState> { runner.State };
         for (int i = 0; i < 300; i++)
@@ -252,7 +252,7 @@ public sealed class StageTests
             states.Add(runner.State);
         }
 
-        var player = new SegmentPlayer(MatchSegment.FromBytes(segment.ToBytes()), new Simulator(Pitch.Standard.On()));
+        var player = new RecordingPlayer(Recording.FromBytes(segment.ToBytes()), new Simulator(Pitch.Standard.On()));
         Assert.Equal(6, player.Duration, 1e-9);
         foreach (long tick in (long[])[200, 40, 300, 0, 151])
         {
@@ -269,14 +269,14 @@ public sealed class StageTests
         Assert.Equal(60, player.Tick);
         player.Advance(100);
         Assert.True(player.IsOver && player.Tick == 300);
-        Assert.Throws<ArgumentException>(() => new SegmentPlayer(segment, new Simulator()));
+        Assert.Throws<ArgumentException>(() => new RecordingPlayer(segment, new Simulator()));
         segment.Kicks.Add(new KickInput(150, new Vector3d(0, 5, 5), Vector3d.Zero, player: 3));
-        Assert.Equal(151, new SegmentPlayer(segment, new Simulator(Pitch.Standard.On())).FindDivergence());
+        Assert.Equal(151, new RecordingPlayer(segment, new Simulator(Pitch.Standard.On())).FindDivergence());
     }
 
-    private static Stage WithKeeper()
+    private static BallScene WithKeeper()
     {
-        var stage = new Stage();
+        var stage = new BallScene();
         stage.Add(Goal);
         stage.AddKeeper(0, new Vector3d(0, 0, -10.4));
         stage.Compile();
@@ -286,7 +286,7 @@ public sealed class StageTests
     /// <summary>A shot from the spot: whether he dived, and whether it was a goal.</summary>
     private static (bool Dived, bool Scored) Shot(Vector3d at, double speed)
     {
-        Stage stage = WithKeeper();
+        BallScene stage = WithKeeper();
         var spot = new Vector3d(0, 0.11, 0);
         AimResult aim = new Aimer(stage.Ahead).Find(new AimRequest { From = spot, Target = at, Speed = speed });
         var runner = new FixedStepRunner(stage.Game, TimeStep);
@@ -309,7 +309,7 @@ public sealed class StageTests
     [Fact]
     public void Bodies_of_a_scene_and_keepers_are_not_mixed_up()
     {
-        var stage = new Stage(Scene.Default with { Bodies = new Bodies() });
+        var stage = new BallScene(Scene.Default with { Bodies = new KinematicBodies() });
         stage.Add(Goal);
         stage.AddKeeper(0, new Vector3d(0, 0, -10.4));
         Assert.Contains("bodies", Assert.Throws<InvalidOperationException>(stage.Compile).Message, StringComparison.Ordinal);
@@ -322,7 +322,7 @@ public sealed class StageTests
     [InlineData(-5)]
     public void A_keeper_saves_on_any_level_and_again_after_a_rollback(double level)
     {
-        var stage = new Stage(Scene.Default with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = level } });
+        var stage = new BallScene(Scene.Default with { Ground = new Ground { Material = SurfaceMaterial.DryTurf, Height = level } });
         stage.Add(Goal with { Center = new Vector3d(0, level, -11) });
         stage.AddKeeper(0, new Vector3d(0, level, -10.4));
         stage.Compile();

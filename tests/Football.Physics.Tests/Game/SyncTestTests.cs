@@ -25,7 +25,7 @@ public sealed class SyncTestTests
     {
         double calls = 0;
         IForce wobble = IForce.From(_ => new Vector3d(1e-3 * ++calls, 0, 0));
-        var runner = new FixedStepRunner(new Simulator(new Scene { Forces = ForceSet.Measured with { Custom = [wobble] } }));
+        var runner = new FixedStepRunner(new Simulator(new Scene { Forces = ForceSet.Measured with { CustomForces = [wobble] } }));
         var rollback = new Rollback(runner);
         runner.QueueKick(speed: 25, direction: new Vector3d(0, 0.3, -1));
         runner.Step();
@@ -86,28 +86,28 @@ public sealed class SyncTestTests
             late.Kicks.Add(in kick);
         }
 
-        Assert.Equal(11, rollback.PlayFrom(10));
+        Assert.Equal(11, rollback.ResimulateFrom(10));
         Assert.True(Snapshot.Same(inTime.State, late.State));
-        Assert.Null(rollback.PlayFrom(10));
-        Assert.Null(rollback.PlayFrom(30));
-        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.PlayFrom(31));
+        Assert.Null(rollback.ResimulateFrom(10));
+        Assert.Null(rollback.ResimulateFrom(30));
+        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ResimulateFrom(31));
     }
 
     [Fact]
     public void The_hash_of_a_match_is_that_of_all_that_must_be_the_same()
     {
-        ulong here = New().MatchHash;
-        Assert.Equal(here, New().MatchHash);
+        ulong here = New().SessionHash;
+        Assert.Equal(here, New().SessionHash);
         FixedStepRunner[] others =
         [
             new(new Simulator(Scene.Windy(new Vector3d(0, 0, 1e-3))), 0.01),
             new(new Simulator(settings: new SolverSettings { Integrator = Integrator.Rk2 }), 0.01),
             new(timeStep: 0.011),
-            new(timeStep: 0.01) { WireTicks = 5 },
+            new(timeStep: 0.01) { QuantizationInterval = 5 },
             new(new BallGroup(new Simulator(), 1), 0.01),
             new(new BallGroup(new Simulator(), 2), 0.01),
         ];
-        Assert.Equal(others.Length + 1, others.Select(other => other.MatchHash).Append(here).Distinct().Count());
+        Assert.Equal(others.Length + 1, others.Select(other => other.SessionHash).Append(here).Distinct().Count());
     }
 
     private static FixedStepRunner New() => new(timeStep: 0.01);

@@ -10,7 +10,7 @@ public sealed class TouchesTests
     {
         var touches = new Touches();
         BallState ball = s_simulator.Launch(new Vector3d(0.3, 0.11, -0.3), new Vector3d(2, 0, 1), new Vector3d(5, 3, 8));
-        var request = new DribbleRequest { Way = new Vector3d(0, 0, -1), Pace = 5 };
+        var request = new DribbleRequest { Direction = new Vector3d(0, 0, -1), RunSpeed = 5 };
         Touch touch = touches.Dribble(in ball, request);
         Assert.Equal(TouchStatus.Done, touch.Status);
 
@@ -18,9 +18,9 @@ public sealed class TouchesTests
         FootStrike strike = touches.Foot.Strike(s_simulator.Scene.Ball, ball.Velocity, ball.Spin, touch.Strike.FootVelocity, touch.Strike.Normal);
         Assert.InRange(Vector3d.Distance(strike.Velocity, touch.Velocity), 0, 1e-9);
         s_simulator.Kick(ref ball, strike.Velocity, strike.Spin);
-        s_simulator.Run(ref ball, 1 / 60.0, request.After, StopAt.Time, new StepLog());
+        s_simulator.Run(ref ball, 1 / 60.0, request.Duration, StopAt.Time, new StepLog());
         Assert.InRange(Vector3d.Distance(ball.Position.Horizontal, new Vector3d(0, 0, -3.1)), 0, touch.Miss + 1e-4);
-        Assert.InRange(Math.Abs(ball.Velocity.Length - 5), 0, touch.PaceMiss + 1e-3);
+        Assert.InRange(Math.Abs(ball.Velocity.Length - 5), 0, touch.SpeedError + 1e-3);
         Assert.InRange(touch.Chance, 0.5, 1);
     }
 
@@ -35,7 +35,7 @@ public sealed class TouchesTests
             Touch touch = touches.Trap(in ball, request);
             BallState trapped = ball;
             s_simulator.Kick(ref trapped, touch.Velocity, touch.Spin);
-            s_simulator.Run(ref trapped, 1 / 60.0, request.After, StopAt.Time, new StepLog());
+            s_simulator.Run(ref trapped, 1 / 60.0, request.Duration, StopAt.Time, new StepLog());
             Assert.True(touch.Succeeds);
             Assert.InRange((trapped.Velocity - player).Horizontal.Length, 0, 0.05);
         }
@@ -47,7 +47,7 @@ public sealed class TouchesTests
         var touches = new Touches();
         BallState ball = s_simulator.Launch(new Vector3d(4, 0.6, 16), new Vector3d(-9, 1, 3), new Vector3d(0, 30, 20));
         var request = new FirstTimeRequest { Target = new Vector3d(2, 1.8, 0), Speed = 24, SideSpin = 20 };
-        Touch touch = touches.FirstTime(in ball, request);
+        Touch touch = touches.FirstTimeShot(in ball, request);
         Assert.Equal(TouchStatus.Done, touch.Status);
         var path = new Trajectory();
         BallState kicked = ball;
@@ -56,11 +56,11 @@ public sealed class TouchesTests
         Assert.InRange((path.ClosestApproach(request.Target).Position - request.Target).Length, 0, 0.01);
 
         // A slow leg: a slower ball that still hits, or none.
-        var weak = new Touches(foot: new Foot { FastestSpeed = 15 });
-        Touch slower = weak.FirstTime(in ball, request);
+        var weak = new Touches(foot: new Foot { MaximumSpeed = 15 });
+        Touch slower = weak.FirstTimeShot(in ball, request);
         Assert.True(slower.Strike.FootVelocity.Length <= 15 + 1e-9);
         Assert.True(slower.Succeeds ? slower.Velocity.Length < 24 : slower.Status is TouchStatus.FootTooSlow or TouchStatus.OutOfReach);
-        Assert.Equal(TouchStatus.Degenerate, touches.FirstTime(in ball, request with { Target = ball.Position }).Status);
+        Assert.Equal(TouchStatus.Degenerate, touches.FirstTimeShot(in ball, request with { Target = ball.Position }).Status);
     }
 
     [Fact]
@@ -71,9 +71,9 @@ public sealed class TouchesTests
             Player = new Player { Position = default },
             Opponents = [new Player { Position = new Vector3d(1.5, 0, 0), Reaction = 0.1 }],
         };
-        ShieldAnswer answer = Touches.Shield(request);
+        ShieldResult answer = Touches.Shield(request);
         Assert.True(answer.IsShielded);
-        Assert.True(answer.Place.X < -0.4, $"the best place is {answer.Place}");
+        Assert.True(answer.Position.X < -0.4, $"the best place is {answer.Position}");
         Assert.True(answer.MarginAt(new Vector3d(-0.5, 0, 0)) > answer.MarginAt(new Vector3d(0.5, 0, 0)));
         Assert.Equal(3600, Touches.Shield(request with { Opponents = [] }).Margin);
 
@@ -87,10 +87,10 @@ public sealed class TouchesTests
     {
         var touches = new Touches();
         BallState ball = s_simulator.Launch(default, default, default);
-        Assert.StartsWith("dribble.pace", Assert.Throws<ArgumentOutOfRangeException>(() => touches.Dribble(in ball, new DribbleRequest { Pace = 99 })).Message, StringComparison.Ordinal);
-        Assert.StartsWith("dribble.way", Assert.Throws<ArgumentOutOfRangeException>(() => touches.Dribble(in ball, new DribbleRequest { Way = Vector3d.Up })).Message, StringComparison.Ordinal);
+        Assert.StartsWith("dribble.runSpeed", Assert.Throws<ArgumentOutOfRangeException>(() => touches.Dribble(in ball, new DribbleRequest { RunSpeed = 99 })).Message, StringComparison.Ordinal);
+        Assert.StartsWith("dribble.direction", Assert.Throws<ArgumentOutOfRangeException>(() => touches.Dribble(in ball, new DribbleRequest { Direction = Vector3d.Up })).Message, StringComparison.Ordinal);
         Assert.StartsWith("trap.tolerance", Assert.Throws<ArgumentOutOfRangeException>(() => touches.Trap(in ball, new TrapRequest { Tolerance = 0 })).Message, StringComparison.Ordinal);
-        Assert.StartsWith("firstTime.target", Assert.Throws<ArgumentOutOfRangeException>(() => touches.FirstTime(in ball, new FirstTimeRequest())).Message, StringComparison.Ordinal);
+        Assert.StartsWith("firstTime.target", Assert.Throws<ArgumentOutOfRangeException>(() => touches.FirstTimeShot(in ball, new FirstTimeRequest())).Message, StringComparison.Ordinal);
         Assert.StartsWith("spread.draws", Assert.Throws<ArgumentOutOfRangeException>(() => new Touches(spread: new TouchSpread { Draws = -1 })).Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => touches.Trap(default, new TrapRequest()));
     }

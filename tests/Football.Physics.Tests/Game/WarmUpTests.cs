@@ -11,7 +11,7 @@ public sealed class WarmUpTests
     /// <summary>A scene whose combination of laws and method no other test has, so that nothing of it is compiled yet.</summary>
     private static readonly Scene s_rare = new()
     {
-        Forces = new ForceSet { Drag = ForceLaw.Constant, Magnus = ForceLaw.Empirical, SpinDecay = ForceLaw.None, Coefficients = CoefficientForm.Measured },
+        Forces = new ForceSet { Drag = ForceLaw.Constant, Magnus = ForceLaw.Empirical, SpinDecay = ForceLaw.None, Coefficients = AerodynamicModel.Measured },
     };
 
     [Fact]
@@ -22,7 +22,7 @@ public sealed class WarmUpTests
         var ball = new Ball(simulator);
         ball.Kick(new Vector3d(1, 6, -18), new Vector3d(3, 25, 1));
         long before = JitInfo.GetCompiledMethodCount(currentThread: true);
-        while (ball.Motion != MotionState.Stopped)
+        while (ball.Motion != MotionState.Rest)
         {
             ball.Step(0.01);
         }
@@ -50,6 +50,6 @@ public sealed class WarmUpTests
         Assert.Equal(one.Position[2], other.Position[2]);
         var aimer = new BatchAimer(Scene.Published);
         aimer.WarmUp();
-        Assert.Equal(0, aimer.FlownSingly);
+        Assert.Equal(0, aimer.ScalarFallbackCount);
     }
 }

@@ -5,7 +5,7 @@ public sealed class WireTests
 {
     private const double Step = 1.0 / 60;
 
-    /// <summary>What <see cref="FixedStepRunner.WireTicks"/> says of each direction: m, m/s, rad/s; a ball that rolls has the spin of its velocity.</summary>
+    /// <summary>What <see cref="FixedStepRunner.QuantizationInterval"/> says of each direction: m, m/s, rad/s; a ball that rolls has the spin of its velocity.</summary>
     private static readonly (double Place, double Speed, double Spin, double RollingSpin, double Angle) s_told = (0.5e-3, 1e-3, 0.125, 0.01, 2.5 * Math.PI / 180);
 
     [Fact]
@@ -17,8 +17,8 @@ public sealed class WireTests
         {
             FixedStepRunner runner = RoundedAtOnce(simulator, state, out BallState before);
             BallState rounded = runner.State;
-            var bytes = new byte[Snapshot.WireSize];
-            if (!runner.TryWriteWire(rounded, bytes))
+            var bytes = new byte[Snapshot.QuantizedSize];
+            if (!runner.TryWriteQuantized(rounded, bytes))
             {
                 // Its clock alone is rounded.
                 Assert.Equal(before.Time, rounded.Time, 1e-9);
@@ -29,10 +29,10 @@ public sealed class WireTests
 
             // The bytes are the state, and those of what was read are the same.
             written++;
-            BallState read = runner.ReadWire(bytes);
+            BallState read = runner.ReadQuantized(bytes);
             Assert.True(Snapshot.Same(rounded, read));
-            var again = new byte[Snapshot.WireSize];
-            Assert.True(runner.TryWriteWire(read, again));
+            var again = new byte[Snapshot.QuantizedSize];
+            Assert.True(runner.TryWriteQuantized(read, again));
             Assert.Equal(bytes, again);
             simulator.Validate(in read);
 
@@ -61,17 +61,17 @@ public sealed class WireTests
     [Fact]
     public void What_rests_and_what_is_rounded_stays()
     {
-        var runner = new FixedStepRunner(timeStep: Step) { WireTicks = 1 };
+        var runner = new FixedStepRunner(timeStep: Step) { QuantizationInterval = 1 };
         runner.QueueKick(speed: 12, direction: new Vector3d(0.3, 0.2, -1), topSpin: 20, sideSpin: 10);
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         for (int tick = 0; tick < 1500; tick++)
         {
             runner.Step();
-            Assert.True(runner.TryWriteWire(runner.State, bytes), $"tick {tick}");
-            Assert.True(Snapshot.Same(runner.State, runner.ReadWire(bytes)));
+            Assert.True(runner.TryWriteQuantized(runner.State, bytes), $"tick {tick}");
+            Assert.True(Snapshot.Same(runner.State, runner.ReadQuantized(bytes)));
         }
 
-        Assert.Equal(MotionState.Stopped, runner.Motion);
+        Assert.Equal(MotionState.Rest, runner.Motion);
         Vector3d at = runner.State.Position;
         for (int tick = 0; tick < 100; tick++)
         {
@@ -86,8 +86,8 @@ public sealed class WireTests
     public void A_rotation_with_two_largest_parts_is_rounded_to_one_that_can_be_written()
     {
         var random = new Random(5);
-        var runner = new FixedStepRunner(timeStep: Step) { WireTicks = 1 };
-        var bytes = new byte[Snapshot.WireSize];
+        var runner = new FixedStepRunner(timeStep: Step) { QuantizationInterval = 1 };
+        var bytes = new byte[Snapshot.QuantizedSize];
         for (int i = 0; i < 20_000; i++)
         {
             double large = 0.5 + (0.2 * random.NextDouble());
@@ -98,7 +98,7 @@ public sealed class WireTests
             state.BaseOrientation = new Quaterniond(parts[0], parts[1], parts[2], parts[3]).Normalized();
             runner.Restore(runner.Tick, state);
             runner.Step();
-            Assert.True(runner.TryWriteWire(runner.State, bytes), $"{i}: {state.BaseOrientation}");
+            Assert.True(runner.TryWriteQuantized(runner.State, bytes), $"{i}: {state.BaseOrientation}");
         }
     }
 
@@ -108,7 +108,7 @@ public sealed class WireTests
     {
         BallState[] ends = [.. new[] { 0, 1 }.Select(wireTicks =>
         {
-            var runner = new FixedStepRunner(new Simulator(Scene.Default with { Gravity = 0 }), Step) { WireTicks = wireTicks };
+            var runner = new FixedStepRunner(new Simulator(Scene.Default with { Gravity = 0 }), Step) { QuantizationInterval = wireTicks };
             runner.Restore(0, runner.Simulator.Launch(new Vector3d(0, 20, 0), new Vector3d(0, 0, -20), new Vector3d(0, 30, 0)));
             while (runner.Tick < 180)
             {
@@ -127,14 +127,14 @@ public sealed class WireTests
     public void Who_plays_with_what_was_read_has_the_same_bits_and_so_has_who_rolls_back_and_who_plays_a_segment_again()
     {
         FixedStepRunner server = Match();
-        MatchSegment segment = server.Record();
+        Recording segment = server.Record();
         FixedStepRunner client = Match();
         var rollback = new Rollback(client, 64);
         var late = new KickInput(150, new Vector3d(-3, 4, 11), new Vector3d(0, 20, 5), 2);
         server.Kicks.Add(in late);
         FixedStepRunner guest = Match();
         guest.Kicks.Add(in late);
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         int sent = 0;
         while (server.Tick < 600)
         {
@@ -142,14 +142,14 @@ public sealed class WireTests
             client.Step();
             if (client.Tick == 180)
             {
-                Assert.Equal(151, rollback.Correct(in late));
+                Assert.Equal(151, rollback.ApplyServerState(in late));
             }
 
-            if (server.Tick % server.WireTicks == 0 && server.TryWriteWire(server.State, bytes))
+            if (server.Tick % server.QuantizationInterval == 0 && server.TryWriteQuantized(server.State, bytes))
             {
                 // A guest who knows nothing of the ball but these bytes plays on from them.
                 sent++;
-                guest.Restore(server.Tick, guest.ReadWire(bytes));
+                guest.Restore(server.Tick, guest.ReadQuantized(bytes));
             }
             else
             {
@@ -161,8 +161,8 @@ public sealed class WireTests
         }
 
         Assert.InRange(sent, 80, 100);
-        MatchSegment received = MatchSegment.FromBytes(segment.ToBytes());
-        Assert.Equal(6, received.WireTicks);
+        Recording received = Recording.FromBytes(segment.ToBytes());
+        Assert.Equal(6, received.QuantizationInterval);
         Assert.Null(received.FirstDivergence(new Simulator(Pitch.Standard.On())));
         Assert.Null(rollback.SyncTest(64));
     }
@@ -171,26 +171,26 @@ public sealed class WireTests
     public void Rounding_at_other_ticks_is_another_match_and_ends_a_recording()
     {
         FixedStepRunner runner = Match();
-        MatchSegment segment = runner.Record();
-        runner.WireTicks = segment.WireTicks;
+        Recording segment = runner.Record();
+        runner.QuantizationInterval = segment.QuantizationInterval;
         Assert.Same(segment, runner.Recording);
-        runner.WireTicks = 1;
+        runner.QuantizationInterval = 1;
         Assert.Null(runner.Recording);
-        Assert.Equal(6, segment.WireTicks);
+        Assert.Equal(6, segment.QuantizationInterval);
     }
 
     [Fact]
     public void A_ball_in_a_net_is_left_as_it_is_and_takes_a_whole_snapshot()
     {
-        var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), Step) { WireTicks = 1 };
+        var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), Step) { QuantizationInterval = 1 };
         runner.Restore(0, runner.Simulator.Launch(new Vector3d(1, 0.11, -46), new Vector3d(1, 4, -24), new Vector3d(20, 30, -10)));
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         int inNet = 0;
         int goal = 0;
         for (int i = 0; i < 300; i++)
         {
             runner.Step();
-            bool written = runner.TryWriteWire(runner.State, bytes);
+            bool written = runner.TryWriteQuantized(runner.State, bytes);
             Assert.False(written && runner.State.Nets != 0);
             inNet += written ? 0 : 1;
             goal += written && runner.State.GoalsPassed != 0 ? 1 : 0;
@@ -203,18 +203,18 @@ public sealed class WireTests
     [Fact]
     public void Several_balls_are_rounded_all_or_none_and_keep_one_time()
     {
-        var runner = new FixedStepRunner(new BallGroup(new Simulator(Pitch.Standard.On()), 3), Step) { WireTicks = 2 };
+        var runner = new FixedStepRunner(new BallGroup(new Simulator(Pitch.Standard.On()), 3), Step) { QuantizationInterval = 2 };
         runner.Place(new Vector3d(1, 0.11, -46), 1);
         runner.Place(new Vector3d(5, 0.11, 3), 2);
         runner.QueueKick(new Vector3d(1, 4, -24), new Vector3d(20, 30, -10), 1);
         runner.QueueKick(new Vector3d(9, 4, 2), new Vector3d(20, 30, -10), 2);
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         int all = 0;
         int none = 0;
         while (runner.Tick < 400)
         {
             runner.Step();
-            int held = Enumerable.Range(0, 3).Count(i => runner.TryWriteWire(runner.StateOf(i), bytes, i));
+            int held = Enumerable.Range(0, 3).Count(i => runner.TryWriteQuantized(runner.StateOf(i), bytes, i));
             all += runner.Tick % 2 == 0 && held == 3 ? 1 : 0;
             none += held == 0 ? 1 : 0;
         }
@@ -227,7 +227,7 @@ public sealed class WireTests
     {
         var runner = new FixedStepRunner(timeStep: Step);
         var random = new Random(11);
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         int read = 0;
         for (int i = 0; i < 20_000; i++)
         {
@@ -236,7 +236,7 @@ public sealed class WireTests
             bytes[^1] &= 0x7F;
             try
             {
-                BallState state = runner.ReadWire(bytes);
+                BallState state = runner.ReadQuantized(bytes);
                 runner.Simulator.Validate(in state);
                 runner.Restore(0, in state);
                 runner.Step();
@@ -251,21 +251,21 @@ public sealed class WireTests
 
         Assert.InRange(read, 1, 20_000);
         bytes[0] |= 7;
-        Assert.Throws<FormatException>(() => runner.ReadWire(bytes));
-        Assert.Throws<ArgumentException>(() => runner.ReadWire(bytes.AsSpan(1)));
-        Assert.Throws<ArgumentException>(() => runner.TryWriteWire(runner.State, bytes.AsSpan(1)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => runner.WireTicks = -1);
-        Assert.Throws<ArgumentOutOfRangeException>(() => runner.ReadWire(bytes, 1));
+        Assert.Throws<FormatException>(() => runner.ReadQuantized(bytes));
+        Assert.Throws<ArgumentException>(() => runner.ReadQuantized(bytes.AsSpan(1)));
+        Assert.Throws<ArgumentException>(() => runner.TryWriteQuantized(runner.State, bytes.AsSpan(1)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => runner.QuantizationInterval = -1);
+        Assert.Throws<ArgumentOutOfRangeException>(() => runner.ReadQuantized(bytes, 1));
     }
 
     /// <summary>Among players and boards, rounded at every tick: what may lie a hair inside a thing then is a ball all the same.</summary>
     [Fact]
     public void A_match_rounded_at_every_tick_goes_on_as_any_other()
     {
-        var bodies = new Bodies();
-        Body[] players = [.. Enumerable.Range(0, 8).Select(i => bodies.Add("player", BodyKind.Player))];
-        var runner = new FixedStepRunner(new Simulator(Pitch.Cage.On() with { Bodies = bodies }), Step) { WireTicks = 1 };
-        runner.BodiesAt = time =>
+        var bodies = new KinematicBodies();
+        KinematicBody[] players = [.. Enumerable.Range(0, 8).Select(i => bodies.Add("player", BodyKind.Player))];
+        var runner = new FixedStepRunner(new Simulator(Pitch.Cage.On() with { Bodies = bodies }), Step) { QuantizationInterval = 1 };
+        runner.MoveBodies = time =>
         {
             for (int i = 0; i < players.Length; i++)
             {
@@ -274,7 +274,7 @@ public sealed class WireTests
             }
         };
         var random = new Random(3);
-        var bytes = new byte[Snapshot.WireSize];
+        var bytes = new byte[Snapshot.QuantizedSize];
         int written = 0;
         int events = 0;
         for (int tick = 0; tick < 6000; tick++)
@@ -290,7 +290,7 @@ public sealed class WireTests
             Assert.InRange(runner.Velocity.Length, 0, 60);
             Assert.InRange(runner.State.Position.Horizontal.Length, 0, 200);
             Assert.InRange(runner.State.Position.Y, runner.Simulator.ContactHeight - 1e-9, 80);
-            written += runner.TryWriteWire(runner.State, bytes) ? 1 : 0;
+            written += runner.TryWriteQuantized(runner.State, bytes) ? 1 : 0;
         }
 
         Assert.InRange(written, 3000, 6000);
@@ -299,7 +299,7 @@ public sealed class WireTests
 
     private static FixedStepRunner Match()
     {
-        var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), Step) { WireTicks = 6 };
+        var runner = new FixedStepRunner(new Simulator(Pitch.Standard.On()), Step) { QuantizationInterval = 6 };
         runner.QueueKick(speed: 20, direction: new Vector3d(0.1, 0.3, -1), sideSpin: 30);
         runner.Kicks.Add(new KickInput(330, new Vector3d(8, 1, 9), new Vector3d(0, -30, 5), 4));
         return runner;
@@ -337,7 +337,7 @@ public sealed class WireTests
         plain.Restore(0, in state);
         plain.Step();
         before = plain.State;
-        var runner = new FixedStepRunner(simulator, Step) { WireTicks = 1 };
+        var runner = new FixedStepRunner(simulator, Step) { QuantizationInterval = 1 };
         runner.Restore(0, in state);
         runner.Step();
         return runner;

@@ -8,10 +8,10 @@ public sealed class AirContractTests
 
     /// <summary>a = L (ω × u) and ω̇ = −decay ω by a spin vector are those by its axis and its size: for fast airs, laws one by one, and all that a scene has.</summary>
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Regularised)]
-    [InlineData(CoefficientForm.Measured)]
-    public void By_the_spin_vector_and_by_its_axis_the_factors_are_the_same(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    [InlineData(AerodynamicModel.Measured)]
+    public void By_the_spin_vector_and_by_its_axis_the_factors_are_the_same(AerodynamicModel form)
     {
         Scene scene = LawGrid.Scene with { Forces = ForceSet.Published with { Coefficients = form } };
         Scene mixed = scene with { Forces = scene.Forces with { Magnus = ForceLaw.Constant } };
@@ -25,8 +25,8 @@ public sealed class AirContractTests
         PerSpin(new FieldAir<MeasuredLaw>(scene, SceneAir.Of(scene)));
         PerSpin(form switch
         {
-            CoefficientForm.Measured => (IFlightAir)new TableAir<MeasuredLaw>(scene),
-            CoefficientForm.Regularised => new TableAir<RegularisedLaw>(scene),
+            AerodynamicModel.Measured => (IFlightAir)new TableAir<MeasuredLaw>(scene),
+            AerodynamicModel.Regularized => new TableAir<RegularisedLaw>(scene),
             _ => new TableAir<PublishedLaw>(scene),
         }, withinTables: true);
         Assert.False(SceneAir.Of(none).Acts);
@@ -64,15 +64,15 @@ public sealed class AirContractTests
     {
         var scene = new Scene();
         Assert.True(SceneAir.HasLawsAlone(scene));
-        Assert.True(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9)] } }));
-        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [s_nothing] } }));
-        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(scene, 1.1, 0.9), s_nothing] } }));
+        Assert.True(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, 1.1, 0.9)] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { CustomForces = [s_nothing] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(scene, 1.1, 0.9), s_nothing] } }));
         Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { KnuckleSeed = 4 } }));
         Assert.False(SceneAir.HasLawsAlone(scene with { Air = scene.Air with { WindField = new WindByHeight(3, 1, 0) } }));
 
         // Of another ball it is a force like any other.
         Scene lighter = scene with { Ball = scene.Ball with { Mass = 0.3 } };
-        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { Custom = [new ScaledAir(lighter, 1.1, 0.9)] } }));
+        Assert.False(SceneAir.HasLawsAlone(scene with { Forces = scene.Forces with { CustomForces = [new ScaledAir(lighter, 1.1, 0.9)] } }));
     }
 
     /// <summary>Up to there no step that the tables cover can be too long for the forces: nor a tenth longer at their ends.</summary>

@@ -16,7 +16,7 @@ public sealed class AirLawTests
     [Fact]
     public void Regularised_drag_is_the_equation() =>
         Compare(
-            ForceSet.Regularised with { Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
+            ForceSet.Regularized with { Magnus = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Drag(LawGrid.Scene, PlainLaws.Regularised(u.Length, Sp(u, w)), u), (_, _) => 0);
 
     [Fact]
@@ -33,7 +33,7 @@ public sealed class AirLawTests
     [Fact]
     public void Regularised_lift_is_the_equation() =>
         Compare(
-            ForceSet.Regularised with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None },
+            ForceSet.Regularized with { Drag = ForceLaw.None, SpinDecay = ForceLaw.None },
             (u, w) => PlainLaws.Magnus(LawGrid.Scene, PlainLaws.Lift(PlainLaws.Regularised(u.Length, Sp(u, w)), Sp(u, w)), u, w), (_, _) => 0);
 
     [Fact]
@@ -104,7 +104,7 @@ public sealed class AirLawTests
                 foreach (DragBranch branch in new[] { DragBranch.NoSpin, DragBranch.Spinning })
                 {
                     Finite(ForceSet.Published, speed, spin, branch);
-                    Finite(ForceSet.Regularised, speed, spin, branch);
+                    Finite(ForceSet.Regularized, speed, spin, branch);
                 }
             }
         }

@@ -6,7 +6,7 @@ internal static class FlightEnds
     /// <summary>By law and way, x and z of the first impact, m.</summary>
     public static IEnumerable<double> All()
     {
-        foreach (CoefficientForm form in (CoefficientForm[])[CoefficientForm.Published, CoefficientForm.Regularised])
+        foreach (AerodynamicModel form in (AerodynamicModel[])[AerodynamicModel.Published, AerodynamicModel.Regularized])
         {
             foreach (BatchPrecision precision in Enum.GetValues<BatchPrecision>())
             {

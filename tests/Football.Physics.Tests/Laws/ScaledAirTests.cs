@@ -29,8 +29,8 @@ public sealed class ScaledAirTests
         Vector3d expected = Land(plain with { Forces = plain.Forces with { DragCoefficient = 0.25 * drag, MagnusCoefficient = 0.5 * lift } });
         var scaled = new ScaledAir(plain, drag, lift);
         Assert.Equal((drag, lift), (scaled.Drag, scaled.Lift));
-        Vector3d alone = Land(plain with { Forces = plain.Forces with { Custom = [scaled] } });
-        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, s_nothing] } });
+        Vector3d alone = Land(plain with { Forces = plain.Forces with { CustomForces = [scaled] } });
+        Vector3d beside = Land(plain with { Forces = plain.Forces with { CustomForces = [scaled, s_nothing] } });
         Assert.InRange(Vector3d.Distance(expected, alone), 0, 1e-9);
         Assert.InRange(Vector3d.Distance(expected, beside), 0, 1e-6);
         Assert.InRange(Vector3d.Distance(expected, Land(plain)), 0.1, 20);
@@ -38,14 +38,14 @@ public sealed class ScaledAirTests
 
     /// <summary>Laws of which one jumps: alone and beside another force the same.</summary>
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Measured)]
-    public void Alone_and_beside_another_force_it_does_the_same(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Measured)]
+    public void Alone_and_beside_another_force_it_does_the_same(AerodynamicModel form)
     {
         Scene plain = new() { Forces = ForceSet.Published with { Coefficients = form } };
         var scaled = new ScaledAir(plain, 1.3, 0.6);
-        Vector3d alone = Land(plain with { Forces = plain.Forces with { Custom = [scaled] } });
-        Vector3d beside = Land(plain with { Forces = plain.Forces with { Custom = [scaled, s_nothing] } });
+        Vector3d alone = Land(plain with { Forces = plain.Forces with { CustomForces = [scaled] } });
+        Vector3d beside = Land(plain with { Forces = plain.Forces with { CustomForces = [scaled, s_nothing] } });
         Assert.InRange(Vector3d.Distance(alone, beside), 0, 1e-5);
     }
 
@@ -59,6 +59,6 @@ public sealed class ScaledAirTests
 
         // Its force is that of 0.6 times the drag, and does not depend on the mass.
         Vector3d expected = Land(plain with { Forces = plain.Forces with { DragCoefficient = 0.25 * 1.6 } });
-        Assert.InRange(Vector3d.Distance(expected, Land(plain with { Forces = plain.Forces with { Custom = [scaled] } })), 0, 1e-6);
+        Assert.InRange(Vector3d.Distance(expected, Land(plain with { Forces = plain.Forces with { CustomForces = [scaled] } })), 0, 1e-6);
     }
 }

@@ -18,10 +18,10 @@ public sealed class TableLawTests
     public void The_published_law_by_table_is_the_law(int region) => Compare<PublishedLaw>(4e-9, 1e-9, null, (DragBranch)region);
 
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Regularised)]
-    [InlineData(CoefficientForm.Measured)]
-    public void What_is_left_out_of_a_law_is_nothing_and_what_is_scaled_is_scaled(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    [InlineData(AerodynamicModel.Measured)]
+    public void What_is_left_out_of_a_law_is_nothing_and_what_is_scaled_is_scaled(AerodynamicModel form)
     {
         ForceSet all = ForceSet.Published with { Coefficients = form };
         AirLaws whole = AirLaws.Of(LawGrid.Scene with { Forces = all });
@@ -78,7 +78,7 @@ public sealed class TableLawTests
     [Fact]
     public void The_laws_point_by_point_are_the_laws_one_by_one()
     {
-        OneByOne(new TableAir<RegularisedLaw>(LawGrid.Scene), ForceSet.Regularised, DragBranch.NoSpin);
+        OneByOne(new TableAir<RegularisedLaw>(LawGrid.Scene), ForceSet.Regularized, DragBranch.NoSpin);
         OneByOne(new TableAir<PublishedLaw>(LawGrid.Scene), ForceSet.Published, DragBranch.NoSpin);
         OneByOne(new TableAir<PublishedLaw>(LawGrid.Scene), ForceSet.Published, DragBranch.Spinning);
     }

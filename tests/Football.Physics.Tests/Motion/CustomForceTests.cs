@@ -16,7 +16,7 @@ public sealed class CustomForceTests
         Scene heavy = profile.Scene() with { Gravity = 9.81 + 2, Forces = profile.Forces() with { Buoyancy = false } };
         Scene pulled = profile.Scene() with
         {
-            Forces = profile.Forces() with { Buoyancy = false, Custom = [IForce.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
+            Forces = profile.Forces() with { Buoyancy = false, CustomForces = [IForce.From(_ => new Vector3d(0, -2 * 0.43, 0))] },
         };
         BallEvent expected = Flight.ToImpact(heavy, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
         BallEvent actual = Flight.ToImpact(pulled, integrator, 0.01, new Vector3d(0, 0.11, 0), new Vector3d(16, 9, 3), new Vector3d(3, 30, -9));
@@ -31,10 +31,10 @@ public sealed class CustomForceTests
     {
         const double Coefficient = 0.3;
         double k = 0.5 * 1.2 * Coefficient * Math.PI * 0.11 * 0.11;
-        var builtIn = Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = ForceSet.Published with { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = CoefficientForm.Regularised } };
+        var builtIn = Scene.Published with { Air = new Air { Wind = new Vector3d(3, 1, -2) }, Forces = ForceSet.Published with { Drag = ForceLaw.Constant, DragCoefficient = Coefficient, Coefficients = AerodynamicModel.Regularized } };
         Scene copy = builtIn with
         {
-            Forces = builtIn.Forces with { Drag = ForceLaw.None, Custom = [IForce.From(ball => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
+            Forces = builtIn.Forces with { Drag = ForceLaw.None, CustomForces = [IForce.From(ball => -k * ball.AirVelocity.Length * ball.AirVelocity)] },
         };
         BallState expected = Flight.Play(builtIn, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
         BallState actual = Flight.Play(copy, Flight.With(integrator), 0.01, 2, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
@@ -48,7 +48,7 @@ public sealed class CustomForceTests
     public void A_force_that_does_nothing_changes_nothing_through_a_whole_life(Profile profile)
     {
         Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(2, 0, 1) } };
-        Scene idle = scene with { Forces = profile.Forces() with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
+        Scene idle = scene with { Forces = profile.Forces() with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
         var random = new Shots(81);
         for (int i = 0; i < 20; i++)
         {
@@ -64,14 +64,14 @@ public sealed class CustomForceTests
 
     /// <summary>The Magnus force alone does no work, whatever way a ball with forces of the game is integrated.</summary>
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Regularised)]
-    public void A_law_that_is_left_out_does_not_act_beside_a_force_of_the_game(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    public void A_law_that_is_left_out_does_not_act_beside_a_force_of_the_game(AerodynamicModel form)
     {
         var scene = Scene.Published with
         {
             Gravity = 0,
-            Forces = ForceSet.Published with { Drag = ForceLaw.None, Coefficients = form, Custom = [IForce.From(_ => Vector3d.Zero)] },
+            Forces = ForceSet.Published with { Drag = ForceLaw.None, Coefficients = form, CustomForces = [IForce.From(_ => Vector3d.Zero)] },
         };
         BallState end = Flight.Play(scene, SolverSettings.Default, 0.01, 1, StopAt.Time, s_high, new Vector3d(20, 5, 3), new Vector3d(3, 30, -9), out _);
         Assert.Equal(new Vector3d(20, 5, 3).Length, end.Velocity.Length, 1e-6);
@@ -82,7 +82,7 @@ public sealed class CustomForceTests
     [ProfileData]
     public void A_torque_of_the_game_turns_the_spin(Profile profile)
     {
-        var scene = profile.Scene() with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
+        var scene = profile.Scene() with { Forces = ForceSet.None with { CustomForces = [new Torque(new Vector3d(0.001, 0.02, -0.003))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, Vector3d.Zero, new Vector3d(5, 0, 0), out _);
         Vector3d expected = new Vector3d(5, 0, 0) + (2 / scene.Ball.MomentOfInertia * new Vector3d(0.001, 0.02, -0.003));
         Assert.InRange(Vector3d.Distance(expected, state.Spin), 0, 1e-11);
@@ -93,7 +93,7 @@ public sealed class CustomForceTests
     [ProfileData]
     public void A_torque_of_the_game_turns_the_ball(Profile profile)
     {
-        var scene = profile.Scene() with { Forces = ForceSet.None with { Custom = [new Torque(new Vector3d(0, 0.003, 0))] } };
+        var scene = profile.Scene() with { Forces = ForceSet.None with { CustomForces = [new Torque(new Vector3d(0, 0.003, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 0.5, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
         double angle = 0.5 * 0.003 / scene.Ball.MomentOfInertia * 0.25;
         Assert.Equal(Math.Sin(angle / 2), state.Orientation.Y, 1e-10);
@@ -103,7 +103,7 @@ public sealed class CustomForceTests
     [ProfileData]
     public void A_torque_of_the_game_may_reverse_a_spin(Profile profile)
     {
-        var scene = profile.Scene() with { Forces = profile.Forces() with { Custom = [new Torque(new Vector3d(0, -0.01, 0))] } };
+        var scene = profile.Scene() with { Forces = profile.Forces() with { CustomForces = [new Torque(new Vector3d(0, -0.01, 0))] } };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.01, 2, StopAt.Time, s_high, new Vector3d(10, 0, 0), new Vector3d(0, 2, 0), out _);
         Assert.True(state.Spin.Y < -1);
     }
@@ -113,7 +113,7 @@ public sealed class CustomForceTests
     public void A_force_sees_the_ball_as_it_is(Profile profile)
     {
         var seen = new Recorder();
-        Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(1, 2, 3) }, Forces = profile.Forces() with { Custom = [seen] } };
+        Scene scene = profile.Scene() with { Air = new Air { Wind = new Vector3d(1, 2, 3) }, Forces = profile.Forces() with { CustomForces = [seen] } };
         var simulator = new Simulator(scene, Flight.With(Integrator.Euler));
         BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(10, 1, 2), new Vector3d(4, 5, 6));
         var log = new StepLog();
@@ -138,7 +138,7 @@ public sealed class CustomForceTests
         {
             Gravity = 0,
             Ball = new BallProperties { Mass = 2 },
-            Forces = ForceSet.None with { Custom = [IForce.From(_ => new Vector3d(4, 0, 0)), IForce.From(_ => new Vector3d(2, 0, 6))] },
+            Forces = ForceSet.None with { CustomForces = [IForce.From(_ => new Vector3d(4, 0, 0)), IForce.From(_ => new Vector3d(2, 0, 6))] },
         };
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.1, 1, StopAt.Time, s_high, Vector3d.Zero, Vector3d.Zero, out _);
         Assert.InRange(Vector3d.Distance(state.Velocity, new Vector3d(3, 0, 3)), 0, 1e-13);
@@ -149,7 +149,7 @@ public sealed class CustomForceTests
     public void A_push_along_the_ground_works_against_the_rolling_friction()
     {
         var push = IForce.From(ball => ball.Motion == MotionState.Rolling ? new Vector3d(0.5, 99, 0) : Vector3d.Zero);
-        Scene scene = Scene.Vacuum with { Forces = ForceSet.None with { Custom = [push] } };
+        Scene scene = Scene.Vacuum with { Forces = ForceSet.None with { CustomForces = [push] } };
         BallState state = Flight.Play(
             scene, SolverSettings.Default, 0.01, 1, StopAt.Time, new Vector3d(0, 0.11, 0), new Vector3d(2, 0, 0), new Vector3d(0, 0, -2 / 0.11), out _);
         Assert.Equal(2 + (0.5 / 0.43) - (0.05 * 9.81), state.Velocity.X, 1e-10);
@@ -163,16 +163,16 @@ public sealed class CustomForceTests
 
         public Torque(Vector3d torque) => _torque = torque;
 
-        public void Apply(in ForceInput ball, ref ForceSum sum) => sum.AddTorque(_torque);
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddTorque(_torque);
     }
 
     private sealed class Recorder : IForce
     {
-        public ForceInput Last { get; private set; }
+        public ForceContext Last { get; private set; }
 
         public HashSet<MotionState> Motions { get; } = [];
 
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
             Last = ball;
             Motions.Add(ball.Motion);

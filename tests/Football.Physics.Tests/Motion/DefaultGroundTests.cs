@@ -10,7 +10,7 @@ public sealed class DefaultGroundTests
     private static readonly Vector3d s_start = new(0, Radius, 0);
 
     /// <summary>Dry turf whose rolling friction is the same at every speed, without air: what is pushed constantly moves by squares of the time.</summary>
-    private static readonly Scene s_airless = new() { Air = new Air { Density = 0 }, Ground = Ground.Of(SurfaceMaterial.DryTurf with { RollingFrictionBySpeed = 0 }) };
+    private static readonly Scene s_airless = new() { Air = new Air { Density = 0 }, Ground = Ground.Of(SurfaceMaterial.DryTurf with { RollingResistancePerSpeed = 0 }) };
 
     public static TheoryData<double> Speeds() => [2.5, 3.1, 4.7, 6.3, 8.9];
 
@@ -55,7 +55,7 @@ public sealed class DefaultGroundTests
         BallState end = Flight.Play(
             scene, Flight.With(Integrator.Rk4), 0.01, 1, StopAt.Time, Radius / normal.Y * Vector3d.Up, velocity, Vector3d.Cross(in normal, in velocity) / Radius, out StepLog log);
         Assert.Equal(0, log.Events.Count);
-        double rate = (9.81 * normal.X / (1 + Alpha)) - (scene.Ground.Material.RollingFriction * ((9.81 * normal.Y) - push));
+        double rate = (9.81 * normal.X / (1 + Alpha)) - (scene.Ground.Material.RollingResistance * ((9.81 * normal.Y) - push));
         Assert.Equal(2 + (0.5 * rate), Vector3d.Dot(end.Position - (Radius / normal.Y * Vector3d.Up), in down), 1e-9);
     }
 
@@ -91,7 +91,7 @@ public sealed class DefaultGroundTests
         var velocity = new Vector3d(2, 0, 0);
         BallState end = Flight.Play(scene, Flight.With(Integrator.Rk4), 0.01, 0.5, StopAt.Time, s_start, velocity, Rolling(velocity), out StepLog log);
         Assert.Equal(0, log.Events.Count);
-        Assert.Equal(1 + (0.125 * (Push - (scene.Ground.Material.RollingFriction * 9.81))), end.Position.X, 1e-9);
+        Assert.Equal(1 + (0.125 * (Push - (scene.Ground.Material.RollingResistance * 9.81))), end.Position.X, 1e-9);
 
         // Turned the other way friction must give α/(1+α) · 30 m/s², more than it has.
         Scene against = Pushed(new Vector3d(Push, 0, 0), new Vector3d(0, 0, Push / Radius), s_airless.Ground);
@@ -107,7 +107,7 @@ public sealed class DefaultGroundTests
         Scene scene = Pushed(Vector3d.Zero, new Vector3d(0, 0, -Turning), s_airless.Ground);
         var velocity = new Vector3d(2, 0, 0);
         BallState rolled = Flight.Play(scene, Flight.With(Integrator.Rk4), 0.01, 0.5, StopAt.Time, s_start, velocity, Rolling(velocity), out _);
-        double rate = (Alpha * Radius * Turning / (1 + Alpha)) - (scene.Ground.Material.RollingFriction * 9.81);
+        double rate = (Alpha * Radius * Turning / (1 + Alpha)) - (scene.Ground.Material.RollingResistance * 9.81);
         Assert.Equal(1 + (0.125 * rate), rolled.Position.X, 1e-9);
 
         BallState slid = Flight.Play(scene, Flight.With(Integrator.Rk4), 0.01, 0.1, StopAt.Time, s_start, new Vector3d(9, 0, 0), Vector3d.Zero, out _);
@@ -121,12 +121,12 @@ public sealed class DefaultGroundTests
     private static Scene Pushed(Vector3d acceleration, Vector3d turning, Ground ground) => s_airless with
     {
         Ground = ground,
-        Forces = ForceSet.Measured with { Custom = [new Steady(s_airless.Ball.Mass * acceleration, s_airless.Ball.MomentOfInertia * turning)] },
+        Forces = ForceSet.Measured with { CustomForces = [new Steady(s_airless.Ball.Mass * acceleration, s_airless.Ball.MomentOfInertia * turning)] },
     };
 
     private sealed class Steady(Vector3d force, Vector3d torque) : IForce
     {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
             sum.AddForce(in force);
             sum.AddTorque(in torque);

@@ -16,7 +16,7 @@ public sealed class EventBufferTests
             Assert.Equal(Math.Min(n, most), buffer.Count);
             Assert.Equal(n - buffer.Count, buffer.Dropped);
             Assert.Equal(n, buffer.Impacts);
-            int first = buffer.Dropped > 0 ? most - EventBuffer.Last : buffer.Count;
+            int first = buffer.Dropped > 0 ? most - EventBuffer.TailCount : buffer.Count;
             Assert.Equal(Enumerable.Range(1, first).Concat(Enumerable.Range(n - (buffer.Count - first) + 1, buffer.Count - first)).Select(i => (double)i), Times(buffer));
         }
 

@@ -14,7 +14,7 @@ public sealed class EventNumbersTests
         var log = new StepLog();
         simulator.Run(ref state, 0.01, 5, StopAt.Impact, log);
         BallEvent impact = log.Events[0];
-        Assert.Equal(-impact.VelocityBefore.Y, impact.NormalSpeed, 1e-12);
+        Assert.Equal(-impact.VelocityBefore.Y, impact.ApproachSpeed, 1e-12);
 
         // v_z − (−ω_x r): topspin turns the lowest point back.
         Vector3d slip = impact.SlipBefore(ball.Radius);

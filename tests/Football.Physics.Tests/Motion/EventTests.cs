@@ -49,7 +49,7 @@ public sealed class EventTests
     public void Many_impacts_in_one_long_step_are_those_of_many_short_ones(Profile profile)
     {
         // 0.02 m of drop and e = 0.9: some thirty impacts in a second, which without air every step finds exactly.
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0.9, RestitutionRise = 0, RestitutionSpeed = double.PositiveInfinity }, MinimumBounceSpeed = 0.02 } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0.9, GrazingRestitutionGain = 0, RestitutionSpeedScale = double.PositiveInfinity }, MinimumBounceSpeed = 0.02 } };
         foreach (Integrator integrator in new[] { Integrator.Rk2, Integrator.Rk4 })
         {
             StepLog Play(double step, out BallState state)

@@ -26,7 +26,7 @@ public sealed class HopTests
     [MemberData(nameof(Supports))]
     public void Every_method_s_bounces_end(string support, double dt)
     {
-        foreach (SurfaceMaterial material in new[] { SurfaceMaterial.MatchTurf, SurfaceMaterial.Wood, SurfaceMaterial.Concrete, SurfaceMaterial.MatchTurf with { NormalRestitution = 0.9, RestitutionRise = 0 } })
+        foreach (SurfaceMaterial material in new[] { SurfaceMaterial.MatchTurf, SurfaceMaterial.Wood, SurfaceMaterial.Concrete, SurfaceMaterial.MatchTurf with { NormalRestitution = 0.9, GrazingRestitutionGain = 0 } })
         {
             foreach (Integrator integrator in new[] { Integrator.Euler, Integrator.SemiImplicitEuler, Integrator.Rk2, Integrator.Rk4 })
             {
@@ -60,7 +60,7 @@ public sealed class HopTests
                 BallState state = simulator.Launch(new Vector3d(0, 1 + Radius + 0.5, 0), new Vector3d(0.3, 0, 0.1), default);
                 var log = new StepLog();
                 double last = 0;
-                while (state.Time < 60 && state.Motion != MotionState.Stopped)
+                while (state.Time < 60 && state.Motion != MotionState.Rest)
                 {
                     posed?.MoveTo(default, Quaterniond.Identity, default, default, state.Time);
                     log.Clear();

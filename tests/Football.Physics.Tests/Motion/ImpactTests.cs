@@ -118,7 +118,7 @@ public sealed class ImpactTests
     public void A_ball_that_stays_is_at_contact_to_the_last_bits(Profile profile, double alongX, double alongZ)
     {
         var normal = new Vector3d(alongX, 1, alongZ).Normalized();
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0, RestitutionRise = 0 }, Normal = normal } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { NormalRestitution = 0, GrazingRestitutionGain = 0 }, Normal = normal } });
         double radius = simulator.Scene.Ball.Radius;
         var log = new StepLog();
         BallState state = simulator.Launch((radius + 5e-11) * normal, new Vector3d(3, -1, 0), Vector3d.Zero);

@@ -13,9 +13,9 @@ public sealed class LaunchTests
         {
             Material = profile.Ground().Material with
             {
-                RestitutionRise = 0,
+                GrazingRestitutionGain = 0,
                 NormalRestitution = 0.6,
-                RestitutionSpeed = double.PositiveInfinity,
+                RestitutionSpeedScale = double.PositiveInfinity,
             },
             Height = 1.5,
             MinimumBounceSpeed = Threshold,
@@ -95,9 +95,9 @@ public sealed class LaunchTests
             {
                 Material = profile.Ground().Material with
                 {
-                    RestitutionRise = 0,
+                    GrazingRestitutionGain = 0,
                     NormalRestitution = 0.5,
-                    RestitutionSpeed = double.PositiveInfinity,
+                    RestitutionSpeedScale = double.PositiveInfinity,
                 },
                 MinimumBounceSpeed = 0.2,
             }
@@ -122,7 +122,7 @@ public sealed class LaunchTests
     [ProfileData]
     public void A_ball_that_does_not_bounce_at_all_slides_or_rolls_at_once(Profile profile)
     {
-        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RestitutionRise = 0, NormalRestitution = 0 } } });
+        var simulator = new Simulator(profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { GrazingRestitutionGain = 0, NormalRestitution = 0 } } });
         BallState slides = simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(4, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref slides, 0.01, 60, StopAt.Rest, log);

@@ -21,8 +21,8 @@ public sealed class MarbleTests
         {
             Material = SurfaceMaterial.Concrete with
             {
-                RollingFriction = 0.02,
-                RollingFrictionBySpeed = 0,
+                RollingResistance = 0.02,
+                RollingResistancePerSpeed = 0,
                 SpinDamping = 0,
             },
             Aerodynamics = GroundAerodynamics.None,
@@ -33,12 +33,12 @@ public sealed class MarbleTests
         BallState s = simulator.Launch(new Vector3d(0, ball.Radius, 0), new Vector3d(0, 0, -Speed), new Vector3d(-Speed / ball.Radius, 0, 0));
         var log = new StepLog();
         Assert.True(simulator.Run(ref s, 0.01, 60, StopAt.Rest, log));
-        Assert.Equal(MotionState.Stopped, s.Motion);
+        Assert.Equal(MotionState.Rest, s.Motion);
         double last = Math.Sqrt(2 * 1e-9 * (marble ? 1.0 / 64 : Math.Pow(0.85, 3)) / (ball.Mass * 1.4));
         Assert.Equal(-((Speed * Speed) - (last * last)) / (2 * 0.02 * 9.81), s.Position.Z, 9);
         Assert.Equal((Speed - last) / (0.02 * 9.81), s.Time, 9);
         Assert.Equal(ball.Radius, s.Position.Y);
-        Assert.Equal(0, log.Stalled);
+        Assert.Equal(0, log.StalledSteps);
     }
 
     /// <summary>The rest energy of a football would stop a marble at 0.33 m/s.</summary>
@@ -65,8 +65,8 @@ public sealed class MarbleTests
             Material = SurfaceMaterial.Concrete with
             {
                 NormalRestitution = 0.8,
-                RestitutionSpeed = double.PositiveInfinity,
-                RestitutionRise = 0,
+                RestitutionSpeedScale = double.PositiveInfinity,
+                GrazingRestitutionGain = 0,
                 SpinDamping = 0,
             },
             MinimumBounceSpeed = 0.01
@@ -79,10 +79,10 @@ public sealed class MarbleTests
         Assert.True(impacts.Length > 20, $"{impacts.Length} impacts");
         for (int i = 0; i < impacts.Length; i++)
         {
-            Assert.Equal(Math.Pow(0.8, i) * Math.Sqrt(2 * 9.81 * 0.3), impacts[i].NormalSpeed, 9);
+            Assert.Equal(Math.Pow(0.8, i) * Math.Sqrt(2 * 9.81 * 0.3), impacts[i].ApproachSpeed, 9);
         }
 
-        Assert.Equal(MotionState.Stopped, s.Motion);
+        Assert.Equal(MotionState.Rest, s.Motion);
         Assert.Equal(ball.Radius, s.Position.Y);
     }
 
@@ -114,13 +114,13 @@ public sealed class MarbleTests
             var log = new StepLog();
             double Energy() => (0.5 * ball.Mass * s.Velocity.LengthSquared) + (0.5 * ball.MomentOfInertia * s.Spin.LengthSquared) + (ball.Mass * 9.81 * s.Position.Y);
             double start = Energy();
-            for (int i = 0; i < 6000 && s.Motion != MotionState.Stopped; i++)
+            for (int i = 0; i < 6000 && s.Motion != MotionState.Rest; i++)
             {
                 double before = Energy();
                 log.Clear();
                 simulator.Step(ref s, 0.01, log);
                 Assert.True(Energy() <= before + (1e-9 * start), $"{seed}: {before} to {Energy()}");
-                Assert.Equal(0, log.Stalled);
+                Assert.Equal(0, log.StalledSteps);
                 Assert.True(s.Position.Y >= r - 1e-9, $"{seed}: {s.Position}");
                 foreach (Obstacle obstacle in obstacles)
                 {
@@ -128,7 +128,7 @@ public sealed class MarbleTests
                 }
             }
 
-            rested += s.Motion == MotionState.Stopped ? 1 : 0;
+            rested += s.Motion == MotionState.Rest ? 1 : 0;
         }
 
         Assert.Equal(40, rested);
@@ -138,8 +138,8 @@ public sealed class MarbleTests
     [Fact]
     public void A_figure_of_a_table_strikes_the_ball()
     {
-        var bodies = new Bodies();
-        Body figure = bodies.Add("figure", new BoxShape(Vector3d.Zero, new Vector3d(0.012, 0.03, 0.006)), SurfaceMaterial.Wood);
+        var bodies = new KinematicBodies();
+        KinematicBody figure = bodies.Add("figure", new BoxShape(Vector3d.Zero, new Vector3d(0.012, 0.03, 0.006)), SurfaceMaterial.Wood);
         var simulator = new Simulator(new Scene { Ball = s_table, Ground = Ground.Of(SurfaceMaterial.Indoor), Bodies = bodies });
         BallState s = simulator.Launch(new Vector3d(0, 0.017, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
@@ -149,7 +149,7 @@ public sealed class MarbleTests
             simulator.Step(ref s, 1.0 / 60, log);
         }
 
-        BallEvent hit = log.Events.Span.ToArray().First(e => e.Kind == BallEventKind.Impact && e.Thing > 0);
+        BallEvent hit = log.Events.Span.ToArray().First(e => e.Kind == BallEventKind.Impact && e.ColliderIndex > 0);
         Assert.Equal((0.1 - 0.006 - 0.017) / 2, hit.Time, 9);
         double e = SurfaceMaterial.Wood.NormalRestitution * Math.Sqrt((1 + (36.0 / 900)) / (1 + (4.0 / 900)));
         Assert.Equal(-2 * (1 + e), hit.Velocity.Z, 9);
@@ -180,7 +180,7 @@ public sealed class MarbleTests
             new Vector3d(-0.03 + (0.02 * (i % 4)), r + 0.01 + (0.015 * (i / 4)), 0.01 * (i % 2)), new Vector3d(random.NextDouble() - 0.5, 0, random.NextDouble() - 0.5), Vector3d.Zero))];
         var log = new StepLog();
         int met = 0;
-        for (int step = 0; step < 3000 && !states.All(s => s.Motion == MotionState.Stopped); step++)
+        for (int step = 0; step < 3000 && !states.All(s => s.Motion == MotionState.Rest); step++)
         {
             log.Clear();
             group.Step(states, 0.01, log);
@@ -197,6 +197,6 @@ public sealed class MarbleTests
         }
 
         Assert.True(met > 5, $"{met} meetings");
-        Assert.All(states, s => Assert.Equal(MotionState.Stopped, s.Motion));
+        Assert.All(states, s => Assert.Equal(MotionState.Rest, s.Motion));
     }
 }

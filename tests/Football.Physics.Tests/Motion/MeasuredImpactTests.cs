@@ -36,7 +36,7 @@ public sealed class MeasuredImpactTests
     public void No_impact_gains_energy()
     {
         var random = new Shots(77);
-        Ground[] grounds = [Ground.Of(SurfaceMaterial.DryTurf), Ground.Of(SurfaceMaterial.WetTurf), Ground.Of(SurfaceMaterial.Concrete), Ground.Of(SurfaceMaterial.LongGrass), Ground.Of(SurfaceMaterial.Snow), Ground.Of(SurfaceMaterial.DryTurf with { ImpactFriction = 0.01 }), Ground.Of(SurfaceMaterial.MatchTurf), Ground.Of(SurfaceMaterial.Concrete with { RestitutionRise = 1 })];
+        Ground[] grounds = [Ground.Of(SurfaceMaterial.DryTurf), Ground.Of(SurfaceMaterial.WetTurf), Ground.Of(SurfaceMaterial.Concrete), Ground.Of(SurfaceMaterial.LongGrass), Ground.Of(SurfaceMaterial.Snow), Ground.Of(SurfaceMaterial.DryTurf with { ImpactFriction = 0.01 }), Ground.Of(SurfaceMaterial.MatchTurf), Ground.Of(SurfaceMaterial.Concrete with { GrazingRestitutionGain = 1 })];
         BallProperties ball = BallProperties.Tunnel;
         for (int i = 0; i < 2000; i++)
         {
@@ -57,7 +57,7 @@ public sealed class MeasuredImpactTests
     [InlineData(1e9, 1)]
     public void Restitution_rises_with_obliqueness(double slope, double share)
     {
-        Ground ground = Ground.Of(SurfaceMaterial.DryTurf with { RestitutionRise = 0.8 });
+        Ground ground = Ground.Of(SurfaceMaterial.DryTurf with { GrazingRestitutionGain = 0.8 });
         double before = After(Ground.Of(SurfaceMaterial.DryTurf), new Vector3d(slope * 4, -4, 0), Vector3d.Zero).Velocity.Y / 4;
         double after = After(ground, new Vector3d(slope * 4, -4, 0), Vector3d.Zero).Velocity.Y / 4;
         Assert.Equal(before + (0.8 * share * (1 - before)), after, 1e-12);

@@ -43,13 +43,13 @@ public sealed class RestConditionTests
         Scene scene = s_level with
         {
             Air = new Air { Density = 0 },
-            Forces = ForceSet.None with { Custom = [IForce.From(at => at.Time >= 2 ? new Vector3d(Force, 0, 0) : default)] },
+            Forces = ForceSet.None with { CustomForces = [IForce.From(at => at.Time >= 2 ? new Vector3d(Force, 0, 0) : default)] },
         };
         var ball = new Ball(scene);
         for (int i = 0; i < 128; i++)
         {
             ball.Step(Step);
-            Assert.Equal((0, MotionState.Stopped), (ball.Position.X, ball.Motion));
+            Assert.Equal((0, MotionState.Rest), (ball.Position.X, ball.Motion));
         }
 
         for (int i = 0; i < 64; i++)
@@ -58,8 +58,8 @@ public sealed class RestConditionTests
         }
 
         Ground turf = Ground.Of(SurfaceMaterial.DryTurf);
-        double push = (Force / (scene.Ball.Mass * (1 + scene.Ball.InertiaFactor))) - (turf.Material.RollingFriction * 9.81);
-        double rate = turf.Material.RollingFrictionBySpeed * 9.81;
+        double push = (Force / (scene.Ball.Mass * (1 + scene.Ball.InertiaFactor))) - (turf.Material.RollingResistance * 9.81);
+        double rate = turf.Material.RollingResistancePerSpeed * 9.81;
         Assert.Equal((push / rate) - (push / (rate * rate) * (1 - Math.Exp(-rate))), ball.Position.X, 1e-6);
     }
 
@@ -70,7 +70,7 @@ public sealed class RestConditionTests
     public void Without_rolling_friction_it_rolls_down_a_slope_by_the_closed_form(double degrees)
     {
         Scene scene = On(Tilted(degrees)) with { Air = new Air { Density = 0 }, Forces = ForceSet.None };
-        scene = scene with { Ground = scene.Ground with { Material = scene.Ground.Material with { RollingFriction = 0, RollingFrictionBySpeed = 0, SlidingFriction = 2 } } };
+        scene = scene with { Ground = scene.Ground with { Material = scene.Ground.Material with { RollingResistance = 0, RollingResistancePerSpeed = 0, SlidingFriction = 2 } } };
         double way = 0.5 * 9.81 * Math.Sin(degrees * Math.PI / 180) / (1 + scene.Ball.InertiaFactor) * 4;
         foreach (string put in Ways.Select(row => row.Data))
         {

@@ -31,7 +31,7 @@ public sealed class RestTests
             }
 
             AssertStill(start, state);
-            Assert.Equal(MotionState.Stopped, state.Motion);
+            Assert.Equal(MotionState.Rest, state.Motion);
             Assert.Equal(1, log.Events.Count);
             Assert.InRange(log.Evaluations, 0, 1);
             Assert.Equal(300.01, state.Time, 1e-9);
@@ -42,7 +42,7 @@ public sealed class RestTests
     [ProfileData(Member = nameof(Integrators))]
     public void A_ball_in_still_air_without_gravity_never_moves(Profile profile, Integrator integrator)
     {
-        foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
+        foreach (AerodynamicModel form in Enum.GetValues<AerodynamicModel>())
         {
             var simulator = new Simulator(profile.Scene() with { Gravity = 0, Forces = profile.Forces() with { Coefficients = form } }, Flight.With(integrator));
             BallState state = simulator.Launch(new Vector3d(1.1, 5, -3.3), Vector3d.Zero, Vector3d.Zero, s_turned);

@@ -40,7 +40,7 @@ public sealed class RollTests
     [ProfileData]
     public void A_rolling_ball_turns_once_in_its_circumference(Profile profile)
     {
-        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingFriction = 0, RollingFrictionBySpeed = 0 } } };
+        Scene scene = Scene.Vacuum with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingResistance = 0, RollingResistancePerSpeed = 0 } } };
         double time = 10 * 2 * Math.PI * Flight.Radius / 2.5;
         BallState state = Flight.Play(
             scene, SolverSettings.Default, 0.01, time, StopAt.Time, s_start, new Vector3d(2.5, 0, 0), new Vector3d(0, 0, -2.5 / Flight.Radius), out _);
@@ -111,11 +111,11 @@ public sealed class RollTests
 
     /// <summary>The Magnus force does no work, and drag does not bend a roll: neither does what the other would.</summary>
     [Theory]
-    [InlineData(CoefficientForm.Published)]
-    [InlineData(CoefficientForm.Regularised)]
-    public void A_law_that_is_left_out_does_not_act_on_the_ground(CoefficientForm form)
+    [InlineData(AerodynamicModel.Published)]
+    [InlineData(AerodynamicModel.Regularized)]
+    public void A_law_that_is_left_out_does_not_act_on_the_ground(AerodynamicModel form)
     {
-        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { RollingFriction = 0 } } };
+        Scene scene = Scene.Published with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { RollingResistance = 0 } } };
         var spin = new Vector3d(0, 50, -20 / Flight.Radius);
         BallState Roll(ForceSet forces) => Flight.Play(
             scene with { Forces = forces with { Coefficients = form } }, SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(20, 0, 0), spin, out _);
@@ -131,7 +131,7 @@ public sealed class RollTests
     [ProfileData]
     public void Friction_never_turns_a_roll_back_whatever_the_step(Profile profile)
     {
-        var scene = profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingFriction = 3, SpinDamping = 1 }, RestEnergy = 1e-12 } };
+        var scene = profile.Scene() with { Ground = profile.Ground() with { Material = profile.Ground().Material with { RollingResistance = 3, SpinDamping = 1 }, RestEnergy = 1e-12 } };
         foreach (Integrator integrator in Flight.Integrators)
         {
             foreach (double timeStep in new[] { 0.002, 0.05, 0.7, 5 })
@@ -140,7 +140,7 @@ public sealed class RollTests
                 BallState state = simulator.Launch(s_start, new Vector3d(-2, 0, 1), new Vector3d(1 / Flight.Radius, -30, 2 / Flight.Radius));
                 double spin = state.Spin.Y;
                 var log = new StepLog();
-                for (int i = 0; i < 2000 && state.Motion != MotionState.Stopped; i++)
+                for (int i = 0; i < 2000 && state.Motion != MotionState.Rest; i++)
                 {
                     simulator.Step(ref state, timeStep, log);
                     Assert.True(state.Velocity.X <= 1e-12 && state.Velocity.Z >= -1e-12, $"{integrator} {timeStep} s: {state.Velocity}");
@@ -148,7 +148,7 @@ public sealed class RollTests
                     spin = state.Spin.Y;
                 }
 
-                Assert.Equal(MotionState.Stopped, state.Motion);
+                Assert.Equal(MotionState.Rest, state.Motion);
                 Assert.Equal("Rest", Flight.Kinds(log));
             }
         }
@@ -159,7 +159,7 @@ public sealed class RollTests
     private static BallEvent ToRest(Scene scene, Integrator integrator, Vector3d velocity, Vector3d spin)
     {
         BallState state = Flight.Play(scene, Flight.With(integrator), 0.01, 60, StopAt.Rest, s_start, velocity, spin, out StepLog log);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         Assert.Equal("Rest", Flight.Kinds(log));
         return log.Events[0];
     }

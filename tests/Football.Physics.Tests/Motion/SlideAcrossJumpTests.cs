@@ -104,11 +104,11 @@ public sealed class SlideAcrossJumpTests
         return (coarse.Position - fine.Position).Length;
     }
 
-    private static Simulator OnGround(double friction) => new(Scene.Published with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { SlidingFriction = friction, RollingFriction = 0.08 } } });
+    private static Simulator OnGround(double friction) => new(Scene.Published with { Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { SlidingFriction = friction, RollingResistance = 0.08 } } });
 
     private static Simulator OnBoard(double friction) => new(Scene.Published with
     {
         Ground = Ground.None,
-        Obstacles = [new Obstacle { Shape = new PlaneShape(Vector3d.Zero, Vector3d.Up), Surface = SurfaceMaterial.GoalFrame with { SlidingFriction = friction, RollingFriction = 0.08, RollingFrictionBySpeed = 0, DrillingLength = 0, SpinDamping = 0.002 } }],
+        Obstacles = [new Obstacle { Shape = new PlaneShape(Vector3d.Zero, Vector3d.Up), Surface = SurfaceMaterial.GoalFrame with { SlidingFriction = friction, RollingResistance = 0.08, RollingResistancePerSpeed = 0, TorsionalPatchRadius = 0, SpinDamping = 0.002 } }],
     });
 }

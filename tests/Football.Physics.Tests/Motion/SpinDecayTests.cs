@@ -12,7 +12,7 @@ public sealed class SpinDecayTests
     [InlineData(ForceLaw.Constant)]
     public void A_spin_never_grows_and_never_reverses(ForceLaw law)
     {
-        foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
+        foreach (AerodynamicModel form in Enum.GetValues<AerodynamicModel>())
         {
             Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.Published with { SpinDecay = law, SpinDecayCoefficient = 0.01, Coefficients = form } };
             ForEach(scene, (simulator, state, timeStep) =>
@@ -36,7 +36,7 @@ public sealed class SpinDecayTests
     public void A_tiny_spin_is_gone_at_the_instant_the_torque_says_and_stays_gone()
     {
         // The torque on a ball at rest in the spin's sense is finite: ω̇ ≈ −0.5 rad/s² at 25 m/s.
-        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = AerodynamicModel.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         Assert.InRange(rate, 0.4, 0.6);
         foreach (Integrator integrator in Flight.Integrators)
@@ -61,7 +61,7 @@ public sealed class SpinDecayTests
     [Fact]
     public void The_angle_turned_until_the_spin_is_gone_is_half_the_spin_times_its_time()
     {
-        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = CoefficientForm.Published, SpinDecay = ForceLaw.Empirical } };
+        Scene scene = Scene.Published with { Gravity = 0, Forces = ForceSet.None with { Coefficients = AerodynamicModel.Published, SpinDecay = ForceLaw.Empirical } };
         double rate = Laws.PlainLaws.DecayTorque(scene, 25, 0) / scene.Ball.MomentOfInertia;
         BallState state = Flight.Play(scene, SolverSettings.Default, 0.5, 2, StopAt.Time, s_high, new Vector3d(25, 0, 0), new Vector3d(0, 0.05, 0), out _);
         double angle = 0.05 * 0.05 / (2 * rate);
@@ -86,7 +86,7 @@ public sealed class SpinDecayTests
     public void Drag_never_turns_the_ball_round_whatever_the_step(Profile profile)
     {
         Scene scene = profile.Scene() with { Gravity = 0, Air = new Air { Density = 100 }, Forces = profile.Forces() with { Magnus = ForceLaw.None } };
-        foreach (CoefficientForm form in Enum.GetValues<CoefficientForm>())
+        foreach (AerodynamicModel form in Enum.GetValues<AerodynamicModel>())
         {
             ForEach(scene with { Forces = scene.Forces with { Coefficients = form } }, (simulator, state, timeStep) =>
             {

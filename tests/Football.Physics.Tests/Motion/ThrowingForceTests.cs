@@ -16,7 +16,7 @@ public sealed class ThrowingForceTests
     public void Whenever_it_throws_the_ball_is_as_before_the_step(Profile profile, Integrator integrator)
     {
         var force = new Failing();
-        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { Custom = [force] } }, new SolverSettings { Integrator = integrator });
+        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [force] } }, new SolverSettings { Integrator = integrator });
         var log = new StepLog(1);
         int failed = 0;
         for (int after = 0; after < 4000; after += 7)
@@ -31,7 +31,7 @@ public sealed class ThrowingForceTests
                 for (int i = 0; i < 150; i++)
                 {
                     before = state;
-                    counts = (log.Events.Count, log.Steps, log.Evaluations, log.Stalled);
+                    counts = (log.Events.Count, log.Steps, log.Evaluations, log.StalledSteps);
                     simulator.Step(ref state, 0.03, log);
                 }
             }
@@ -39,7 +39,7 @@ public sealed class ThrowingForceTests
             {
                 failed++;
                 Assert.True(Snapshot.Same(before, state));
-                Assert.Equal(counts, (log.Events.Count, log.Steps, log.Evaluations, log.Stalled));
+                Assert.Equal(counts, (log.Events.Count, log.Steps, log.Evaluations, log.StalledSteps));
             }
         }
 
@@ -51,14 +51,14 @@ public sealed class ThrowingForceTests
     public void A_runner_goes_on_as_if_nothing_had_happened(Profile profile)
     {
         var force = new Failing();
-        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { Custom = [force] } });
+        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [force] } });
         for (int after = 0; after < 3000; after += 61)
         {
             force.Begin(int.MaxValue);
             BallState[] expected = Inputs.Play(Runner(simulator), 210);
             FixedStepRunner runner = Runner(simulator);
             force.Begin(after);
-            MatchSegment segment = runner.Record();
+            Recording segment = runner.Record();
             while (runner.Tick < 200)
             {
                 long tick = runner.Tick;
@@ -89,7 +89,7 @@ public sealed class ThrowingForceTests
     public void A_kick_of_a_tick_that_fails_is_applied_once_it_does_not(Profile profile)
     {
         var force = new Failing();
-        FixedStepRunner runner = Runner(new Simulator(profile.Scene() with { Forces = profile.Forces() with { Custom = [force] } }));
+        FixedStepRunner runner = Runner(new Simulator(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [force] } }));
         force.Begin(0);
         BallState before = runner.State;
         Assert.Throws<FailedException>(runner.Step);
@@ -106,7 +106,7 @@ public sealed class ThrowingForceTests
     public void A_look_ahead_that_fails_leaves_a_path_without_overlap(Profile profile, bool kept)
     {
         var force = new Failing();
-        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { Custom = [force] } });
+        var simulator = new Simulator(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [force] } });
         int failures = 0;
         for (int after = 0; after < 2000; after += 31)
         {
@@ -154,7 +154,7 @@ public sealed class ThrowingForceTests
     public void A_batch_throws_the_same_whatever_the_number_of_threads(Profile profile, int threads)
     {
         const int Count = 600;
-        Scene scene = profile.Scene() with { Forces = profile.Forces() with { Custom = [new FailingAt(333, 100, 580)] } };
+        Scene scene = profile.Scene() with { Forces = profile.Forces() with { CustomForces = [new FailingAt(333, 100, 580)] } };
         var batch = new BallBatch(scene, new BatchSettings { Threads = threads });
         var launches = new BatchLaunches(Count);
         for (int i = 0; i < Count; i++)
@@ -182,7 +182,7 @@ public sealed class ThrowingForceTests
         foreach (bool torque in (bool[])[false, true])
         {
             var force = new Poison(value, torque, 0.1);
-            var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { Custom = [IForce.From(_ => Vector3d.Up), force] } });
+            var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [IForce.From(_ => Vector3d.Up), force] } });
             ball.Kick(s_velocity, s_spin);
             BallState before = ball.State;
             InvalidOperationException refused = Assert.Throws<InvalidOperationException>((Action)(() =>
@@ -193,7 +193,7 @@ public sealed class ThrowingForceTests
                     ball.Step(0.03);
                 }
             }));
-            Assert.StartsWith("forces.custom[1] (Poison) is (", refused.Message);
+            Assert.StartsWith("forces.customForces[1] (Poison) is (", refused.Message);
             Assert.Contains("allowed: finite components", refused.Message);
             Assert.True(Snapshot.Same(before, ball.State));
         }
@@ -216,7 +216,7 @@ public sealed class ThrowingForceTests
             {
                 foreach (double step in (double[])[0.01, 0.2, 3])
                 {
-                    var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { Custom = [force] } }, new SolverSettings { Integrator = integrator });
+                    var ball = new Ball(profile.Scene() with { Forces = profile.Forces() with { CustomForces = [force] } }, new SolverSettings { Integrator = integrator });
                     ball.Kick(s_velocity, s_spin);
                     for (int i = 0; i < 300; i++)
                     {
@@ -261,7 +261,7 @@ public sealed class ThrowingForceTests
 
         public void Begin(int calls) => Left = calls;
 
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
             if (Left-- <= 0)
             {
@@ -275,7 +275,7 @@ public sealed class ThrowingForceTests
     /// <summary>Throws for balls that were launched at some places.</summary>
     private sealed class FailingAt(params int[] places) : IForce
     {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
             double x = ball.Position.X;
             int failing = Array.FindIndex(places, place => Math.Abs(x - place) < 0.3);
@@ -288,7 +288,7 @@ public sealed class ThrowingForceTests
 
     private sealed class Poison(double value, bool torque, double from) : IForce
     {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
             var poison = new Vector3d(0, ball.Time < from ? 0 : value, 0);
             if (torque)

@@ -27,7 +27,7 @@ public sealed class TiltedGravityTests
         Quaterniond turn = Quaterniond.FromAxisAngle(new Vector3d(0, 0, 1), -angle);
         Vector3d gravity = 9.81 * new Vector3d(Math.Sin(angle), -Math.Cos(angle), 0);
         Assert.Equal(0, Vector3d.Distance(turn.Rotate(gravity), new Vector3d(0, -9.81, 0)), 1e-14);
-        Scene own = isMeasured ? Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.MatchTurf) } : Scene.Published with { Forces = ForceSet.Regularised };
+        Scene own = isMeasured ? Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.MatchTurf) } : Scene.Published with { Forces = ForceSet.Regularized };
         Scene tilted = own with { GravityVector = gravity, Obstacles = [Wall(new Vector3d(6, 0, 0), new Vector3d(-1, 0, 0))] };
         Scene slope = own with
         {

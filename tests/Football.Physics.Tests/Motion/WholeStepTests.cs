@@ -22,7 +22,7 @@ public sealed class WholeStepTests
             Air = new Air { Wind = new Vector3d(7, -5, 3) },
             Ground = scene.Ground with { Material = scene.Ground.Material with { SpinDamping = 1e-4 }, Normal = normal },
         };
-        Scene nudged = scene with { Forces = scene.Forces with { Custom = [new Nothing()] } };
+        Scene nudged = scene with { Forces = scene.Forces with { CustomForces = [new Nothing()] } };
         Vector3d along = new Vector3d(normal.Y, -normal.X, 0);
         Vector3d across = Vector3d.Cross(in along, in normal);
         foreach (double speed in (double[])[4, 9])
@@ -49,7 +49,7 @@ public sealed class WholeStepTests
 
     private sealed class Nothing : IForce
     {
-        public void Apply(in ForceInput ball, ref ForceSum sum)
+        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
         {
         }
     }

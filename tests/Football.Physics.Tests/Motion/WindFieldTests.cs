@@ -16,7 +16,7 @@ public sealed class WindFieldTests
     [ProfileData]
     public void A_field_that_is_the_same_everywhere_is_a_steady_wind(Profile profile)
     {
-        foreach (CoefficientForm form in new[] { CoefficientForm.Regularised, CoefficientForm.Measured })
+        foreach (AerodynamicModel form in new[] { AerodynamicModel.Regularized, AerodynamicModel.Measured })
         {
             foreach (double steady in new[] { 0, 0.5 })
             {
@@ -104,7 +104,7 @@ public sealed class WindFieldTests
         Scene field = Scene.Measured with { Air = new Air { WindField = new UniformWind(s_wind) } };
         Scene wind = Scene.Measured with { Air = new Air { Wind = s_wind } };
         var force = IForce.From(ball => 0.01 * ball.AirVelocity);
-        var forces = ForceSet.Measured with { Custom = [force] };
+        var forces = ForceSet.Measured with { CustomForces = [force] };
         Same(field with { Forces = forces }, wind with { Forces = forces }, Integrator.Rk4, 1e-9);
     }
 

@@ -43,9 +43,9 @@ public sealed class AimResultTests
     [Fact]
     public void A_point_on_the_way_that_is_missed_is_no_hit()
     {
-        AimResult result = new Aimer(Scene.Published).Find(s_pass with { Through = new Vector3d(1, 4, -10), MaximumTopSpin = 5, MaximumSideSpin = 5 });
-        Assert.Equal((AimStatus.TargetOnly, true), (result.Status, result.HitsTarget));
-        Assert.True(result.ThroughMiss > 0.1 && result.Miss <= 0.01);
+        AimResult result = new Aimer(Scene.Published).Find(s_pass with { Waypoint = new Vector3d(1, 4, -10), MaximumTopSpin = 5, MaximumSideSpin = 5 });
+        Assert.Equal((AimStatus.WaypointMissed, true), (result.Status, result.HitsTarget));
+        Assert.True(result.WaypointMiss > 0.1 && result.Miss <= 0.01);
     }
 
     [Fact]

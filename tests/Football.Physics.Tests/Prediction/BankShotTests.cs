@@ -43,7 +43,7 @@ public sealed class BankShotTests
             // Flown again in steps of a fourth, it meets just these, and then the target.
             BallState again = simulator.Launch(request.From, found.Velocity, found.Spin);
             simulator.LookAhead(in again, new LookAheadRequest { Duration = found.Time, TimeStep = 0.005, StopAt = StopAt.Time }, path);
-            Assert.Equal(after, Impacts(path).Select(e => simulator.NameOf(e.Thing)!));
+            Assert.Equal(after, Impacts(path).Select(e => simulator.NameOf(e.ColliderIndex)!));
             Assert.InRange(Vector3d.Distance(path.Final.Position, request.Target), 0, Tolerance + 1e-5);
             Assert.Equal(request.Speed, found.Velocity.Length, 9);
         }

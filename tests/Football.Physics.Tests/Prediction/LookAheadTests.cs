@@ -189,7 +189,7 @@ public sealed class LookAheadTests
     public void Where_the_memory_is_full_it_says_so()
     {
         BallState ball = s_simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(22, 7, 0), default);
-        var small = new Trajectory(new PathPiece[5]);
+        var small = new Trajectory(new PathSegment[5]);
         s_simulator.LookAhead(in ball, new LookAheadRequest(), small);
         Assert.False(small.IsComplete);
         Assert.Equal(5, small.Pieces.Length);

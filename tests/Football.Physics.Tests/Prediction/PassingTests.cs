@@ -73,7 +73,7 @@ public sealed class PassingTests
     public void Stiff_forces_do_not_diverge_at_the_default_step(double damping, double stiffness)
     {
         IForce net = IForce.From(ball => (-damping * ball.Velocity) - (stiffness * new Vector3d(0, 0, Math.Min(0, ball.Position.Z + 11))));
-        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { Custom = [net] } });
+        var simulator = new Simulator(Scene.Published with { Forces = ForceSet.Published with { CustomForces = [net] } });
         BallState ball = simulator.Launch(new Vector3d(0, 1.5, 0), new Vector3d(1, 3, -20), default);
         var path = new Trajectory(16384);
         simulator.LookAhead(in ball, new LookAheadRequest { Duration = 1.5, StopAt = StopAt.Impact }, path);

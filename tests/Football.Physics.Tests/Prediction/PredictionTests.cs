@@ -17,7 +17,7 @@ public sealed class PredictionTests
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(14, 8, 3), new Vector3d(5, 30, -20));
         Assert.True(prediction.Update(in ball));
         int checks = 0;
-        while (ball.Motion != MotionState.Stopped)
+        while (ball.Motion != MotionState.Rest)
         {
             // What is predicted for a second later is what will be.
             BallState later = ball;
@@ -26,7 +26,7 @@ public sealed class PredictionTests
                 simulator.Step(ref later, Step, log);
             }
 
-            if (later.Time <= prediction.Path.EndTime && later.Motion != MotionState.Stopped)
+            if (later.Time <= prediction.Path.EndTime && later.Motion != MotionState.Rest)
             {
                 Assert.Equal(later.Position, prediction.Path.PositionAt(later.Time));
                 checks++;
@@ -51,7 +51,7 @@ public sealed class PredictionTests
         var log = new StepLog();
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(18, 9, 3), new Vector3d(5, 10, -10));
         int updates = 0;
-        while (ball.Motion != MotionState.Stopped)
+        while (ball.Motion != MotionState.Rest)
         {
             prediction.Update(in ball);
             updates++;
@@ -110,7 +110,7 @@ public sealed class PredictionTests
         void Live()
         {
             BallState ball = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(14, 8, 3), new Vector3d(5, 30, -20));
-            while (ball.Motion != MotionState.Stopped)
+            while (ball.Motion != MotionState.Rest)
             {
                 prediction.Update(in ball);
                 simulator.Step(ref ball, Step, log);

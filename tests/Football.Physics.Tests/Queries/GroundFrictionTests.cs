@@ -23,7 +23,7 @@ public sealed class GroundFrictionTests
         AssertWithin(sliding, fit, "slidingFriction", 0.05);
         AssertWithin(rolling, fit, "rollingFriction", 0.04);
         AssertWithin(bySpeed, fit, "rollingFrictionBySpeed", 0.006);
-        double there = fit.Scene.Ground.Material.RollingFriction + (fit.Scene.Ground.Material.RollingFrictionBySpeed * fit.RollingSpeed);
+        double there = fit.Scene.Ground.Material.RollingResistance + (fit.Scene.Ground.Material.RollingResistancePerSpeed * fit.RollingSpeed);
         Assert.InRange(fit.RollingDeviation, 1e-4, 0.01);
         Assert.InRange(there, rolling + (bySpeed * fit.RollingSpeed) - (3 * fit.RollingDeviation), rolling + (bySpeed * fit.RollingSpeed) + (3 * fit.RollingDeviation));
     }
@@ -37,12 +37,12 @@ public sealed class GroundFrictionTests
         int within = 0;
         foreach (GroundWindow window in fit.Windows)
         {
-            BallState[] inside = [.. truth.Where(ball => ball.Time >= window.From - 1e-9 && ball.Time <= window.To + 1e-9)];
+            BallState[] inside = [.. truth.Where(ball => ball.Time >= window.StartTime - 1e-9 && ball.Time <= window.EndTime + 1e-9)];
             Assert.Equal(window.Points, inside.Length);
             Assert.True(inside.Count(ball => ball.Motion == window.Motion) >= inside.Length - 2, $"{window}");
             Assert.InRange(window.Speed, inside[^1].Velocity.Length - 0.3, inside[0].Velocity.Length + 0.3);
             double resistance = window.Motion == MotionState.Sliding ? 0.45 : 0.07 + (0.004 * window.Speed);
-            within += Math.Abs(window.Resistance - resistance) <= 2 * window.Deviation ? 1 : 0;
+            within += Math.Abs(window.Resistance - resistance) <= 2 * window.StandardError ? 1 : 0;
         }
 
         Assert.Contains(fit.Windows, window => window.Motion == MotionState.Sliding);
@@ -85,14 +85,14 @@ public sealed class GroundFrictionTests
     private static Scene Known { get; } = new() { Ball = BallProperties.Modern, Ground = Ground.Of(SurfaceMaterial.MatchTurf) };
 
     private static Scene With(Scene scene, double sliding, double rolling, double bySpeed) =>
-        scene with { Ground = scene.Ground with { Material = scene.Ground.Material with { SlidingFriction = sliding, RollingFriction = rolling, RollingFrictionBySpeed = bySpeed } } };
+        scene with { Ground = scene.Ground with { Material = scene.Ground.Material with { SlidingFriction = sliding, RollingResistance = rolling, RollingResistancePerSpeed = bySpeed } } };
 
     private static void AssertWithin(double truth, MatchFitResult fit, string name, double most)
     {
         int at = fit.Names.ToList().IndexOf(name);
         Assert.True(at >= 0, name);
-        Assert.InRange(fit.Deviation(at), 1e-4, most);
-        Assert.True(Math.Abs(fit.Value(at) - truth) <= 3 * fit.Deviation(at), $"{name} {fit.Value(at)} ± {fit.Deviation(at)}, true {truth}");
+        Assert.InRange(fit.StandardError(at), 1e-4, most);
+        Assert.True(Math.Abs(fit.Value(at) - truth) <= 3 * fit.StandardError(at), $"{name} {fit.Value(at)} ± {fit.StandardError(at)}, true {truth}");
     }
 
     /// <summary>Passes along the ground in all directions, one after the other, as a tracker sees them.</summary>

@@ -17,7 +17,7 @@ public sealed class MatchFitTests
         Assert.Equal(flights.Length, fit.Flights);
         Assert.True(flights.Length >= 3);
         Assert.True(Vector3d.Distance(s_launch, flights[0].Velocity) < 0.5, $"{flights[0].Velocity}");
-        Assert.Contains(fit.Pieces, piece => piece.Kind == MatchPieceKind.Touch && Math.Abs(piece.From - HeaderTime) < 0.04 && Vector3d.Distance(piece.Velocity, s_header) < 0.6);
+        Assert.Contains(fit.Pieces, piece => piece.Kind == MatchPieceKind.Touch && Math.Abs(piece.StartTime - HeaderTime) < 0.04 && Vector3d.Distance(piece.Velocity, s_header) < 0.6);
         Assert.Contains(fit.Pieces, piece => piece.Kind == MatchPieceKind.Impact && piece.Restitution is > 0.4 and < 0.9);
         Assert.InRange(fit.Rms, 0.003, 0.012);
         Assert.InRange(fit.Covered, 0.97, 1);
@@ -25,7 +25,7 @@ public sealed class MatchFitTests
         for (int i = 0; i < fit.Names.Count; i++)
         {
             double truth = fit.Names[i] == "wind.x" ? 1.5 : fit.Names[i] == "wind.z" ? 0 : fit.Names[i] == "drag" ? 1 : double.NaN;
-            Assert.True(double.IsNaN(truth) || Math.Abs(fit.Value(i) - truth) < 4 * fit.Deviation(i), $"{fit.Names[i]} {fit.Value(i)} ± {fit.Deviation(i)}");
+            Assert.True(double.IsNaN(truth) || Math.Abs(fit.Value(i) - truth) < 4 * fit.StandardError(i), $"{fit.Names[i]} {fit.Value(i)} ± {fit.StandardError(i)}");
         }
     }
 
@@ -40,8 +40,8 @@ public sealed class MatchFitTests
         {
             Assert.Equal(one.Pieces[i].Velocity, two.Pieces[i].Velocity);
             Assert.Equal(one.Pieces[i].Spin, two.Pieces[i].Spin);
-            Assert.True(i == 0 || one.Pieces[i].From >= one.Pieces[i - 1].From);
-            Assert.Equal(one.Pieces[i].Points, one.Pieces[i].Seen.Count);
+            Assert.True(i == 0 || one.Pieces[i].StartTime >= one.Pieces[i - 1].StartTime);
+            Assert.Equal(one.Pieces[i].Points, one.Pieces[i].Observed.Count);
             Assert.Equal(one.Pieces[i].Points, one.Pieces[i].Fitted.Count);
         }
     }
@@ -57,7 +57,7 @@ public sealed class MatchFitTests
         }
 
         MatchFitResult fit = new MatchFit(Known).Find([.. track]);
-        Assert.Contains(fit.Pieces, piece => piece.Kind == MatchPieceKind.Lost && piece.From < 4.05 && piece.To > 4.35);
+        Assert.Contains(fit.Pieces, piece => piece.Kind == MatchPieceKind.Lost && piece.StartTime < 4.05 && piece.EndTime > 4.35);
         MatchPiece first = fit.Pieces.First(piece => piece.Kind == MatchPieceKind.Flight);
         Assert.True(Vector3d.Distance(s_launch, first.Velocity) < 0.5, $"{first.Velocity}");
         Assert.InRange(fit.Rms, 0.003, 0.015);
@@ -73,8 +73,8 @@ public sealed class MatchFitTests
         Assert.Equal(once.Flights, twice.Flights);
         Assert.Equal(once.Noise, twice.Noise);
         Assert.Equal(
-            once.Pieces.Select(piece => (piece.Kind, piece.From, piece.To, piece.Points, piece.Velocity, piece.Spin)),
-            twice.Pieces.Select(piece => (piece.Kind, piece.From, piece.To, piece.Points, piece.Velocity, piece.Spin)));
+            once.Pieces.Select(piece => (piece.Kind, piece.StartTime, piece.EndTime, piece.Points, piece.Velocity, piece.Spin)),
+            twice.Pieces.Select(piece => (piece.Kind, piece.StartTime, piece.EndTime, piece.Points, piece.Velocity, piece.Spin)));
     }
 
     [Fact]

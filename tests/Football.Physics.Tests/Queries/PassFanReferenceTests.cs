@@ -31,14 +31,14 @@ public sealed class PassFanReferenceTests
             PassFanRequest request = Request(random, i, alongTheGround);
             Player[] mates = Players(random, 1 + (i % 5), 30);
             Player[] opponents = Players(random, i % 12, 40);
-            PassChoice choice = fan.Find(request, mates, opponents);
+            PassResult choice = fan.Find(request, mates, opponents);
             double earliest = Earliest(scene, request, mates, opponents, out int open);
             Assert.Equal(!double.IsPositiveInfinity(earliest), choice.IsFound);
             Assert.InRange(choice.Open, open, choice.Kicks);
             if (choice.IsFound)
             {
                 Assert.Equal(earliest, choice.Meeting.Time, 1e-9);
-                Assert.True(choice.Lead >= request.Margin);
+                Assert.True(choice.TimeMargin >= request.Margin);
                 found++;
                 rolled += choice.Velocity.Y < scene.Ground.MinimumBounceSpeed ? 1 : 0;
             }
@@ -60,7 +60,7 @@ public sealed class PassFanReferenceTests
         {
             PassFanRequest request = Request(random, i, alongTheGround) with { Target = random.Uniform(5, 30) * random.Heading() };
             Player[] opponents = Players(random, i % 6, 50);
-            PassChoice choice = fan.Find(request, [], opponents);
+            PassResult choice = fan.Find(request, [], opponents);
             double closest = Closest(scene, request, opponents);
             Assert.Equal(!double.IsPositiveInfinity(closest), choice.IsFound);
             if (choice.IsFound)
@@ -80,7 +80,7 @@ public sealed class PassFanReferenceTests
         PassFanRequest request = Request(random, 0, alongTheGround: true) with { TopSpin = -150, SideSpin = 90 };
         Player[] mates = Players(random, 4, 30);
         Player[] opponents = Players(random, 3, 40);
-        PassChoice choice = new PassFan(Scene.Measured).Find(request, mates, opponents);
+        PassResult choice = new PassFan(Scene.Measured).Find(request, mates, opponents);
         double earliest = Earliest(Scene.Measured, request, mates, opponents, out _);
         Assert.Equal(earliest, choice.IsFound ? choice.Meeting.Time : double.PositiveInfinity, 1e-9);
         Assert.True(choice.IsFound);
@@ -117,7 +117,7 @@ public sealed class PassFanReferenceTests
             Position = random.Uniform(6, within) * random.Heading(),
             Velocity = random.Uniform(0, 6) * random.Heading(),
             Reaction = random.Uniform(0, 0.6),
-            HighestHeight = random.Uniform(0.4, 2.6),
+            MaximumHeight = random.Uniform(0.4, 2.6),
         }),
     ];
 

@@ -14,18 +14,18 @@ public sealed class PassFanTests
     public void Without_team_mates_it_comes_down_near_the_target_out_of_reach_of_all_opponents()
     {
         var target = new Vector3d(4, 0, -38);
-        PassChoice choice = new PassFan(Scene.Measured).Find(s_request with { Target = target }, [], s_opponents);
+        PassResult choice = new PassFan(Scene.Measured).Find(s_request with { Target = target }, [], s_opponents);
         Assert.True(choice.IsFound);
         Assert.Equal(-1, choice.Receiver);
-        Assert.True(double.IsPositiveInfinity(choice.Lead));
+        Assert.True(double.IsPositiveInfinity(choice.TimeMargin));
         Assert.InRange((choice.Meeting.Position - target).Horizontal.Length, 0, 4);
     }
 
     [Fact]
     public void Where_opponents_stand_around_the_ball_there_is_none()
     {
-        Player[] around = [new Player { Position = new Vector3d(0, 0, -0.3), HighestHeight = 9 }];
-        PassChoice choice = new PassFan(Scene.Measured).Find(s_request, s_mates, around);
+        Player[] around = [new Player { Position = new Vector3d(0, 0, -0.3), MaximumHeight = 9 }];
+        PassResult choice = new PassFan(Scene.Measured).Find(s_request, s_mates, around);
         Assert.False(choice.IsFound);
         Assert.InRange(choice.Open, 0, choice.Kicks / 10);
     }
@@ -34,7 +34,7 @@ public sealed class PassFanTests
     public void All_kicks_of_elevation_zero_go_along_the_ground_and_are_met_there()
     {
         PassFanRequest along = s_request with { MinimumElevationDegrees = 0, MaximumElevationDegrees = 0, Elevations = 1 };
-        PassChoice choice = new PassFan(Scene.Measured).Find(along, s_mates, []);
+        PassResult choice = new PassFan(Scene.Measured).Find(along, s_mates, []);
         Assert.True(choice.IsFound);
         Assert.Equal(100, choice.Kicks);
         Assert.Equal(0, choice.Velocity.Y);
@@ -57,7 +57,7 @@ public sealed class PassFanTests
             Target = target,
             Duration = 20,
         };
-        PassChoice choice = new PassFan(Scene.Measured).Find(along, [], []);
+        PassResult choice = new PassFan(Scene.Measured).Find(along, [], []);
         Assert.True(choice.IsFound);
         Assert.Equal(0, choice.Meeting.Velocity.Length);
         Assert.InRange((choice.Meeting.Position - target).Horizontal.Length, 0, 2.5);
@@ -106,7 +106,7 @@ public sealed class PassFanTests
     [Fact]
     public void A_scene_that_the_game_moves_is_refused()
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         bodies.Add("player", new SphereShape(Vector3d.Zero, 0.3));
         Assert.Contains("scene is", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(Scene.Measured with { Bodies = bodies })).Message, StringComparison.Ordinal);
     }
@@ -114,8 +114,8 @@ public sealed class PassFanTests
     [Fact]
     public void On_a_pitch_the_best_pass_is_that_of_the_open_field()
     {
-        PassChoice open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
-        PassChoice pitch = new PassFan(Pitch.Stadium.On(Scene.Measured)).Find(s_request, s_mates, s_opponents);
+        PassResult open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
+        PassResult pitch = new PassFan(Pitch.Stadium.On(Scene.Measured)).Find(s_request, s_mates, s_opponents);
         Assert.True(open.IsFound);
         Assert.Equal((open.Velocity, open.Spin, open.Receiver, open.Meeting.Time), (pitch.Velocity, pitch.Spin, pitch.Receiver, pitch.Meeting.Time));
     }
@@ -123,19 +123,19 @@ public sealed class PassFanTests
     [Fact]
     public void What_stands_in_the_way_of_the_best_pass_has_another_taken()
     {
-        PassChoice open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
+        PassResult open = new PassFan(Scene.Measured).Find(s_request, s_mates, s_opponents);
         Simulator free = new(Scene.Measured);
         BallState ball = free.Launch(s_request.From, open.Velocity, open.Spin);
         free.Run(ref ball, 0.01, 0.5 * open.Meeting.Time, StopAt.Time, new StepLog());
         Scene scene = Scene.Measured with { Obstacles = [new Obstacle { Name = "referee", Shape = new SphereShape(ball.Position, 0.3) }] };
-        PassChoice other = new PassFan(scene).Find(s_request, s_mates, s_opponents);
+        PassResult other = new PassFan(scene).Find(s_request, s_mates, s_opponents);
         Assert.True(other.IsFound && other.Meeting.Time >= open.Meeting.Time);
         Assert.NotEqual(open.Velocity, other.Velocity);
         var simulator = new Simulator(scene);
         BallState kicked = simulator.Launch(s_request.From, other.Velocity, other.Spin);
         var log = new StepLog();
         simulator.Run(ref kicked, 0.01, other.Meeting.Time, StopAt.Time, log);
-        Assert.DoesNotContain(log.Events.Span.ToArray(), item => item.Thing > 0);
+        Assert.DoesNotContain(log.Events.Span.ToArray(), item => item.ColliderIndex > 0);
     }
 
     /// <summary>A mate who has the ball at his feet meets it before anything stands in the way; and what gives way stands where it stood for the next kick and the next call.</summary>
@@ -145,7 +145,7 @@ public sealed class PassFanTests
         Obstacle[] cones = [.. Enumerable.Range(-4, 9).Select(i => new Obstacle { Name = $"cone {i}", Shape = new SphereShape(new Vector3d(0.7 * i, 0.2, -6), 0.2), Mass = 0.3 })];
         var fan = new PassFan(Scene.Measured with { Obstacles = cones });
         PassFanRequest along = s_request with { MinimumElevationDegrees = 0 };
-        PassChoice first = fan.Find(along, s_mates, s_opponents);
+        PassResult first = fan.Find(along, s_mates, s_opponents);
         Assert.True(first.IsFound);
         Assert.Equal(first, fan.Find(along, s_mates, s_opponents));
         Assert.True(fan.Find(along, [new Player { Position = along.From }], []).IsFound);

@@ -4,7 +4,7 @@ namespace FootballPhysics.Tests.Queries;
 public sealed class ScatterTests
 {
     private static readonly Goal s_goal = new() { Center = new Vector3d(0, 0, -11), Facing = new Vector3d(0, 0, 1) };
-    private static readonly Player s_keeper = new() { Position = new Vector3d(0, 0, -11), Reach = 1.5, HighestHeight = 2.5 };
+    private static readonly Player s_keeper = new() { Position = new Vector3d(0, 0, -11), Reach = 1.5, MaximumHeight = 2.5 };
     private static readonly Vector3d s_from = new(0, 0.11, 0);
     private static readonly Vector3d s_velocity = new(4, 3, -22);
     private static readonly Vector3d s_spin = new(5, 20, 0);

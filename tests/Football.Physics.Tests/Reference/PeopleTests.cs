@@ -69,7 +69,7 @@ public sealed class PeopleTests
         ["events"] => [outcome.Events.Count + outcome.Missed],
         ["impacts"] => [outcome.Events.Count(item => item.Kind == BallEventKind.Impact)],
         ["evaluations"] => [outcome.Evaluations],
-        ["resting"] => [(outcome.Balls.Count > 0 ? outcome.Balls : [outcome.Final]).Count(ball => ball.State == MotionState.Stopped)],
+        ["resting"] => [(outcome.Balls.Count > 0 ? outcome.Balls : [outcome.Final]).Count(ball => ball.State == MotionState.Rest)],
         ["speed"] => [outcome.Final.Velocity.Length],
         ["start"] => Components(outcome.Samples![0].Position),
         ["depth"] => [Depth(scenario, outcome)],

@@ -62,7 +62,7 @@ public sealed class PressedReferenceTests
 
         // The second never rests here, so the steps end when the first does.
         double end = scenario.Duration - (1e-9 * TimeStep);
-        while (states[0].Time < end && !(scenario.StopAt == StopAt.Rest && states[0].Motion == MotionState.Stopped))
+        while (states[0].Time < end && !(scenario.StopAt == StopAt.Rest && states[0].Motion == MotionState.Rest))
         {
             group.Step(states, Math.Min(TimeStep, scenario.Duration - states[0].Time), log);
         }

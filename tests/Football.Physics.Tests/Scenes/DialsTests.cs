@@ -45,7 +45,7 @@ public sealed class DialsTests
                 NormalRestitution = turf.NormalRestitution * (1 - 0.084),
                 ImpactFriction = turf.ImpactFriction * (1 - (1 / 3.0)),
                 SlidingFriction = turf.SlidingFriction * (1 - 0.45),
-                DrillingLength = 0.75 * turf.DrillingLength,
+                TorsionalPatchRadius = 0.75 * turf.TorsionalPatchRadius,
             },
             wet.Ground.Material);
         Assert.Equal(0.28, wet.Ground.Material.ImpactFriction, 1e-12);
@@ -58,7 +58,7 @@ public sealed class DialsTests
         Scene muddy = new Dials { Mud = 1 }.Apply(Scene.Default);
         Assert.Equal(0.43 * 1.05, muddy.Ball.Mass, 1e-12);
         Assert.Equal(
-            turf with { NormalRestitution = turf.NormalRestitution * (1 - 0.6), RestitutionRise = 0, SlidingFriction = turf.SlidingFriction * (1 - 0.4), RollingFriction = turf.RollingFriction + 0.12 },
+            turf with { NormalRestitution = turf.NormalRestitution * (1 - 0.6), GrazingRestitutionGain = 0, SlidingFriction = turf.SlidingFriction * (1 - 0.4), RollingResistance = turf.RollingResistance + 0.12 },
             muddy.Ground.Material);
     }
 
@@ -104,7 +104,7 @@ public sealed class DialsTests
     [Fact]
     public void A_lively_ball_gains_no_energy()
     {
-        var scene = new Scene { Ball = new BallProperties { Bounce = 1.2 }, Forces = ForceSet.None, Ground = Ground.Of(SurfaceMaterial.MatchTurf with { NormalRestitution = 0.95, RestitutionRise = 0 }) };
+        var scene = new Scene { Ball = new BallProperties { Bounce = 1.2 }, Forces = ForceSet.None, Ground = Ground.Of(SurfaceMaterial.MatchTurf with { NormalRestitution = 0.95, GrazingRestitutionGain = 0 }) };
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), default, default);
         var log = new StepLog();

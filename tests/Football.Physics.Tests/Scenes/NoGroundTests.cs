@@ -40,7 +40,7 @@ public sealed class NoGroundTests
     {
         var runner = new FixedStepRunner(new Simulator(s_vacuum));
         Assert.Equal(Vector3d.Zero, runner.State.Position);
-        var stage = new Stage(s_vacuum);
+        var stage = new BallScene(s_vacuum);
         stage.Compile();
         foreach (FixedStepRunner one in (FixedStepRunner[])[runner, new FixedStepRunner(stage.Game), new FixedStepRunner(new BallGroup(new Simulator(s_vacuum), 3))])
         {
@@ -111,14 +111,14 @@ public sealed class NoGroundTests
     [Fact]
     public void A_wire_form_of_a_ball_on_the_ground_is_rejected()
     {
-        var onGround = new FixedStepRunner(new Simulator()) { WireTicks = 1 };
-        var nowhere = new FixedStepRunner(new Simulator(Scene.Default with { Ground = Ground.None })) { WireTicks = 1 };
-        var bytes = new byte[Snapshot.WireSize];
-        Assert.True(onGround.TryWriteWire(onGround.State, bytes));
-        Assert.Throws<FormatException>(() => nowhere.ReadWire(bytes));
+        var onGround = new FixedStepRunner(new Simulator()) { QuantizationInterval = 1 };
+        var nowhere = new FixedStepRunner(new Simulator(Scene.Default with { Ground = Ground.None })) { QuantizationInterval = 1 };
+        var bytes = new byte[Snapshot.QuantizedSize];
+        Assert.True(onGround.TryWriteQuantized(onGround.State, bytes));
+        Assert.Throws<FormatException>(() => nowhere.ReadQuantized(bytes));
         nowhere.Step();
-        Assert.True(nowhere.TryWriteWire(nowhere.State, bytes));
-        Assert.Equal(nowhere.State.Position, nowhere.ReadWire(bytes).Position);
+        Assert.True(nowhere.TryWriteQuantized(nowhere.State, bytes));
+        Assert.Equal(nowhere.State.Position, nowhere.ReadQuantized(bytes).Position);
     }
 
     [Fact]

@@ -115,13 +115,13 @@ internal static class PresetTable
             }
         }
 
-        yield return ("match turf", "V_e, m/s", SurfaceMaterial.MatchTurf.RestitutionSpeed, "derived", "best fit of both matches 15 … 30");
-        yield return ("other surfaces", "V_e, m/s", SurfaceMaterial.DryTurf.RestitutionSpeed, "guess", "20 … ∞");
+        yield return ("match turf", "V_e, m/s", SurfaceMaterial.MatchTurf.RestitutionSpeedScale, "derived", "best fit of both matches 15 … 30");
+        yield return ("other surfaces", "V_e, m/s", SurfaceMaterial.DryTurf.RestitutionSpeedScale, "guess", "20 … ∞");
         yield return ("all surfaces", "least bounce, m/s", new Ground().MinimumBounceSpeed, "guess", "a hop of 2 mm");
         yield return ("all surfaces", "rest energy, J", new Ground().RestEnergy, "guess", "");
         SurfaceMaterial frame = SurfaceMaterial.GoalFrame;
         yield return ("goal frame", "e₆", frame.NormalRestitution, "guess", "others' priors 0.65 … 0.80");
-        yield return ("goal frame", "V_e, m/s", frame.RestitutionSpeed, "guess", "");
+        yield return ("goal frame", "V_e, m/s", frame.RestitutionSpeedScale, "guess", "");
         yield return ("goal frame", "e_t", frame.TangentialRestitution, "guess", "");
         yield return ("goal frame", "μ_i", frame.ImpactFriction, "guess", "");
     }
@@ -150,8 +150,8 @@ internal static class PresetTable
 
     private static IEnumerable<(string Number, double Value)> NumbersOf(SurfaceMaterial material) =>
     [
-        ("e₆", material.NormalRestitution), ("η", material.RestitutionRise), ("e_t", material.TangentialRestitution), ("μ_i", material.ImpactFriction), ("μ_s", material.SlidingFriction),
-        ("c₀", material.RollingFriction), ("c₁, s/m", material.RollingFrictionBySpeed), ("b, m", material.DrillingLength),
+        ("e₆", material.NormalRestitution), ("η", material.GrazingRestitutionGain), ("e_t", material.TangentialRestitution), ("μ_i", material.ImpactFriction), ("μ_s", material.SlidingFriction),
+        ("c₀", material.RollingResistance), ("c₁, s/m", material.RollingResistancePerSpeed), ("b, m", material.TorsionalPatchRadius),
     ];
 
     private static string Text(double value) =>

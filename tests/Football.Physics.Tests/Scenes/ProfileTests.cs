@@ -29,10 +29,10 @@ public sealed class ProfileTests
     public void The_published_profile_is_the_thesis()
     {
         Scene scene = Scene.Published;
-        Assert.Equal((CoefficientForm.Published, GroundAerodynamics.Horizontal), (scene.Forces.Coefficients, scene.Ground.Aerodynamics));
+        Assert.Equal((AerodynamicModel.Published, GroundAerodynamics.Horizontal), (scene.Forces.Coefficients, scene.Ground.Aerodynamics));
         Assert.Equal((0.6, 0.5, 0.8), (scene.Ground.Material.NormalRestitution, scene.Ground.Material.TangentialRestitution, scene.Ground.Material.SpinRestitution));
-        Assert.Equal((0.5, 0.05, 0.002), (scene.Ground.Material.SlidingFriction, scene.Ground.Material.RollingFriction, scene.Ground.Material.SpinDamping));
-        Assert.Equal((double.PositiveInfinity, double.PositiveInfinity), (scene.Ground.Material.ImpactFriction, scene.Ground.Material.RestitutionSpeed));
+        Assert.Equal((0.5, 0.05, 0.002), (scene.Ground.Material.SlidingFriction, scene.Ground.Material.RollingResistance, scene.Ground.Material.SpinDamping));
+        Assert.Equal((double.PositiveInfinity, double.PositiveInfinity), (scene.Ground.Material.ImpactFriction, scene.Ground.Material.RestitutionSpeedScale));
     }
 
     [Fact]
@@ -61,7 +61,7 @@ public sealed class ProfileTests
     {
         SurfaceMaterial material = SurfaceMaterial.Presets[name];
         Assert.Equal((e, et, impact), (material.NormalRestitution, material.TangentialRestitution, material.ImpactFriction));
-        Assert.Equal((sliding, rolling, bySpeed, drilling), (material.SlidingFriction, material.RollingFriction, material.RollingFrictionBySpeed, material.DrillingLength));
-        Assert.Equal((30, 1, 0, GroundAerodynamics.Full), (material.RestitutionSpeed, material.SpinRestitution, material.SpinDamping, Ground.Presets[name].Aerodynamics));
+        Assert.Equal((sliding, rolling, bySpeed, drilling), (material.SlidingFriction, material.RollingResistance, material.RollingResistancePerSpeed, material.TorsionalPatchRadius));
+        Assert.Equal((30, 1, 0, GroundAerodynamics.Full), (material.RestitutionSpeedScale, material.SpinRestitution, material.SpinDamping, Ground.Presets[name].Aerodynamics));
     }
 }

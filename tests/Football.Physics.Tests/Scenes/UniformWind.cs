@@ -3,7 +3,7 @@ namespace FootballPhysics.Tests.Scenes;
 /// <summary>A field that is the same everywhere and always.</summary>
 internal sealed class UniformWind(Vector3d wind) : IWind
 {
-    public double Fastest => wind.Length;
+    public double MaximumSpeed => wind.Length;
 
     public Vector3d At(double time, in Vector3d position) => wind;
 }

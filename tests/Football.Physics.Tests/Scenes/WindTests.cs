@@ -46,7 +46,7 @@ public sealed class WindTests
                 Vector3d gust = wind.At(0, new Vector3d(i * 3.7, 10, 0)) - new Vector3d(10, 0, 0);
                 sum += gust;
                 squares += new Vector3d(gust.X * gust.X, gust.Y * gust.Y, gust.Z * gust.Z);
-                Assert.InRange((gust + new Vector3d(10, 0, 0)).Length, 0, wind.Fastest);
+                Assert.InRange((gust + new Vector3d(10, 0, 0)).Length, 0, wind.MaximumSpeed);
             }
 
             Assert.InRange(sum.Length / Count, 0, 0.05);
@@ -86,7 +86,7 @@ public sealed class WindTests
 
     [Fact]
     public void A_wind_that_says_it_is_faster_than_the_limit_is_refused() => Assert.Contains(
-        "air.windField.fastest is 1001; allowed: 0 … 1000",
+        "air.windField.maximumSpeed is 1001; allowed: 0 … 1000",
         Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(Scene.Published with { Air = new Air { WindField = new UniformWind(new Vector3d(1001, 0, 0)) } })).Message,
         StringComparison.Ordinal);
 }

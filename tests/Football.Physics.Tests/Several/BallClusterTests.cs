@@ -23,7 +23,7 @@ public sealed class BallClusterTests
         group.Step(balls, 0.01, log);
         Assert.Equal(-0.001, balls[0].Position.X, 1e-12);
         Assert.Equal(0.249, balls[1].Position.X, 1e-12);
-        Assert.Equal((default, default, 0, 0L), (balls[0].Velocity, balls[1].Velocity, log.Events.Count, log.Untold));
+        Assert.Equal((default, default, 0, 0L), (balls[0].Velocity, balls[1].Velocity, log.Events.Count, log.UnreportedImpacts));
         Assert.Equal((0.01, 0.01), (balls[0].Time, balls[1].Time));
     }
 
@@ -33,7 +33,7 @@ public sealed class BallClusterTests
     [InlineData(0.0101, false)]
     public void Slow_balls_press_each_other(double speed, bool presses)
     {
-        var contact = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0.4, TangentialRestitution = 0 };
+        var contact = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeedScale = 1e9, ImpactFriction = 0.4, TangentialRestitution = 0 };
         var group = new BallGroup(Empty, [Heavy, Light], contact: contact);
         BallState[] balls = Launched(group, (new Vector3d(0, 5, 0), default), (new Vector3d(0.25 + (2e-4 * speed), 5, 0), new Vector3d(-speed, 0.1, 0)));
         var log = new StepLog();
@@ -45,20 +45,20 @@ public sealed class BallClusterTests
         Assert.Equal(-speed + impulse, balls[1].Velocity.X, 1e-5);
         Assert.Equal(0.4 * impulse / 3, balls[0].Velocity.Y, 1e-5);
         Assert.Equal(0.1 - (0.4 * impulse), balls[1].Velocity.Y, 1e-5);
-        Assert.Equal(presses ? (0, 1L) : (2, 0L), (log.Events.Count, log.Untold));
+        Assert.Equal(presses ? (0, 1L) : (2, 0L), (log.Events.Count, log.UnreportedImpacts));
     }
 
     /// <summary>Pressed by a force a ball leaves the other no place: they are solved as one, in parts of 2 ms, and told of once at most.</summary>
     [Fact]
     public void Balls_that_are_pressed_are_solved_as_one()
     {
-        Scene scene = Empty with { Forces = Empty.Forces with { Custom = [IForce.From(ball => new Vector3d(0, 0, -2 * ball.Position.Z))] } };
+        Scene scene = Empty with { Forces = Empty.Forces with { CustomForces = [IForce.From(ball => new Vector3d(0, 0, -2 * ball.Position.Z))] } };
         var group = new BallGroup(scene, [Light, Light]);
         BallState[] balls = Launched(group, (new Vector3d(0, 5, 0.1), default), (new Vector3d(0, 5, -0.1), default));
         var log = new StepLog();
         group.Step(balls, 0.05, log);
         Assert.Equal(0, log.Events.Count);
-        Assert.InRange(log.Untold, 0, 1);
+        Assert.InRange(log.UnreportedImpacts, 0, 1);
         Assert.InRange(log.Evaluations, 2 * 16, 2 * 20);
         Assert.InRange((balls[0].Position - balls[1].Position).Length, 0.2 - 1e-9, 0.2 + 1e-9);
         Assert.InRange(balls[0].Velocity.Length + balls[1].Velocity.Length, 0, 1e-9);
@@ -121,7 +121,7 @@ public sealed class BallClusterTests
     {
         BallState[] whole = Played(seed, 1, out List<BallEvent> events, out Vector3d impulse);
         BallState[] parts = Played(seed, 40, out List<BallEvent> expected, out Vector3d again);
-        Assert.Equal(expected.Select(item => (item.Ball, item.Kind, item.Thing, item.OtherBall)), events.Select(item => (item.Ball, item.Kind, item.Thing, item.OtherBall)));
+        Assert.Equal(expected.Select(item => (item.Ball, item.Kind, item.ColliderIndex, item.OtherBall)), events.Select(item => (item.Ball, item.Kind, item.ColliderIndex, item.OtherBall)));
         Assert.True(expected.Count > 0, "nothing happens");
         for (int k = 0; k < events.Count; k++)
         {

@@ -35,12 +35,12 @@ public sealed class BallContactTests
         SurfaceMaterial surface = SurfaceMaterial.GoalFrame with
         {
             NormalRestitution = 0.6,
-            RestitutionRise = seed % 2 == 0 ? 0 : 0.5,
+            GrazingRestitutionGain = seed % 2 == 0 ? 0 : 0.5,
             TangentialRestitution = 0.2,
             SpinRestitution = seed % 3 == 0 ? 0.7 : -0.7,
             ImpactFriction = seed < 6 ? 0.15 : 5,
             SlidingFriction = 0.3,
-            DrillingLength = seed % 4 < 2 ? 0 : 0.002,
+            TorsionalPatchRadius = seed % 4 < 2 ? 0 : 0.002,
         };
         var material = new ContactMaterial(surface);
         Vector3d n = Draw(random).Normalized();
@@ -83,7 +83,7 @@ public sealed class BallContactTests
 
         // About the normal e_ω of what one turned against the other, less what drilling takes from both.
         double about = Vector3d.Dot(a.Spin - b.Spin, in n);
-        double drills = surface.DrillingLength * surface.SlidingFriction * pressed * ((1 / Small.MomentOfInertia) + (1 / Large.MomentOfInertia));
+        double drills = surface.TorsionalPatchRadius * surface.SlidingFriction * pressed * ((1 / Small.MomentOfInertia) + (1 / Large.MomentOfInertia));
         double expected = surface.SpinRestitution * about;
         expected = Math.Sign(expected) * Math.Max(0, Math.Abs(expected) - drills);
         Assert.Equal(expected, Vector3d.Dot(first.Spin - second.Spin, in n), 1e-10);
@@ -95,7 +95,7 @@ public sealed class BallContactTests
     [InlineData(-1)]
     public void Drilling_friction_ends_a_slow_turn_about_the_normal(double sign)
     {
-        var material = new ContactMaterial(SurfaceMaterial.GoalFrame with { DrillingLength = 0.5, SlidingFriction = 1 });
+        var material = new ContactMaterial(SurfaceMaterial.GoalFrame with { TorsionalPatchRadius = 0.5, SlidingFriction = 1 });
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(-3, 0, 0), new Vector3d(sign * 8, 0, 0));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(sign * -2, 0, 0));
         BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);

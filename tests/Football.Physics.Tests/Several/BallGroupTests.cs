@@ -78,12 +78,12 @@ public sealed class BallGroupTests
         Assert.Equal((0, 1), (hits[0].Ball, hits[0].OtherBall));
         Assert.Equal((1, 0), (hits[1].Ball, hits[1].OtherBall));
         Assert.Equal(hits[0].Time, hits[1].Time);
-        Assert.Equal(-1, hits[0].Thing);
+        Assert.Equal(-1, hits[0].ColliderIndex);
         Vector3d sum = hits[0].Impulse(simulator.Scene.Ball) + hits[1].Impulse(simulator.Scene.Ball);
         Assert.InRange(sum.Length, 0, 1e-14);
         Assert.True(balls[1].Position.X > 5, "the resting ball has gone on");
-        Assert.Equal(MotionState.Stopped, balls[0].Motion);
-        Assert.Equal(MotionState.Stopped, balls[1].Motion);
+        Assert.Equal(MotionState.Rest, balls[0].Motion);
+        Assert.Equal(MotionState.Rest, balls[1].Motion);
         Assert.True((balls[0].Position - balls[1].Position).Length >= 0.22 - 1e-9);
     }
 
@@ -121,8 +121,8 @@ public sealed class BallGroupTests
         }
 
         Assert.InRange(deepest, 0, 2e-5);
-        Assert.All(balls, ball => Assert.Equal(MotionState.Stopped, ball.Motion));
-        Assert.Equal(0, log.Stalled);
+        Assert.All(balls, ball => Assert.Equal(MotionState.Rest, ball.Motion));
+        Assert.Equal(0, log.StalledSteps);
     }
 
     public static TheoryData<string> Crowds => ["heap", "among things", "two sizes"];
@@ -234,8 +234,8 @@ public sealed class BallGroupTests
 
         if (crowd == "among things")
         {
-            var bodies = new Bodies();
-            Body boot = bodies.Add("boot", BodyKind.Player with { Mass = 3 });
+            var bodies = new KinematicBodies();
+            KinematicBody boot = bodies.Add("boot", BodyKind.Player with { Mass = 3 });
             boot.MoveTo(new Vector3d(0.2, 0, 0.1), new Vector3d(0.5, 0, 0.2), 0);
             scene = scene with
             {
@@ -295,7 +295,7 @@ public sealed class BallGroupTests
         }
 
         Assert.Contains(log.Events.Span.ToArray(), item => item.OtherBall >= 0);
-        Assert.Contains(log.Events.Span.ToArray(), item => simulator.NameOf(item.Thing) == "bin");
+        Assert.Contains(log.Events.Span.ToArray(), item => simulator.NameOf(item.ColliderIndex) == "bin");
         Assert.Throws<ArgumentOutOfRangeException>(() =>
             group.LookAhead(balls, new LookAheadRequest { UntilPlane = new Plane3d(default, new Vector3d(1, 0, 0)) }, paths));
     }

@@ -95,7 +95,7 @@ public sealed class BallNeighboursTests
         Assert.False(Holds(net, ball));
         Assert.False(Holds(ball, net));
         BallState squeezed = ball;
-        squeezed.Motion = MotionState.Squeezed;
+        squeezed.Motion = MotionState.Pinned;
         Assert.False(Holds(squeezed, ball));
 
         bool Holds(BallState before, BallState after) => neighbours.Holds(0, in before, in after, Dt);

@@ -193,7 +193,7 @@ public sealed class BallTrialTests
         return trial;
     }
 
-    private static PathPiece Piece((double Time, double Length, Vector3d Place, Vector3d Velocity, Vector3d Acceleration) at) => new(
+    private static PathSegment Piece((double Time, double Length, Vector3d Place, Vector3d Velocity, Vector3d Acceleration) at) => new(
         at.Time,
         at.Length,
         at.Place,

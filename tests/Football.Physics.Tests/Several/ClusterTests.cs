@@ -24,7 +24,7 @@ public sealed class ClusterTests
         {
             Air = s_vacuum,
             Gravity = Gravity,
-            Ground = new Ground { Material = SurfaceMaterial.DryTurf with { RollingFriction = resistance, RollingFrictionBySpeed = 0 }, Normal = s_normal },
+            Ground = new Ground { Material = SurfaceMaterial.DryTurf with { RollingResistance = resistance, RollingResistancePerSpeed = 0 }, Normal = s_normal },
         };
         var group = new BallGroup(scene, [hollow, solid], null, SurfaceMaterial.Ball with { ImpactFriction = 0 });
         Vector3d velocity = 1.0 * s_down;
@@ -79,7 +79,7 @@ public sealed class ClusterTests
         BallProperties solid = BallProperties.Tunnel with { InertiaFactor = 0.4, Mass = 0.6 };
         double r = hollow.Radius;
         Vector3d turning = rate * s_normal;
-        SurfaceMaterial felt = SurfaceMaterial.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 };
+        SurfaceMaterial felt = SurfaceMaterial.DryTurf with { RollingResistance = 0, RollingResistancePerSpeed = 0 };
         var scene = new Scene
         {
             Air = s_vacuum,
@@ -108,7 +108,7 @@ public sealed class ClusterTests
     [Fact]
     public void What_balls_do_to_each_other_is_balanced()
     {
-        SurfaceMaterial smooth = SurfaceMaterial.HardGround with { SlidingFriction = 0, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0 };
+        SurfaceMaterial smooth = SurfaceMaterial.HardGround with { SlidingFriction = 0, RollingResistance = 0, RollingResistancePerSpeed = 0, SpinDamping = 0, TorsionalPatchRadius = 0 };
         BallProperties light = BallProperties.Tunnel with { Mass = 0.2 };
         BallProperties heavy = BallProperties.Tunnel with { Mass = 0.5 };
         double r = light.Radius;
@@ -121,10 +121,10 @@ public sealed class ClusterTests
                 Material = SurfaceMaterial.DryTurf with
                 {
                     SlidingFriction = 0,
-                    RollingFriction = 0,
-                    RollingFrictionBySpeed = 0,
+                    RollingResistance = 0,
+                    RollingResistancePerSpeed = 0,
                     SpinDamping = 0,
-                    DrillingLength = 0,
+                    TorsionalPatchRadius = 0,
                 },
                 Normal = s_normal,
             },

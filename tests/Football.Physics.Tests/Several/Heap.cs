@@ -9,12 +9,12 @@ internal sealed class Heap
     public static readonly SurfaceMaterial Board = SurfaceMaterial.GoalFrame with
     {
         NormalRestitution = 0.5,
-        RestitutionSpeed = 1e9,
+        RestitutionSpeedScale = 1e9,
         TangentialRestitution = 0.3,
         SpinRestitution = 0.8,
         ImpactFriction = 0.35,
         SlidingFriction = 0.35,
-        RollingFriction = 0.03,
+        RollingResistance = 0.03,
         SpinDamping = 0.002,
     };
 
@@ -46,7 +46,7 @@ internal sealed class Heap
 
     public int Steps { get; private set; }
 
-    public bool Rests => Array.TrueForAll(Balls, ball => ball.Motion == MotionState.Stopped);
+    public bool Rests => Array.TrueForAll(Balls, ball => ball.Motion == MotionState.Rest);
 
     public double EvaluationsPerBall => Log.Evaluations / (double)(Balls.Length * Steps);
 

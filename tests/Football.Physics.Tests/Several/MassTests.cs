@@ -8,7 +8,7 @@ public sealed class MassTests
     {
         BallState[] ends = [.. new[] { double.PositiveInfinity, 1e300 }.Select(mass =>
         {
-            var bodies = new Bodies();
+            var bodies = new KinematicBodies();
             bodies.Add("leg", new CapsuleShape(new Vector3d(0, 0.15, 0), new Vector3d(0, 0.9, 0), 0.1), mass: mass);
             var simulator = new Simulator(Scene.Default with { Bodies = bodies });
             BallState state = simulator.Launch(new Vector3d(0.03, 0.4, -3), new Vector3d(0, 1, 12), new Vector3d(20, 30, 0));
@@ -25,8 +25,8 @@ public sealed class MassTests
     [Fact]
     public void A_body_goes_on_with_what_the_impact_left_it_and_the_event_tells_the_impulse()
     {
-        var bodies = new Bodies();
-        Body head = bodies.Add("head", BodyKind.Head);
+        var bodies = new KinematicBodies();
+        KinematicBody head = bodies.Add("head", BodyKind.Head);
         head.MoveTo(new Vector3d(0, 1.7, 0), new Vector3d(0, 0, 1), 0);
         var simulator = new Simulator(Scene.Default with { Bodies = bodies });
         BallState ball = simulator.Launch(new Vector3d(0, 1.75, 2), new Vector3d(0, 0.5, -14), default);
@@ -34,7 +34,7 @@ public sealed class MassTests
         simulator.Run(ref ball, 0.01, 1, StopAt.Impact, log);
         BallEvent hit = log.Events[log.Events.Count - 1];
         Vector3d impulse = hit.Impulse(simulator.Scene.Ball);
-        Assert.Equal("head", simulator.NameOf(hit.Thing));
+        Assert.Equal("head", simulator.NameOf(hit.ColliderIndex));
         Assert.InRange(Vector3d.Distance(head.Velocity, new Vector3d(0, 0, 1) - (impulse / 5)), 0, 1e-14);
         Assert.Equal(hit.Time, head.Time);
 
@@ -95,7 +95,7 @@ public sealed class MassTests
     public void A_mass_that_is_none_is_refused_by_name(double mass)
     {
         var shape = new SphereShape(Vector3d.Zero, 0.2);
-        Assert.StartsWith("mass", Assert.Throws<ArgumentOutOfRangeException>(() => new Bodies().Add("a", shape, mass: mass)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("mass", Assert.Throws<ArgumentOutOfRangeException>(() => new KinematicBodies().Add("a", shape, mass: mass)).Message, StringComparison.Ordinal);
         Assert.StartsWith("engineCollider.mass", Assert.Throws<ArgumentOutOfRangeException>(() => new EngineCollider("a", shape) { Mass = mass }).Message, StringComparison.Ordinal);
         Assert.StartsWith(
             "obstacles[0].mass",
@@ -109,7 +109,7 @@ public sealed class MassTests
 
         public double Time => 0;
 
-        public double GreatestSpeed => 30;
+        public double MaximumSpeed => 30;
 
         public void Cast(in SphereCast cast, EngineHits hits)
         {

@@ -33,10 +33,10 @@ public sealed class PileTests
         heap.Run(step, 8);
         Assert.InRange(heap.Depth, 0, 1e-6);
         Assert.InRange(heap.Overlap, 0, 1e-3);
-        Assert.True(heap.Rests, string.Join(", ", heap.Balls.Where(ball => ball.Motion != MotionState.Stopped).Select(ball => ball.ToString())));
+        Assert.True(heap.Rests, string.Join(", ", heap.Balls.Where(ball => ball.Motion != MotionState.Rest).Select(ball => ball.ToString())));
         Assert.InRange(heap.Log.Events.Count + heap.Log.Events.Dropped, 1, 5000);
         Assert.InRange(heap.EvaluationsPerBall, 0, 50);
-        Assert.Equal(0, heap.Log.Stalled);
+        Assert.Equal(0, heap.Log.StalledSteps);
 
         // Wind alone gives energy.
         Assert.InRange(heap.Gain, double.NegativeInfinity, kind == "wind" ? 0.1 : 1e-5);
@@ -63,7 +63,7 @@ public sealed class PileTests
         Assert.InRange(heap.Overlap, 0, 1e-4);
         Assert.InRange(heap.EvaluationsPerBall, 1, 50);
         Assert.InRange(heap.Gain, double.NegativeInfinity, 1e-5);
-        Assert.Equal(0, heap.Log.Stalled);
+        Assert.Equal(0, heap.Log.StalledSteps);
         heap.Run(Step, 9, untilRest: true);
         Assert.True(heap.Rests);
     }
@@ -108,7 +108,7 @@ public sealed class PileTests
     {
         const double R = 0.11;
         double far = 2 * R / Math.Sqrt(3);
-        Scene scene = Scene.Default with { Ground = Heap.Turf with { Material = Heap.Turf.Material with { RollingFriction = 0, RollingFrictionBySpeed = 0 } } };
+        Scene scene = Scene.Default with { Ground = Heap.Turf with { Material = Heap.Turf.Material with { RollingResistance = 0, RollingResistancePerSpeed = 0 } } };
         Vector3d[] places =
         [
             .. Enumerable.Range(0, 3).Select(i => new Vector3d(far * Math.Cos(2 * Math.PI * i / 3), R, far * Math.Sin(2 * Math.PI * i / 3))),
@@ -314,8 +314,8 @@ public sealed class PileTests
     [Fact]
     public void A_pile_that_is_pushed_against_a_wall_enters_nothing()
     {
-        var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(0.1, 0.5, 1)));
+        var bodies = new KinematicBodies();
+        KinematicBody pusher = bodies.Add("pusher", new BoxShape(new Vector3d(0, 0.5, 0), new Vector3d(0.1, 0.5, 1)));
         var heap = new Heap(Heap.Corner() with { Bodies = bodies }, [.. Enumerable.Repeat(BallProperties.Tunnel, 5)], [.. Enumerable.Range(0, 5).Select(i =>
             new Vector3d(-0.1 + (0.23 * (i % 2)), 0.11 + (0.1 * (i / 4)), -0.19 + (0.221 * (i / 2))))]);
         for (int k = 0; k < 120; k++)

@@ -21,8 +21,8 @@ public sealed class PressedBallsTests
             var random = new Random(seed);
             double Between(double low, double high) => low + ((high - low) * random.NextDouble());
             var board = new Obstacle { Name = "board", Shape = new BoxShape(new Vector3d(0, 0.5, -0.05), new Vector3d(50, 0.5, 0.05)), Surface = SurfaceMaterial.Board };
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25));
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25));
             var simulator = new Simulator(new Scene { Bodies = bodies, Obstacles = [board] });
             var group = new BallGroup(simulator, balls);
             var states = new BallState[balls];
@@ -41,10 +41,10 @@ public sealed class PressedBallsTests
                 place += runs ? Frame * velocity : Vector3d.Zero;
                 log.Clear();
                 group.Step(states, Frame, log);
-                Assert.Equal(0, log.Stalled);
+                Assert.Equal(0, log.StalledSteps);
                 for (int i = 0; i < balls; i++)
                 {
-                    pressed += states[i].Motion == MotionState.Squeezed ? 1 : 0;
+                    pressed += states[i].Motion == MotionState.Pinned ? 1 : 0;
                     Assert.InRange(states[i].Position.Y, Radius - 1e-9, 60);
                     Assert.InRange(board.Shape.At(states[i].Position).Distance, Radius - 1e-9, 60);
                     for (int j = 0; j < i; j++)

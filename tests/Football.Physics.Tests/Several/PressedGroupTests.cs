@@ -77,7 +77,7 @@ public sealed class PressedGroupTests
             Assert.InRange(Count(log, 0), 0, MostEvents);
             Assert.InRange(Count(log, 1), 0, MostEvents);
             Assert.InRange(log.Evaluations, 0, MostEvaluations);
-            Assert.Equal(0, log.Stalled);
+            Assert.Equal(0, log.StalledSteps);
             Assert.All(balls, ball => Assert.True(ball.Position.Y >= 0.11 - 1e-9 && ball.Position.Z >= -4.89 - 1e-9, $"tick {tick}: {ball.Position}"));
         }
     }
@@ -167,8 +167,8 @@ public sealed class PressedGroupTests
         double aside = 0.04 + (spread * random.Uniform(-0.08, 0.08));
         double speed = 1.5 + (spread * random.Uniform(-0.5, 1.5));
         double radius = 0.25 + (spread * random.Uniform(-0.08, 0.08));
-        var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.55, 0), radius), SurfaceMaterial.Boot, mass);
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.55, 0), radius), SurfaceMaterial.Boot, mass);
         var box = new BoxShape(new Vector3d(0, 0.5, -5.05), new Vector3d(50, 0.5, 0.05));
         var board = new Obstacle { Name = "board", Shape = box, Surface = SurfaceMaterial.Board };
         var simulator = new Simulator(Scene.Default with { Bodies = bodies, Obstacles = [board] });
@@ -185,20 +185,20 @@ public sealed class PressedGroupTests
         double aside = -0.0128 + random.Uniform(-Spread, Spread);
         double line = -19.9646 + random.Uniform(-Spread, Spread);
         double gap = 0.195 + random.Uniform(-Spread, Spread);
-        var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
         var simulator = new Simulator(Pitch.Futsal.On(Scene.Default with { Bodies = bodies }));
         return new Walk(simulator, player, new Vector3d(0.25, 0.11, line), new Vector3d(0.25 + aside, 0, line + radius + 0.11 + gap), speed, -20.1);
     }
 
     /// <summary>A player who walks towards −z at a constant speed, up to a stop.</summary>
-    private sealed class Walk(Simulator simulator, Body player, Vector3d ball, Vector3d from, double speed, double stop)
+    private sealed class Walk(Simulator simulator, KinematicBody player, Vector3d ball, Vector3d from, double speed, double stop)
     {
         private Vector3d _at = from;
 
         public Simulator Simulator { get; } = simulator;
 
-        public Body Player { get; } = player;
+        public KinematicBody Player { get; } = player;
 
         public BallState Start { get; } = simulator.Launch(ball, Vector3d.Zero, Vector3d.Zero);
 

@@ -39,7 +39,7 @@ public sealed class SeveralReferenceTests
             {
                 BallEvent item = outcome.Events[i];
                 Assert.Equal(events[i].GetProperty("ball").GetInt32(), item.Ball);
-                Assert.Equal(events[i].GetProperty("surface").GetString(), item.OtherBall >= 0 ? $"ball {item.OtherBall}" : outcome.NameOf(item.Thing));
+                Assert.Equal(events[i].GetProperty("surface").GetString(), item.OtherBall >= 0 ? $"ball {item.OtherBall}" : outcome.NameOf(item.ColliderIndex));
                 Assert.InRange(item.Time - ReferenceCase.Number(events[i], "time"), -Close, Close);
                 Near(name, events[i], "position", item.Position);
                 Near(name, events[i], "velocity", item.Velocity);

@@ -11,14 +11,14 @@ public sealed class ThrownBackTests
     [Fact]
     public void The_cases_that_were_found()
     {
-        SurfaceMaterial body = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.6011724861167108, RestitutionSpeed = 18.39461396645164, TangentialRestitution = -0.18793663842793779, ImpactFriction = 0.5979869738108475 };
-        SurfaceMaterial balls = SurfaceMaterial.Ball with { NormalRestitution = 0.5201837834245777, RestitutionSpeed = 30, TangentialRestitution = 0.22431925574960954, ImpactFriction = 0.24773386703277578 };
+        SurfaceMaterial body = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.6011724861167108, RestitutionSpeedScale = 18.39461396645164, TangentialRestitution = -0.18793663842793779, ImpactFriction = 0.5979869738108475 };
+        SurfaceMaterial balls = SurfaceMaterial.Ball with { NormalRestitution = 0.5201837834245777, RestitutionSpeedScale = 30, TangentialRestitution = 0.22431925574960954, ImpactFriction = 0.24773386703277578 };
         int hits = Check(
             new SphereShape(new Vector3d(-0.679964644403389, 2.2491085927090726, -1.9595654647670944), 0.12630934989983506), new Vector3d(2.0483327749075535, 1.8450911568822174, 6.171345052453838), body, balls,
             (new Vector3d(-0.3780186089494716, 2.9147219220490452, 5.89609085226801), new Vector3d(1.2228813532303726, 1.2677234527575696, -19.07371592162673), new Vector3d(-8.062683650086043, -11.137846402878743, 18.99720108082558)),
             (new Vector3d(0.6955042172574917, 2.0975827096459474, 1.916992020263181), new Vector3d(-2.1228588720272965, 4.007891467243414, -6.325872985388068), new Vector3d(12.645411397426008, 29.671614266239942, 11.000058239900271)),
             0.6851484847078771);
-        body = body with { NormalRestitution = 0.763861368583278, RestitutionSpeed = 19.902699666454577, TangentialRestitution = -0.10875975794861281, ImpactFriction = 0.38087028622549235 };
+        body = body with { NormalRestitution = 0.763861368583278, RestitutionSpeedScale = 19.902699666454577, TangentialRestitution = -0.10875975794861281, ImpactFriction = 0.38087028622549235 };
         balls = balls with { NormalRestitution = 0.526514329043574, TangentialRestitution = 0.13792472599640504, ImpactFriction = 0.4102540197381581 };
         hits += Check(
             new SphereShape(new Vector3d(0.9346565435901574, 3.9038745665213637, -1.2401972507375982), 0.1038347537830783), new Vector3d(-5.14366916497422, -1.898169680140218, 7.32992505384915), body, balls,
@@ -39,7 +39,7 @@ public sealed class ThrownBackTests
             SurfaceMaterial body = SurfaceMaterial.GoalFrame with
             {
                 NormalRestitution = random.Uniform(0.3, 0.95),
-                RestitutionSpeed = random.Uniform(15, 60),
+                RestitutionSpeedScale = random.Uniform(15, 60),
                 TangentialRestitution = random.Uniform(-0.5, 0.5),
                 ImpactFriction = random.Uniform(0.1, 1),
             };
@@ -119,7 +119,7 @@ public sealed class ThrownBackTests
         for (int i = 0; i < all.Length; i++)
         {
             BallEvent item = all[i];
-            if (item.Kind != BallEventKind.Impact || item.Thing != 1)
+            if (item.Kind != BallEventKind.Impact || item.ColliderIndex != 1)
             {
                 // Another ball, or the ground, comes between two hits.
                 last[item.Ball] = double.NegativeInfinity;
@@ -136,7 +136,7 @@ public sealed class ThrownBackTests
             Balances(in item, ball, $"{item}");
 
             // A ball that stays on what gives way has had an impact without restitution.
-            bool stays = Array.Exists(all, next => next.Ball == item.Ball && next.Time == item.Time && next.Thing == 1 && next.Kind is BallEventKind.Slide or BallEventKind.Roll);
+            bool stays = Array.Exists(all, next => next.Ball == item.Ball && next.Time == item.Time && next.ColliderIndex == 1 && next.Kind is BallEventKind.Slide or BallEventKind.Roll);
             ContactMaterial law = stays ? material.WithoutRestitution() : material;
             CoulombImpact.Apply(ball, in law, GivingWay.Of(ball, Mass), item.Normal, in velocity, item.VelocityBefore, item.SpinBefore, out Vector3d after, out Vector3d spin);
             Assert.True(again || (after - item.Velocity).Length < 1e-9 * (1 + after.Length), $"{item}: {item.Velocity}, right: {after}");

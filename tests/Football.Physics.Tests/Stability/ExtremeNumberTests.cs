@@ -55,7 +55,7 @@ public sealed class ExtremeNumberTests
                     Drag = Law(),
                     Magnus = Law(),
                     SpinDecay = Law(),
-                    Coefficients = (CoefficientForm)random.Below(2),
+                    Coefficients = (AerodynamicModel)random.Below(2),
                     DragCoefficient = Any(0, 0.25, 10),
                     MagnusCoefficient = Any(-10, 0.25, 10),
                     SpinDecayCoefficient = Any(0, 1e-7, 1),
@@ -67,7 +67,7 @@ public sealed class ExtremeNumberTests
                         NormalRestitution = Any(0, 0.6, 1),
                         SpinRestitution = Any(0, 0.8, 1),
                         SlidingFriction = Any(0, 0.5, 10),
-                        RollingFriction = Any(0, 0.05, 10),
+                        RollingResistance = Any(0, 0.05, 10),
                         SpinDamping = Any(0, 0.0001, 1),
                     },
                     MinimumBounceSpeed = Any(0.001, 0.2, 10),
@@ -141,7 +141,7 @@ public sealed class ExtremeNumberTests
 
     private static IEnumerable<Scene> Scenes() =>
         (from friction in (double[])[0, 0.5]
-         from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularised, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
+         from forces in (ForceSet[])[ForceSet.Published, ForceSet.Regularized, ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, ForceSet.None]
          select Scene.Published with { Forces = forces, Ground = Ground.PublishedTurf with { Material = SurfaceMaterial.PublishedTurf with { SlidingFriction = friction } } })
         .Append(new Scene());
 }

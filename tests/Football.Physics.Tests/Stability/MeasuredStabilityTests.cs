@@ -50,7 +50,7 @@ public sealed class MeasuredStabilityTests
                 {
                     SlidingFriction = 10,
                     SpinDamping = 0.0035641015257594864,
-                    RollingFriction = 0.05,
+                    RollingResistance = 0.05,
                 },
                 Aerodynamics = GroundAerodynamics.Horizontal,
             },

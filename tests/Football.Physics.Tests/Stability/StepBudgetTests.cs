@@ -51,7 +51,7 @@ public sealed class StepBudgetTests
             {
                 log.Clear();
                 simulator.Step(ref ball, Tick, log);
-                Assert.Equal(0, log.Stalled);
+                Assert.Equal(0, log.StalledSteps);
                 Assert.True(log.Evaluations < Few, $"seed {seed}: {log.Evaluations} evaluations at {ball.Time} s, {ball}");
                 pressed += ball.Motion == MotionState.Sliding ? 1 : 0;
             }
@@ -75,8 +75,8 @@ public sealed class StepBudgetTests
         for (int seed = 0; seed < 400; seed++)
         {
             var random = new Shots(seed);
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", BodyKind.Player);
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", BodyKind.Player);
             var simulator = new Simulator(Scene.Default with { Bodies = bodies, Obstacles = standing });
             BallState ball = simulator.Launch(new Vector3d(0.2, Radius, random.Uniform(-0.05, 0.05)), Vector3d.Zero, Vector3d.Zero);
             double speed = random.Uniform(0.3, 4);

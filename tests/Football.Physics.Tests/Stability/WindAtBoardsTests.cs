@@ -27,7 +27,7 @@ public sealed class WindAtBoardsTests
         var simulator = new Simulator(Scene.Default with { Air = new Air { Wind = wind }, Obstacles = [board] });
         BallState ball = simulator.Launch(new Vector3d(0, 0.11, -3.8), new Vector3d(0.4, 0, -2.2), Vector3d.Zero);
         Cost cost = Play(simulator, ref ball);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.InRange(cost.Mean, 0, mean);
         Assert.InRange(cost.Worst, 0, MostEvaluations);
     }
@@ -49,7 +49,7 @@ public sealed class WindAtBoardsTests
             var position = new Vector3d(9.89 - random.Uniform(0, 2), 0.11, 19.89 - random.Uniform(0, 2));
             BallState ball = simulator.Launch(position, new Vector3d(random.Uniform(0, 5), 0, random.Uniform(0, 5)), Vector3d.Zero);
             Cost cost = Play(simulator, ref ball);
-            Assert.True(ball.Motion == MotionState.Stopped, $"ball {i}, wind of {speed} m/s at {angle} rad: {ball.Motion} at {ball.Position}, {ball.Velocity}");
+            Assert.True(ball.Motion == MotionState.Rest, $"ball {i}, wind of {speed} m/s at {angle} rad: {ball.Motion} at {ball.Position}, {ball.Velocity}");
             Assert.True(cost.Worst <= MostEvaluations, $"ball {i}: {cost.Worst} evaluations in a step");
             Assert.Equal(0, cost.Squeezed);
             Assert.Equal(0, cost.Stalled);
@@ -82,11 +82,11 @@ public sealed class WindAtBoardsTests
             log.Clear();
             group.Step(balls, Tick, log);
             Assert.InRange(log.Evaluations, 0, balls.Length * MostEvaluations);
-            Assert.Equal(0, log.Stalled);
+            Assert.Equal(0, log.StalledSteps);
             Assert.True(tick < 300 || log.Events.Count == 0, $"an event at {tick / 60.0} s");
         }
 
-        Assert.All(balls, ball => Assert.Equal(MotionState.Stopped, ball.Motion));
+        Assert.All(balls, ball => Assert.Equal(MotionState.Rest, ball.Motion));
     }
 
     /// <summary>Rolling resistance alone does not hold the ball against the wind along the board, but the friction of the board does.</summary>
@@ -97,7 +97,7 @@ public sealed class WindAtBoardsTests
         Simulator simulator = Cage(wind);
         BallState ball = simulator.Launch(new Vector3d(8.9, 0.11, 19.89), new Vector3d(0, 0, 0), Vector3d.Zero);
         Play(simulator, ref ball);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.InRange(ball.Position.X, 8.9 - 1e-6, 8.9 + 1e-3);
 
         // Without the board it rolls on.
@@ -112,7 +112,7 @@ public sealed class WindAtBoardsTests
     {
         var log = new StepLog();
         var cost = new Cost();
-        while (ball.Time < RestsWithin && ball.Motion != MotionState.Stopped)
+        while (ball.Time < RestsWithin && ball.Motion != MotionState.Rest)
         {
             log.Clear();
             simulator.Step(ref ball, Tick, log);
@@ -120,10 +120,10 @@ public sealed class WindAtBoardsTests
             cost.Evaluations += log.Evaluations;
             cost.Worst = Math.Max(cost.Worst, log.Evaluations);
             cost.MostEvents = Math.Max(cost.MostEvents, log.Events.Count);
-            cost.Stalled += log.Stalled;
+            cost.Stalled += log.StalledSteps;
             foreach (BallEvent happened in log.Events)
             {
-                cost.Squeezed += happened.Kind == BallEventKind.Squeezed ? 1 : 0;
+                cost.Squeezed += happened.Kind == BallEventKind.Pinned ? 1 : 0;
             }
         }
 

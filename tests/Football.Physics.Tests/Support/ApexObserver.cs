@@ -12,7 +12,7 @@ internal sealed class ApexObserver : PieceObserver
 
     public override bool WantsEndAcceleration => true;
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         Apex = Math.Max(Apex, piece.Apex);
         return _limit.Add(in piece);

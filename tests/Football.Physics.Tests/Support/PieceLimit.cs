@@ -12,5 +12,5 @@ internal sealed class PieceLimit : PieceObserver
 
     public override bool WantsEndAcceleration => false;
 
-    public override bool Add(in PathPiece piece) => ++_count >= _most;
+    public override bool Add(in PathSegment piece) => ++_count >= _most;
 }

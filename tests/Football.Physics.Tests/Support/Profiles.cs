@@ -20,7 +20,7 @@ internal static class Profiles
     public static ForceSet Forces(this Profile profile) => profile.Scene().Forces;
 
     /// <summary>The forces of the profile, or what is smooth of them: the thesis' drag jumps, which no order survives.</summary>
-    public static ForceSet SmoothForces(this Profile profile) => profile == Profile.Default ? profile.Forces() : ForceSet.Regularised;
+    public static ForceSet SmoothForces(this Profile profile) => profile == Profile.Default ? profile.Forces() : ForceSet.Regularized;
 
     public static Ground Ground(this Profile profile) => profile.Scene().Ground;
 }

@@ -90,7 +90,7 @@ public sealed class DeterminismTests
     {
         foreach (CollisionTiming timing in Enum.GetValues<CollisionTiming>())
         {
-            foreach (Scene scene in new[] { profile.Scene(), Scene.Vacuum, profile.Scene() with { Forces = ForceSet.Regularised }, profile.Scene() with { Forces = ForceSet.Constant }, WithForce(profile), WithGusts() })
+            foreach (Scene scene in new[] { profile.Scene(), Scene.Vacuum, profile.Scene() with { Forces = ForceSet.Regularized }, profile.Scene() with { Forces = ForceSet.Constant }, WithForce(profile), WithGusts() })
             {
                 var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator, CollisionTiming = timing });
                 var log = new StepLog(256);
@@ -144,13 +144,13 @@ public sealed class DeterminismTests
     public void The_state_holds_no_references() => Assert.False(RuntimeHelpers.IsReferenceOrContainsReferences<BallState>());
 
     private static Scene WithForce(Profile profile) =>
-        profile.Scene() with { Forces = profile.Forces() with { Custom = [IForce.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
+        profile.Scene() with { Forces = profile.Forces() with { CustomForces = [IForce.From(ball => new Vector3d(0.01 * ball.Velocity.X, 0, 0.02))] } };
 
     private static void Live(Simulator simulator, StepLog log)
     {
         log.Clear();
         BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(9, 5, 2), new Vector3d(3, 20, -15));
-        while (state.Motion != MotionState.Stopped && state.Time < 60)
+        while (state.Motion != MotionState.Rest && state.Time < 60)
         {
             simulator.Step(ref state, 0.004, log);
         }

@@ -53,7 +53,7 @@ public sealed class MirrorTests
             BallState state = simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 8, -20), new Vector3d(-50, 0, 0));
             simulator.Run(ref state, 0.005, 30, StopAt.Rest, new StepLog());
             Assert.Equal(0, state.Position.X);
-            Assert.Equal(MotionState.Stopped, state.Motion);
+            Assert.Equal(MotionState.Rest, state.Motion);
         }
     }
 
@@ -82,13 +82,13 @@ public sealed class MirrorTests
             {
                 Material = SurfaceMaterial.PublishedTurf with
                 {
-                    RollingFriction = 0.1,
+                    RollingResistance = 0.1,
                     TangentialRestitution = 0.7,
                 },
                 TangentialRestitutionZ = -0.2,
             },
         };
-        yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularised };
+        yield return Scene.Published with { Air = new Air { Wind = new Vector3d(-3, 0, 1) }, Forces = ForceSet.Regularized };
         yield return new Scene();
         yield return new Scene { Air = new Air { Wind = new Vector3d(2, 0, -4) }, Ground = Ground.Presets["publishedWetTurf"] };
         yield return Scene.Published with { Forces = ForceSet.Constant with { SpinDecayCoefficient = 1e-4 }, Ground = Ground.Presets["publishedCourt"] };

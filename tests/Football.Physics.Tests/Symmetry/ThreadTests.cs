@@ -15,12 +15,12 @@ public sealed class ThreadTests
         ["default among things"] = Pitch.Standard.On(),
         ["published"] = Scene.Published,
         ["wind"] = Scene.Published with { Air = new Air { Wind = new Vector3d(6, 1, -4) } },
-        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularised },
+        ["regularised"] = Scene.Published with { Forces = ForceSet.Regularized },
         ["constant"] = Scene.Published with { Forces = ForceSet.Constant },
         ["constant decay"] = Scene.Published with { Forces = ForceSet.Published with { SpinDecay = ForceLaw.Constant, SpinDecayCoefficient = 1e-3 } },
         ["vacuum"] = Scene.Vacuum,
         ["strong air"] = Scene.Published with { Ball = new BallProperties { Mass = 1e-3 } },
-        ["own force"] = Scene.Published with { Forces = ForceSet.Published with { Custom = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
+        ["own force"] = Scene.Published with { Forces = ForceSet.Published with { CustomForces = [IForce.From(ball => new Vector3d(0.1 * ball.Velocity.Y, 0, 0.2))] } },
     };
 
     [Theory]

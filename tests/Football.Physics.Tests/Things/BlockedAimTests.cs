@@ -75,8 +75,8 @@ public sealed class BlockedAimTests
     [ProfileData]
     public void A_body_is_in_the_way_when_it_will_be_there(Profile profile)
     {
-        var bodies = new Bodies();
-        Body player = bodies.Add("player", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 9, 0), 0.3));
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 9, 0), 0.3));
         var aimer = new Aimer(profile.Scene() with { Bodies = bodies });
         AimRequest request = s_request with { MaximumElevationDegrees = 30, KickTime = 12 };
         double time = new Aimer(profile.Scene()).Find(request).Time;

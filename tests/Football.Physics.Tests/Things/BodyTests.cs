@@ -19,8 +19,8 @@ public sealed class BodyTests
         var obstacle = new Obstacle { Name = "foot", Shape = new SphereShape(from, 0.15), Surface = SurfaceMaterial.Boot, Velocity = velocity, Spin = spin, Pivot = from };
         BallState expected = Played(profile.Scene() with { Obstacles = [obstacle] }, _ => { }, out string[] events);
 
-        var bodies = new Bodies();
-        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
         void Move(double time) => foot.MoveTo(from + (time * velocity), Quaterniond.Identity, velocity, spin, time);
         BallState actual = Played(profile.Scene() with { Bodies = bodies }, Move, out string[] again);
         Assert.Contains("Impact foot", events);
@@ -39,8 +39,8 @@ public sealed class BodyTests
         var at = new Vector3d(0.2, 1, -4);
         var half = new Vector3d(0.5, 0.3, 0.2);
         Scene fixedScene = profile.Scene() with { Obstacles = [new Obstacle { Name = "board", Shape = new BoxShape(at, half, turn), Surface = SurfaceMaterial.Board }] };
-        var bodies = new Bodies();
-        Body board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), SurfaceMaterial.Board);
+        var bodies = new KinematicBodies();
+        KinematicBody board = bodies.Add("board", new BoxShape(Vector3d.Zero, half), SurfaceMaterial.Board);
         board.MoveTo(at, turn, Vector3d.Zero, Vector3d.Zero, 0);
         BallState expected = Played(fixedScene, _ => { }, out string[] events, new Vector3d(1, 4, -18));
         BallState actual = Played(profile.Scene() with { Bodies = bodies }, _ => { }, out string[] again, new Vector3d(1, 4, -18));
@@ -57,8 +57,8 @@ public sealed class BodyTests
     [ProfileData(-0.1, 0.6, -0.1)]
     public void A_body_put_over_the_ball_pushes_it_out_and_gives_it_no_speed(Profile profile, double x, double y, double z)
     {
-        var bodies = new Bodies();
-        Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.2));
+        var bodies = new KinematicBodies();
+        KinematicBody boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.2));
         boot.MoveTo(new Vector3d(50, 50, 50), Vector3d.Zero, 0);
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
@@ -75,19 +75,19 @@ public sealed class BodyTests
     [Fact]
     public void A_body_that_comes_up_under_a_ball_hits_it()
     {
-        var bodies = new Bodies();
-        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
+        var bodies = new KinematicBodies();
+        KinematicBody tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(new Scene { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.1 + Flight.Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, Tick, 0.2, StopAt.Time, log);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         log.Clear();
         tray.MoveTo(new Vector3d(0, 2, 0), new Vector3d(0, 2, 0), state.Time);
         simulator.Step(ref state, Tick, log);
         BallEvent hit = Flight.First(log, BallEventKind.Impact);
-        Assert.Equal("tray", simulator.NameOf(hit.Thing));
+        Assert.Equal("tray", simulator.NameOf(hit.ColliderIndex));
         double e = 0.65 * Math.Sqrt((1 + (36.0 / 900)) / (1 + (4.0 / 900)));
         Assert.Equal(2 * (1 + e), hit.Velocity.Y, 1e-3);
         Assert.Equal(MotionState.Airborne, state.Motion);
@@ -97,14 +97,14 @@ public sealed class BodyTests
     [ProfileData]
     public void A_ball_lies_on_a_body_until_that_is_taken_away(Profile profile)
     {
-        var bodies = new Bodies();
-        Body tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
+        var bodies = new KinematicBodies();
+        KinematicBody tray = bodies.Add("tray", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.1, 1)), SurfaceMaterial.Wood);
         tray.MoveTo(new Vector3d(0, 2, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 2.5, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, Tick, 10, StopAt.Rest, log);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         Assert.Equal(2.1 + Flight.Radius, state.Position.Y, 1e-9);
         for (int i = 0; i < 50; i++)
         {
@@ -130,7 +130,7 @@ public sealed class BodyTests
             var random = new Random(seed);
             double Range(double low, double high) => low + ((high - low) * random.NextDouble());
             Vector3d Place() => new(Range(-2, 2), Range(0.3, 2), Range(-2, 2));
-            var bodies = new Bodies();
+            var bodies = new KinematicBodies();
             for (int i = 0; i < 6; i++)
             {
                 bodies.Add($"body {i}", i % 2 == 0 ? new SphereShape(Vector3d.Zero, Range(0.1, 0.4)) : new CapsuleShape(Vector3d.Zero, Place(), Range(0.05, 0.2)));
@@ -142,7 +142,7 @@ public sealed class BodyTests
             double fastest = 0;
             for (int tick = 0; tick < 300; tick++)
             {
-                foreach (Body body in bodies)
+                foreach (KinematicBody body in bodies)
                 {
                     bool jumps = random.Next(20) == 0;
                     Vector3d velocity = random.Next(5) == 0 ? 4 * Place() : body.Velocity;
@@ -161,7 +161,7 @@ public sealed class BodyTests
                 double[] gaps = [.. bodies.Select(body => body.Placement.Motion.At(body.Shape, state.Position, state.Time).Distance - Flight.Radius)];
 
                 // Between two bodies that close in on it, or one and the ground, there may be no place for it: it may end the step apart from one of them, and squeezed.
-                Assert.True(state.Motion == MotionState.Squeezed || gaps.Count(gap => gap < 0.02) > 1 || state.Position.Y < Flight.Radius + 0.02 || gaps.Min() > -1e-9, $"scene {seed}, tick {tick}: {gaps.Min()} m, {state.Motion}");
+                Assert.True(state.Motion == MotionState.Pinned || gaps.Count(gap => gap < 0.02) > 1 || state.Position.Y < Flight.Radius + 0.02 || gaps.Min() > -1e-9, $"scene {seed}, tick {tick}: {gaps.Min()} m, {state.Motion}");
             }
         }
     }
@@ -170,8 +170,8 @@ public sealed class BodyTests
     [ProfileData]
     public void Moving_bodies_and_stepping_among_them_allocates_nothing(Profile profile)
     {
-        var bodies = new Bodies();
-        Body leg = bodies.Add("leg", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 0.8, 0), 0.1));
+        var bodies = new KinematicBodies();
+        KinematicBody leg = bodies.Add("leg", new CapsuleShape(Vector3d.Zero, new Vector3d(0, 0.8, 0), 0.1));
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 2, -5), Vector3d.Zero);
         var log = new StepLog();
@@ -192,8 +192,8 @@ public sealed class BodyTests
     [ProfileData]
     public void What_is_wrong_is_refused_by_name(Profile profile)
     {
-        var bodies = new Bodies();
-        Body leg = bodies.Add("leg", new SphereShape(Vector3d.Zero, 0.1));
+        var bodies = new KinematicBodies();
+        KinematicBody leg = bodies.Add("leg", new SphereShape(Vector3d.Zero, 0.1));
         Assert.Equal("velocity", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(Vector3d.Zero, new Vector3d(2000, 0, 0), 0)).ParamName);
         Assert.Equal("position", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(new Vector3d(double.NaN, 0, 0), Vector3d.Zero, 0)).ParamName);
         _ = new Simulator(profile.Scene() with { Bodies = bodies });
@@ -211,7 +211,7 @@ public sealed class BodyTests
             simulator.Step(ref state, Tick, log);
         }
 
-        events = [.. log.Events.Span.ToArray().Select(item => $"{item.Kind} {simulator.NameOf(item.Thing)}")];
+        events = [.. log.Events.Span.ToArray().Select(item => $"{item.Kind} {simulator.NameOf(item.ColliderIndex)}")];
         return state;
     }
 
@@ -219,8 +219,8 @@ public sealed class BodyTests
     [Fact]
     public void A_turn_moves_the_farthest_corner_as_far_as_it_is_told()
     {
-        var bodies = new Bodies();
-        Body board = bodies.Add("board", new BoxShape(new Vector3d(-1, 1, 0), new Vector3d(2, 2, 0.1)));
+        var bodies = new KinematicBodies();
+        KinematicBody board = bodies.Add("board", new BoxShape(new Vector3d(-1, 1, 0), new Vector3d(2, 2, 0.1)));
         double before = bodies.Strayed;
         var turn = Quaterniond.FromAxisAngle(new Vector3d(0, 0, 1), 0.5);
         board.MoveTo(Vector3d.Zero, turn, Vector3d.Zero, Vector3d.Zero, 0);

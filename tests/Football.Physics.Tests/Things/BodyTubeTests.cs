@@ -17,7 +17,7 @@ public sealed class BodyTubeTests
     [Fact]
     public void A_ball_on_its_way_stays_in_it_to_its_end_and_no_longer()
     {
-        BodyTube tube = Made(new Bodies());
+        BodyTube tube = Made(new KinematicBodies());
         Assert.True(Holds(tube, 0, Step));
         Assert.True(Holds(tube, Ahead - Step - 1e-12, Step));
         Assert.False(Holds(tube, Ahead - Step + 1e-9, Step));
@@ -34,7 +34,7 @@ public sealed class BodyTubeTests
     [Fact]
     public void A_ball_off_the_way_is_in_it_up_to_its_width()
     {
-        BodyTube tube = Made(new Bodies());
+        BodyTube tube = Made(new KinematicBodies());
         Vector3d[] ways = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(0, 0, 1), new(0, 0, -1), new(0.5, 0.5, 0), new(0.2, -0.3, 0.5), new(-0.5, 0, 0.5)];
         foreach (Vector3d way in ways)
         {
@@ -57,8 +57,8 @@ public sealed class BodyTubeTests
     [Fact]
     public void Bodies_that_stray_make_it_narrower()
     {
-        var bodies = new Bodies();
-        Body body = bodies.Add("far", new SphereShape(default, 0.2));
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("far", new SphereShape(default, 0.2));
         body.MoveTo(new Vector3d(50, 50, 50), default, 0);
         BodyTube tube = Made(bodies);
         BallState s = At(0, new Vector3d(Width / 2, 0, 0), default);
@@ -83,8 +83,8 @@ public sealed class BodyTubeTests
         foreach ((double extra, bool free) in new[] { (1e-6, true), (-1e-6, false) })
         {
             // A slab beside the way: at the start of it, for the whole time.
-            var bodies = new Bodies();
-            Body slab = bodies.Add("slab", new BoxShape(default, new Vector3d(20, 1, 20)));
+            var bodies = new KinematicBodies();
+            KinematicBody slab = bodies.Add("slab", new BoxShape(default, new Vector3d(20, 1, 20)));
             slab.MoveTo(new Vector3d(0, -1 - around - extra, 0), default, 0);
             var tube = new BodyTube(bodies, 0.11);
             BallState s = Nowhere.Launch(default, new Vector3d(5, 0, 0), default);
@@ -93,8 +93,8 @@ public sealed class BodyTubeTests
         }
 
         // A wall that the way reaches after 0.05 s.
-        var walls = new Bodies();
-        Body wall = walls.Add("wall", new BoxShape(default, new Vector3d(1, 20, 20)));
+        var walls = new KinematicBodies();
+        KinematicBody wall = walls.Add("wall", new BoxShape(default, new Vector3d(1, 20, 20)));
         wall.MoveTo(new Vector3d(1 + around + (5 * 0.05), 0, 0), default, 0);
         var way = new BodyTube(walls, 0.11);
         BallState ball = Nowhere.Launch(default, new Vector3d(5, 0, 0), default);
@@ -122,7 +122,7 @@ public sealed class BodyTubeTests
         return s;
     }
 
-    private static BodyTube Made(Bodies bodies)
+    private static BodyTube Made(KinematicBodies bodies)
     {
         var tube = new BodyTube(bodies, 0.11);
         BallState s = At(0, default, default);

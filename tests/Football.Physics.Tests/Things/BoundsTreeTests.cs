@@ -19,7 +19,7 @@ public sealed class BoundsTreeTests
         for (int i = 0; i < 300; i++)
         {
             Bounds3d asked = Box(random, 2);
-            int[] expected = [.. Enumerable.Range(0, count).Where(k => boxes[k].Touches(in asked))];
+            int[] expected = [.. Enumerable.Range(0, count).Where(k => boxes[k].Intersects(in asked))];
             var actual = new List<int>();
             int node = 0;
             while (tree.Next(in asked, ref node, out int item))
@@ -72,7 +72,7 @@ public sealed class BoundsTreeTests
         var tree = new BoundsTree(boxes);
         var nodes = (Bounds3d[])typeof(BoundsTree).GetField("_bounds", System.Reflection.BindingFlags.NonPublic | System.Reflection.BindingFlags.Instance)!.GetValue(tree)!;
         Assert.Equal((2 * Count) - 1, nodes.Length);
-        double touched = boxes.Average(box => nodes.Count(node => node.Touches(in box)));
+        double touched = boxes.Average(box => nodes.Count(node => node.Intersects(in box)));
         Assert.InRange(touched, 8, 9);
     }
 

@@ -5,7 +5,7 @@ public sealed class BumperTests
 {
     private const double Radius = 0.11;
 
-    private static readonly SurfaceMaterial s_plain = SurfaceMaterial.GoalFrame with { RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0 };
+    private static readonly SurfaceMaterial s_plain = SurfaceMaterial.GoalFrame with { RestitutionSpeedScale = double.PositiveInfinity, ImpactFriction = 0 };
 
     private static Scene Against(SurfaceMaterial surface, double mass = double.PositiveInfinity, Vector3d velocity = default) => new()
     {
@@ -76,7 +76,7 @@ public sealed class BumperTests
         }
 
         Assert.Equal(1000, fastest, 6);
-        Assert.Equal(0, log.Stalled);
+        Assert.Equal(0, log.StalledSteps);
     }
 
     /// <summary>A pinball table: a step gains no more than its events say.</summary>
@@ -104,7 +104,7 @@ public sealed class BumperTests
             BallState s = simulator.Launch(new Vector3d(random.NextDouble() - 0.5, Radius, 0), new Vector3d((4 * random.NextDouble()) - 2, 2 * random.NextDouble(), -4 - (8 * random.NextDouble())), Vector3d.Zero);
             var log = new StepLog();
             double Energy() => (0.5 * ball.Mass * s.Velocity.LengthSquared) + (0.5 * ball.MomentOfInertia * s.Spin.LengthSquared) + (ball.Mass * 9.81 * s.Position.Y);
-            for (int i = 0; i < 1000 && s.Motion != MotionState.Stopped; i++)
+            for (int i = 0; i < 1000 && s.Motion != MotionState.Rest; i++)
             {
                 double before = Energy();
                 log.Clear();

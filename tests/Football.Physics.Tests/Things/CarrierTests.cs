@@ -12,9 +12,9 @@ public sealed class CarrierTests
         NormalRestitution = 0.5,
         ImpactFriction = 5,
         SlidingFriction = 5,
-        RollingFriction = 0,
-        RollingFrictionBySpeed = 0,
-        DrillingLength = 0,
+        RollingResistance = 0,
+        RollingResistancePerSpeed = 0,
+        TorsionalPatchRadius = 0,
         SpinDamping = 0,
     };
 
@@ -107,7 +107,7 @@ public sealed class CarrierTests
         Play(simulator, ref state, 8, null);
         Near(new Vector3d(2, 0, 0), state.Velocity, 1e-9);
         Near(default, state.Spin, 1e-9);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
     }
 
     /// <summary>The control: a lift.</summary>
@@ -139,7 +139,7 @@ public sealed class CarrierTests
         var turn = new Vector3d(0, Spin, 0);
         double radius = share * Friction * 9.81 * (5.0 / 3) / (Spin * Spin);
         Scene scene = Still(2.0 / 3);
-        var table = PosedCollider.In(ref scene, s_slab, s_rough with { RollingFriction = Friction }, isEngine: false);
+        var table = PosedCollider.In(ref scene, s_slab, s_rough with { RollingResistance = Friction }, isEngine: false);
         table.MoveTo(default, Quaterniond.Identity, default, turn, 0);
         var simulator = new Simulator(scene);
         BallState state = simulator.Launch(new Vector3d(radius, Radius, 0), Vector3d.Cross(turn, new Vector3d(radius, 0, 0)), turn);

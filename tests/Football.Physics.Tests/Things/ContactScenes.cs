@@ -25,10 +25,10 @@ internal static class ContactScenes
                 Surface = SurfaceMaterial.GoalFrame with
                 {
                     SlidingFriction = 0.1 + random.NextDouble(),
-                    RollingFriction = resists ? 0.05 : 0,
-                    RollingFrictionBySpeed = resists ? 0.01 : 0,
+                    RollingResistance = resists ? 0.05 : 0,
+                    RollingResistancePerSpeed = resists ? 0.01 : 0,
                     SpinDamping = resists ? 0.01 : 0,
-                    DrillingLength = resists ? 0.02 : 0,
+                    TorsionalPatchRadius = resists ? 0.02 : 0,
                 },
             });
         }

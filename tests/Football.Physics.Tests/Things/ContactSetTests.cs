@@ -20,7 +20,7 @@ public sealed class ContactSetTests
             var spin = new Vector3d(0, 0, -speed / Radius);
             BallState expected = Flight.Play(open, Flight.With(Integrator.Rk4), 1.0 / 60, 60, StopAt.Rest, new Vector3d(0, Radius, 0), velocity, spin, out _);
             BallState actual = Flight.Play(beside, Flight.With(Integrator.Rk4), 1.0 / 60, 60, StopAt.Rest, new Vector3d(0, Radius, 0), velocity, spin, out _);
-            Assert.Equal(MotionState.Stopped, actual.Motion);
+            Assert.Equal(MotionState.Rest, actual.Motion);
             Assert.Equal(0, (expected.Position - actual.Position).Length, 1e-6);
         }
     }
@@ -32,7 +32,7 @@ public sealed class ContactSetTests
     [InlineData(60, 3)]
     public void It_runs_down_a_gutter_as_its_turning_about_both_sides_says(double beta, double theta)
     {
-        Scene scene = Vacuum() with { Ground = Ground.None, Obstacles = Gutter(beta, theta, SurfaceMaterial.GoalFrame with { SlidingFriction = 5, RollingFriction = 0, RollingFrictionBySpeed = 0, SpinDamping = 0, DrillingLength = 0, NormalRestitution = 0 }) };
+        Scene scene = Vacuum() with { Ground = Ground.None, Obstacles = Gutter(beta, theta, SurfaceMaterial.GoalFrame with { SlidingFriction = 5, RollingResistance = 0, RollingResistancePerSpeed = 0, SpinDamping = 0, TorsionalPatchRadius = 0, NormalRestitution = 0 }) };
         double b = beta * Math.PI / 180;
         double t = theta * Math.PI / 180;
         var simulator = new Simulator(scene, Flight.With(Integrator.Rk4));
@@ -64,14 +64,14 @@ public sealed class ContactSetTests
                 Material = Vacuum().Ground.Material with
                 {
                     SlidingFriction = GroundFriction,
-                    RollingFriction = 0,
-                    RollingFrictionBySpeed = 0,
+                    RollingResistance = 0,
+                    RollingResistancePerSpeed = 0,
                     SpinDamping = 0,
-                    DrillingLength = 0,
+                    TorsionalPatchRadius = 0,
                 },
             },
-            Obstacles = [Board("wall", new Vector3d(0, 5, -0.5 - Radius), new Vector3d(200, 5, 0.5)) with { Surface = SurfaceMaterial.GoalFrame with { SlidingFriction = WallFriction, RollingFriction = 0 } }],
-            Forces = Vacuum().Forces with { Custom = [IForce.From(ball => new Vector3d(0, 0, -Pressing * Vacuum().Ball.Mass))] },
+            Obstacles = [Board("wall", new Vector3d(0, 5, -0.5 - Radius), new Vector3d(200, 5, 0.5)) with { Surface = SurfaceMaterial.GoalFrame with { SlidingFriction = WallFriction, RollingResistance = 0 } }],
+            Forces = Vacuum().Forces with { CustomForces = [IForce.From(ball => new Vector3d(0, 0, -Pressing * Vacuum().Ball.Mass))] },
         };
         double alpha = scene.Ball.InertiaFactor;
         double ground = GroundFriction * 9.81;
@@ -124,7 +124,7 @@ public sealed class ContactSetTests
         BallState state = simulator.Launch(new Vector3d(0, 0.16, 0), new Vector3d(0, 0, -6), new Vector3d(-50, -30, 0));
         var log = new StepLog();
         simulator.Run(ref state, 1.0 / 60, 2, StopAt.Time, log);
-        Assert.Contains(log.Events.Span.ToArray(), item => item.Kind == BallEventKind.Slide && simulator.NameOf(item.Thing) == "board");
+        Assert.Contains(log.Events.Span.ToArray(), item => item.Kind == BallEventKind.Slide && simulator.NameOf(item.ColliderIndex) == "board");
         Assert.Equal(0, state.Position.X, 1e-9);
         Assert.Equal(MotionState.Rolling, state.Motion);
         Assert.Equal(0, state.Carrier);
@@ -146,7 +146,7 @@ public sealed class ContactSetTests
         foreach (Vector3d velocity in new[] { new Vector3d(4, 0, -0.5), new Vector3d(9, 1, -4), new Vector3d(1, 3, -1) })
         {
             BallState state = Flight.Play(scene, Flight.With(Integrator.Rk2), 1.0 / 60, 20, StopAt.Rest, new Vector3d(0, Radius, 0), velocity, new Vector3d(5, 20, -9), out StepLog log);
-            Assert.Equal(MotionState.Stopped, state.Motion);
+            Assert.Equal(MotionState.Rest, state.Motion);
             Assert.True(log.Events.Count < 100, $"{log.Events.Count} events");
         }
     }

@@ -57,7 +57,7 @@ public sealed class CoulombImpactTests
                 TangentialRestitution = (2 * random.NextDouble()) - 1,
                 SpinRestitution = 1,
                 ImpactFriction = i % 3 == 0 ? double.PositiveInfinity : 1.5 * random.NextDouble(),
-                DrillingLength = i % 2 == 0 ? 0.02 : 0,
+                TorsionalPatchRadius = i % 2 == 0 ? 0.02 : 0,
             };
             Vector3d n = Direction(random);
             (Vector3d v, Vector3d w) = Draw(random);

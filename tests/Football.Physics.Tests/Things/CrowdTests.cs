@@ -47,10 +47,10 @@ public sealed class CrowdTests
                     BallState state = crowd.Step(tick, log);
                     Assert.True(crowd.Depth(in state) <= Deepest, $"seed {seed}, draw {draw}, tick {tick}: {crowd.Depth(in state)} m in {state}");
                     Assert.InRange(log.Events.Count, 0, kind == "group" ? 90 : MostEvents);
-                    Assert.Equal(0, log.Stalled);
+                    Assert.Equal(0, log.StalledSteps);
                     Assert.InRange(log.Evaluations, 0, 2000);
                     Assert.True(double.IsFinite(state.Velocity.Length) && state.Velocity.Length < 4);
-                    squeezed += state.Motion == MotionState.Squeezed ? 1 : 0;
+                    squeezed += state.Motion == MotionState.Pinned ? 1 : 0;
                 }
             }
         }
@@ -122,11 +122,11 @@ public sealed class CrowdTests
             events += tick < 60 ? 0 : ball.Events.Count;
             foreach (BallEvent happened in ball.Events)
             {
-                Assert.NotEqual(BallEventKind.Squeezed, happened.Kind);
+                Assert.NotEqual(BallEventKind.Pinned, happened.Kind);
             }
         }
 
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.Equal(0, events);
         Assert.InRange(studs.Max(stud => Radius - stud.Shape.At(ball.State.Position).Distance), double.NegativeInfinity, Deepest);
         Assert.InRange((ball.State.Position - new Vector3d(0, Radius, 0)).Length, 0, 1e-9);
@@ -150,7 +150,7 @@ public sealed class CrowdTests
         private readonly Obstacle[] _still;
         private readonly Vector3d[] _positions;
         private readonly Vector3d[] _velocities;
-        private readonly Body[] _bodies = [];
+        private readonly KinematicBody[] _bodies = [];
         private readonly EngineCollider[] _colliders = [];
         private readonly Simulator _simulator;
         private readonly BallGroup? _group;
@@ -182,7 +182,7 @@ public sealed class CrowdTests
             }
             else
             {
-                var bodies = new Bodies();
+                var bodies = new KinematicBodies();
                 _bodies = [.. all.Select(i => bodies.Add($"sphere {i}", new SphereShape(Vector3d.Zero, 0.05), SurfaceMaterial.Boot))];
                 scene = scene with { Bodies = bodies };
             }
@@ -199,7 +199,7 @@ public sealed class CrowdTests
 
         public double Time { get; private set; }
 
-        public double GreatestSpeed => 1;
+        public double MaximumSpeed => 1;
 
         /// <summary>Puts the ball back.</summary>
         public void Start()

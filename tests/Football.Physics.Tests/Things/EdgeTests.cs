@@ -26,7 +26,7 @@ public sealed class EdgeTests
                 most = Math.Max(most, log.Steps - before);
             }
 
-            BallEvent leave = log.Events.Span.ToArray().First(item => item.Kind == BallEventKind.Leave);
+            BallEvent leave = log.Events.Span.ToArray().First(item => item.Kind == BallEventKind.ContactEnd);
             Assert.Equal(1, leave.Position.X, 1e-7);
             Assert.True(most < 200, $"{most} pieces in a step at {speed} m/s");
         }
@@ -43,7 +43,7 @@ public sealed class EdgeTests
         BallState state = simulator.Launch(new Vector3d(0.5, 1.5 + Flight.Radius, 0), new Vector3d(1, 0, 0), new Vector3d(0, 0, -1 / Flight.Radius));
         var log = new StepLog();
         simulator.Run(ref state, step, 2, StopAt.Impact, log);
-        BallEvent leave = log.Events.Span.ToArray().First(item => item.Kind == BallEventKind.Leave);
+        BallEvent leave = log.Events.Span.ToArray().First(item => item.Kind == BallEventKind.ContactEnd);
         Vector3d fromEdge = leave.Position - new Vector3d(1, 1.5, 0);
         Assert.Equal(Flight.Radius, new Vector3d(fromEdge.X, fromEdge.Y, 0).Length, 1e-6);
         Assert.InRange(fromEdge.X, 0.02, 0.1);

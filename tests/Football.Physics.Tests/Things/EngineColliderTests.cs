@@ -48,7 +48,7 @@ public sealed class EngineColliderTests
             }
 
             Assert.Equal(1, log.Events.Count);
-            Assert.Equal("wire", simulator.NameOf(log.Events[0].Thing));
+            Assert.Equal("wire", simulator.NameOf(log.Events[0].ColliderIndex));
         }
     }
 
@@ -62,7 +62,7 @@ public sealed class EngineColliderTests
         BallState state = simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 0.5 * 9.81 * 0.8, -12.5), Vector3d.Zero);
         var log = new StepLog();
         simulator.Step(ref state, 0.8, log);
-        Assert.Equal("branch", simulator.NameOf(log.Events[0].Thing));
+        Assert.Equal("branch", simulator.NameOf(log.Events[0].ColliderIndex));
     }
 
     [Theory]
@@ -75,12 +75,12 @@ public sealed class EngineColliderTests
         BallState state = simulator.Launch(new Vector3d(0, 1.5, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.02, 10, StopAt.Rest, log);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         Assert.Equal(1.1 + Flight.Radius, state.Position.Y, 1e-9);
         engine.RemoveAll();
         log.Clear();
         simulator.Step(ref state, 0.02, log);
-        Assert.Equal(BallEventKind.Leave, log.Events[0].Kind);
+        Assert.Equal(BallEventKind.ContactEnd, log.Events[0].Kind);
         Assert.Equal(MotionState.Airborne, state.Motion);
     }
 
@@ -117,7 +117,7 @@ public sealed class EngineColliderTests
             BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(0, 0, -20), Vector3d.Zero);
             var log = new StepLog();
             simulator.Step(ref state, 0.1, log);
-            Assert.Equal($"pole {i}", simulator.NameOf(log.Events[0].Thing));
+            Assert.Equal($"pole {i}", simulator.NameOf(log.Events[0].ColliderIndex));
         }
     }
 
@@ -145,7 +145,7 @@ public sealed class EngineColliderTests
             BallState state = simulator.Launch(new Vector3d(0, 5, 0), new Vector3d(0, 0, speed), Vector3d.Zero);
             var log = new StepLog();
             simulator.Step(ref state, 0.1, log);
-            return log.Events[0].Thing;
+            return log.Events[0].ColliderIndex;
         }
     }
 
@@ -156,7 +156,7 @@ public sealed class EngineColliderTests
 
         public double Time => 0;
 
-        public double GreatestSpeed => 0;
+        public double MaximumSpeed => 0;
 
         public void Cast(in SphereCast cast, EngineHits hits)
         {
@@ -199,7 +199,7 @@ public sealed class EngineColliderTests
         for (int i = 0; i < log.Events.Count; i++)
         {
             BallEvent happened = log.Events[i];
-            events.Add($"{happened.Kind} {simulator.NameOf(happened.Thing)} {Math.Round(happened.Time, 8)}");
+            events.Add($"{happened.Kind} {simulator.NameOf(happened.ColliderIndex)} {Math.Round(happened.Time, 8)}");
         }
 
         return state;

@@ -60,14 +60,14 @@ public sealed class FlushTests
     private static BallState Rolled(double? beyond, bool engine, out int told)
     {
         const double Radius = 0.11;
-        Ground turf = Ground.Of(SurfaceMaterial.DryTurf with { RollingFriction = 0, RollingFrictionBySpeed = 0 });
+        Ground turf = Ground.Of(SurfaceMaterial.DryTurf with { RollingResistance = 0, RollingResistancePerSpeed = 0 });
         Scene scene = new() { Ball = BallProperties.Tunnel, Ground = turf, Forces = ForceSet.None };
         const double Speed = 2;
         double edge = (Speed * Step) - (beyond ?? 0);
         var along = new Vector3d(0, 0, 1.5);
         var box = new BoxShape(new Vector3d(edge + 5, 1e-10 - 0.25, 0), new Vector3d(5, 0.25, 50));
-        var bodies = new Bodies();
-        Body? body = beyond is null || engine ? null : bodies.Add("tile", box, turf.Material);
+        var bodies = new KinematicBodies();
+        KinematicBody? body = beyond is null || engine ? null : bodies.Add("tile", box, turf.Material);
         var crate = beyond is null || !engine ? null : new Tile(new EngineCollider("tile", box, turf.Material));
         var simulator = new Simulator(scene with { Bodies = body is null ? null : bodies, EngineColliders = crate });
         BallState s = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(Speed, 0, 0), new Vector3d(0, 0, -Speed / Radius));
@@ -79,7 +79,7 @@ public sealed class FlushTests
             simulator.Step(ref s, Step, log);
         }
 
-        told = log.Events.Span.ToArray().Count(item => item.Kind is BallEventKind.Squeezed or BallEventKind.Impact or BallEventKind.Leave);
+        told = log.Events.Span.ToArray().Count(item => item.Kind is BallEventKind.Pinned or BallEventKind.Impact or BallEventKind.ContactEnd);
         return s;
     }
 
@@ -88,14 +88,14 @@ public sealed class FlushTests
     {
         public double Time { get; private set; }
 
-        public double GreatestSpeed { get; private set; }
+        public double MaximumSpeed { get; private set; }
 
         public void Cast(in SphereCast cast, EngineHits hits) => hits.Add(collider);
 
         public void MoveTo(in Vector3d position, in Vector3d velocity, double time)
         {
             Time = time;
-            GreatestSpeed = velocity.Length;
+            MaximumSpeed = velocity.Length;
             collider.MoveTo(position, Quaterniond.Identity, velocity, Vector3d.Zero);
         }
     }

@@ -20,13 +20,13 @@ internal sealed record Hinged
 
     /// <summary>Rubber without friction.</summary>
     public static SurfaceMaterial Rubber { get; } =
-        SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0 };
+        SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeedScale = double.PositiveInfinity, ImpactFriction = 0, SlidingFriction = 0 };
 
     public Vector3d PivotAt(double time) => Pivot + (time * Velocity);
 
     public Quaterniond At(double time) => Quaterniond.FromAxisAngle(Axis, Start + (Rate * time));
 
-    public void Place(Body body, double time) => body.MoveTo(PivotAt(time), At(time), Velocity, Rate * Axis, time);
+    public void Place(KinematicBody body, double time) => body.MoveTo(PivotAt(time), At(time), Velocity, Rate * Axis, time);
 
     public void Place(EngineCollider collider, double time) => collider.MoveTo(PivotAt(time), At(time), Velocity, Rate * Axis);
 
@@ -92,7 +92,7 @@ public enum Mover
 internal sealed class HingedScene
 {
     private readonly Hinged _thing;
-    private readonly Body? _body;
+    private readonly KinematicBody? _body;
     private readonly HingedEngine? _engine;
 
     public HingedScene(Hinged thing, Mover mover, Scene scene, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity)
@@ -100,7 +100,7 @@ internal sealed class HingedScene
         _thing = thing;
         if (mover == Mover.Body)
         {
-            var bodies = new Bodies();
+            var bodies = new KinematicBodies();
             _body = bodies.Add("thing", thing.Shape, surface ?? Hinged.Rubber, mass);
             Scene = scene with { Bodies = bodies };
         }
@@ -113,7 +113,7 @@ internal sealed class HingedScene
 
     public Scene Scene { get; }
 
-    public Body Body => _body!;
+    public KinematicBody Body => _body!;
 
     /// <summary>Nothing but the ball: no gravity, no ground, no air.</summary>
     public static Scene Void { get; } = new() { Ball = BallProperties.Tunnel, Forces = ForceSet.None, Gravity = 0, Ground = Ground.None };
@@ -151,7 +151,7 @@ internal sealed class HingedScene
         public double Time { get; set; }
 
         /// <summary>Of the fastest point.</summary>
-        public double GreatestSpeed { get; } = !isExact ? thing.Velocity.Length
+        public double MaximumSpeed { get; } = !isExact ? thing.Velocity.Length
             : thing.Velocity.Length + (Math.Abs(thing.Rate) * new Vector3d(
                 Math.Max(-thing.Shape.Bounds.Min.X, thing.Shape.Bounds.Max.X),
                 Math.Max(-thing.Shape.Bounds.Min.Y, thing.Shape.Bounds.Max.Y),

@@ -49,8 +49,8 @@ public sealed class LayerTests
     [InlineData(false)]
     public void An_ignored_body_neither_hits_nor_pushes_nor_squeezes(bool ignores)
     {
-        var bodies = new Bodies();
-        Body hand = bodies.Add("hand", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Glove, mass: 1, layer: 3);
+        var bodies = new KinematicBodies();
+        KinematicBody hand = bodies.Add("hand", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Glove, mass: 1, layer: 3);
         Scene scene = new() { Ball = ignores ? s_ghost : BallProperties.Modern, Bodies = bodies };
         var simulator = new Simulator(scene);
         var log = new StepLog();
@@ -74,7 +74,7 @@ public sealed class LayerTests
     {
         var engine = new OneCollider { Collider = new EngineCollider("wall", s_wall.Shape) { Layer = 3 } };
         BallState s = Play(new Scene { Ball = ignores ? s_ghost : BallProperties.Modern, EngineColliders = engine }, out StepLog log);
-        Assert.Equal(ignores, log.Events.Span.ToArray().All(e => e.Thing <= 0));
+        Assert.Equal(ignores, log.Events.Span.ToArray().All(e => e.ColliderIndex <= 0));
         Assert.Equal(ignores, s.Position.Z < -5);
     }
 
@@ -88,7 +88,7 @@ public sealed class LayerTests
         ];
         var simulator = new Simulator(new Scene { Ball = s_ghost, Zones = zones });
         Play(simulator.Scene, out StepLog log);
-        string[] told = [.. log.Events.Span.ToArray().Where(e => e.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone).Select(e => simulator.NameOf(e.Thing)!)];
+        string[] told = [.. log.Events.Span.ToArray().Where(e => e.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone).Select(e => simulator.NameOf(e.ColliderIndex)!)];
         Assert.Equal(["b", "b"], told);
     }
 
@@ -106,8 +106,8 @@ public sealed class LayerTests
         }
 
         Assert.True(states[0].Position.Z > -5 && states[1].Position.Z < -6, $"{states[0].Position} {states[1].Position}");
-        Assert.DoesNotContain(log.Events.Span.ToArray(), e => e.Ball == 1 && e.Thing > 0);
-        Assert.Contains(log.Events.Span.ToArray(), e => e.Ball == 0 && e.Thing == 1);
+        Assert.DoesNotContain(log.Events.Span.ToArray(), e => e.Ball == 1 && e.ColliderIndex > 0);
+        Assert.Contains(log.Events.Span.ToArray(), e => e.Ball == 0 && e.ColliderIndex == 1);
     }
 
     [Fact]
@@ -159,7 +159,7 @@ public sealed class LayerTests
         static string Refusal(Scene scene) => Assert.Throws<ArgumentOutOfRangeException>(() => new Simulator(scene)).Message;
         Assert.StartsWith("obstacles[0].layer is -1; allowed: 0 … 31.", Refusal(new Scene { Obstacles = [s_wall with { Layer = -1 }] }), StringComparison.Ordinal);
         Assert.StartsWith("zones[0].layer is 40; allowed: 0 … 31.", Refusal(new Scene { Zones = [new Zone { Shape = s_wall.Shape, Layer = 40 }] }), StringComparison.Ordinal);
-        Assert.StartsWith("layer is 99", Assert.Throws<ArgumentOutOfRangeException>(() => new Bodies().Add("a", s_wall.Shape, layer: 99)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("layer is 99", Assert.Throws<ArgumentOutOfRangeException>(() => new KinematicBodies().Add("a", s_wall.Shape, layer: 99)).Message, StringComparison.Ordinal);
         Assert.StartsWith("engineCollider.layer is 99", Assert.Throws<ArgumentOutOfRangeException>(() => new EngineCollider("a") { Layer = 99 }).Message, StringComparison.Ordinal);
         ulong Of(uint ignores, int layer) => new Simulator(new Scene { Ball = s_ghost with { Ignores = ignores }, Obstacles = [s_wall with { Layer = layer }] }).SceneHash;
         Assert.Equal(3, new[] { Of(0, 3), Of(8, 3), Of(8, 4) }.Distinct().Count());
@@ -172,7 +172,7 @@ public sealed class LayerTests
 
         public double Time => 0;
 
-        public double GreatestSpeed => 0;
+        public double MaximumSpeed => 0;
 
         public void Cast(in SphereCast cast, EngineHits hits)
         {

@@ -88,7 +88,7 @@ public sealed class LineStepTests
     }
 
     /// <summary>The same scene with a force that does nothing.</summary>
-    private static Scene Generally(Scene scene) => scene with { Forces = scene.Forces with { Custom = [IForce.From(_ => Vector3d.Zero)] } };
+    private static Scene Generally(Scene scene) => scene with { Forces = scene.Forces with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
 
     /// <summary>Takes a step from one state by both, and compares the ends.</summary>
     /// <param name="subject">Takes whole steps.</param>
@@ -124,10 +124,10 @@ public sealed class LineStepTests
         SurfaceMaterial Material() => SurfaceMaterial.Board with
         {
             SlidingFriction = kind == 1 ? Any(0.5, 1.2) : Any(0.05, 0.7),
-            RollingFriction = Any(0.01, 0.1),
-            RollingFrictionBySpeed = Any(0, 0.01),
+            RollingResistance = Any(0.01, 0.1),
+            RollingResistancePerSpeed = Any(0, 0.01),
             SpinDamping = Any(0, 1e-4),
-            DrillingLength = Any(0, 0.02),
+            TorsionalPatchRadius = Any(0, 0.02),
         };
 
         // Kinds: along a wall, in a gutter, on its spot at a wall, on its spot in a corner, in a slide along a wall.
@@ -166,7 +166,7 @@ public sealed class LineStepTests
             case Of.Obstacles:
                 return (scene with { Obstacles = [.. normals.Select(n => new Obstacle { Name = "side", Shape = new PlaneShape(Vector3d.Zero, n), Surface = Material() })] }, position, speed * along, spin);
             case Of.Bodies:
-                var bodies = new Bodies();
+                var bodies = new KinematicBodies();
                 foreach (Vector3d n in normals)
                 {
                     bodies.Add("side", new PlaneShape(Vector3d.Zero, n), Material());

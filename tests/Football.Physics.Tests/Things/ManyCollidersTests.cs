@@ -101,7 +101,7 @@ public sealed class ManyCollidersTests
                 for (int i = 0; i < log.Events.Count; i++)
                 {
                     BallEvent happened = log.Events[i];
-                    events.Add($"{happened.Kind} {(happened.Thing >= 0 ? simulator.NameOf(happened.Thing) : "")} {happened.Time:R}");
+                    events.Add($"{happened.Kind} {(happened.ColliderIndex >= 0 ? simulator.NameOf(happened.ColliderIndex) : "")} {happened.Time:R}");
                 }
             }
 
@@ -140,9 +140,9 @@ public sealed class ManyCollidersTests
             ball.Step(Tick);
             foreach (BallEvent happened in ball.Events)
             {
-                if (happened.Kind == BallEventKind.Impact && happened.Thing > 0)
+                if (happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0)
                 {
-                    return ball.Simulator.NameOf(happened.Thing)!;
+                    return ball.Simulator.NameOf(happened.ColliderIndex)!;
                 }
             }
         }
@@ -159,7 +159,7 @@ public sealed class ManyCollidersTests
 
         public double Time => 0;
 
-        public double GreatestSpeed => 0;
+        public double MaximumSpeed => 0;
 
         /// <summary>The greatest number of colliders in the box of one cast.</summary>
         public int Longest { get; private set; }

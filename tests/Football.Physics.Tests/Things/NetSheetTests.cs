@@ -143,7 +143,7 @@ public sealed class NetSheetTests
         var simulator = new Simulator(Pitch.Standard.On());
         World world = simulator.World!;
         BallState state = simulator.Launch(new Vector3d(0, 1, 53), new Vector3d(1, 0, 0), Vector3d.Zero);
-        foreach (MotionState motion in new[] { MotionState.Airborne, MotionState.Stopped })
+        foreach (MotionState motion in new[] { MotionState.Airborne, MotionState.Rest })
         {
             foreach (ulong nets in new[] { 0ul, 2ul })
             {
@@ -152,7 +152,7 @@ public sealed class NetSheetTests
                     state.Motion = motion;
                     state.Nets = nets;
                     state.Carrier = carrier;
-                    Assert.Equal(motion == MotionState.Stopped && nets != 0 && carrier != 0, world.HangsInNet(in state));
+                    Assert.Equal(motion == MotionState.Rest && nets != 0 && carrier != 0, world.HangsInNet(in state));
                 }
             }
         }

@@ -80,7 +80,7 @@ public sealed class NetTests
             var from = new Vector3d(random.Uniform(-3, 3), random.Uniform(0.3, 2), random.Chance(0.5) ? -19 : -20.4);
             BallState state = simulator.Launch(from, random.Uniform(5, 60) * (at - from).Normalized(), 40 * new Vector3d(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1)));
             bool inside = from.Z < -20;
-            while (state.Time < 20 && state.Motion != MotionState.Stopped)
+            while (state.Time < 20 && state.Motion != MotionState.Rest)
             {
                 log.Clear();
                 BallState before = state;
@@ -104,7 +104,7 @@ public sealed class NetTests
         BallState state = simulator.Launch(new Vector3d(3, 2.7, -20.4), new Vector3d(5, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         bool met = false;
-        for (int i = 0; i < 1000 && state.Motion != MotionState.Stopped; i++)
+        for (int i = 0; i < 1000 && state.Motion != MotionState.Rest; i++)
         {
             log.Clear();
             simulator.Step(ref state, 1.0 / 60, log);
@@ -114,7 +114,7 @@ public sealed class NetTests
         }
 
         Assert.True(met);
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         Assert.Equal(0.11, state.Position.Y, 1e-12);
     }
 
@@ -122,14 +122,14 @@ public sealed class NetTests
     [Fact]
     public void A_ball_comes_to_rest_on_the_roof_of_a_goal()
     {
-        var bodies = new Bodies();
-        Body boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.1), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody boot = bodies.Add("boot", new SphereShape(Vector3d.Zero, 0.1), SurfaceMaterial.Boot);
         boot.MoveTo(new Vector3d(0, 50, 0), Vector3d.Zero, 0);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(0.5, 2.9, -20.4), new Vector3d(0.3, 0, 0), Vector3d.Zero);
         var log = new StepLog();
         Assert.True(simulator.Run(ref state, 1.0 / 60, 60, StopAt.Rest, log));
-        Assert.Equal(MotionState.Stopped, state.Motion);
+        Assert.Equal(MotionState.Rest, state.Motion);
         Assert.Equal("roof net", simulator.NameOf((int)state.Carrier));
         Assert.Single(log.Events.Span.ToArray(), item => item.Kind == BallEventKind.Rest);
         simulator.Validate(in state);
@@ -159,7 +159,7 @@ public sealed class NetTests
             boot.MoveTo(place - (0.25 * way), 3 * way, hit.Time);
             log.Clear();
             simulator.Step(ref hit, 0.03, log);
-            Assert.Contains(log.Events.Span.ToArray(), item => item.Kind == BallEventKind.Impact && simulator.NameOf(item.Thing) == "boot");
+            Assert.Contains(log.Events.Span.ToArray(), item => item.Kind == BallEventKind.Impact && simulator.NameOf(item.ColliderIndex) == "boot");
             Assert.True(Vector3d.Dot(hit.Position - place, in way) > 0.01, $"{way}: {hit.Position - place}");
             Assert.InRange(hit.Position.Y, 2, 3);
             boot.MoveTo(new Vector3d(0, 50, 0), Vector3d.Zero, hit.Time);
@@ -195,7 +195,7 @@ public sealed class NetTests
             {
                 log.Clear();
                 simulator.Step(ref state, 1.0 / 60, log);
-                Assert.Equal(0, log.Stalled);
+                Assert.Equal(0, log.StalledSteps);
                 Assert.True(log.Events.Count <= 24 && log.Evaluations < 6000, $"{speed}, step {k}: {log.Events.Count} events, {log.Evaluations} evaluations");
             }
 

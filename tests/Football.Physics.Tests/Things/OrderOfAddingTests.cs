@@ -44,7 +44,7 @@ public sealed class OrderOfAddingTests
                 BallState other = second[i];
                 other.Carrier = first[i].Carrier;
                 Assert.Equal(first[i], other);
-                squeezed += first[i].Motion == MotionState.Squeezed ? 1 : 0;
+                squeezed += first[i].Motion == MotionState.Pinned ? 1 : 0;
             }
 
             touched += events.Count(line => line.Contains("Impact", StringComparison.Ordinal));
@@ -97,7 +97,7 @@ public sealed class OrderOfAddingTests
             _ => [],
         };
         var shape = new SphereShape(Vector3d.Zero, 0.12);
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         var engine = new Engine();
         foreach ((string name, Vector3d position, Vector3d velocity) in movers)
         {
@@ -128,7 +128,7 @@ public sealed class OrderOfAddingTests
             states[tick] = state;
             foreach (BallEvent happened in log.Events.Span)
             {
-                events.Add($"{happened.Kind} {(happened.Thing >= 0 ? simulator.NameOf(happened.Thing) : "")} {happened.Time:R} {happened.Position:R} {happened.Impulse:R}");
+                events.Add($"{happened.Kind} {(happened.ColliderIndex >= 0 ? simulator.NameOf(happened.ColliderIndex) : "")} {happened.Time:R} {happened.Position:R} {happened.Impulse:R}");
             }
         }
 
@@ -141,7 +141,7 @@ public sealed class OrderOfAddingTests
 
         public double Time { get; set; }
 
-        public double GreatestSpeed => 4;
+        public double MaximumSpeed => 4;
 
         public void Add(EngineCollider collider, Vector3d position, Vector3d velocity) => _all.Add((collider, position, velocity));
 

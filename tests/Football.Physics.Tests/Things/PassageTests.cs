@@ -73,7 +73,7 @@ public sealed class PassageTests
                 deepest = isDeepest ? runner.Tick : deepest;
                 if (deepest > 0 && runner.Tick == deepest + (isLate ? 30 : 0))
                 {
-                    rollback.Correct(new KickInput(deepest, new Vector3d(0, 1, 6), default, 3));
+                    rollback.ApplyServerState(new KickInput(deepest, new Vector3d(0, 1, 6), default, 3));
                 }
             }
 
@@ -146,7 +146,7 @@ public sealed class PassageTests
         Assert.True(simulator.Run(ref state, Tick, 60, StopAt.Rest, new StepLog()));
         var ball = new Ball(simulator) { State = state };
         ball.Simulator = new Simulator(s_scene with { Ground = Ground.Of(SurfaceMaterial.WetTurf), Obstacles = [new Obstacle { Shape = new SphereShape(new Vector3d(9, 1, 0), 0.1) }] });
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.Equal("roof net", ball.Simulator.NameOf((int)ball.State.Carrier));
         ball.Step(1);
         Assert.Equal(state.Position, ball.Position);
@@ -185,8 +185,8 @@ public sealed class PassageTests
     [InlineData(-19.5, 0)]
     public void A_ball_that_a_body_pushes_over_the_line_is_a_goal(double from, int expected)
     {
-        var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, from), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
@@ -203,8 +203,8 @@ public sealed class PassageTests
     [Fact]
     public void A_ball_that_a_body_pushes_into_a_net_is_in_it()
     {
-        var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var simulator = new Simulator(s_scene with { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(3.5, 0.11, -20.6), Vector3d.Zero, Vector3d.Zero);
         Assert.Equal(0UL, state.Nets);
@@ -222,8 +222,8 @@ public sealed class PassageTests
     [Fact]
     public void A_push_through_a_mouth_does_not_go_through_a_board()
     {
-        var bodies = new Bodies();
-        Body pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody pusher = bodies.Add("pusher", new SphereShape(Vector3d.Zero, 0.3), SurfaceMaterial.Boot);
         var board = new Obstacle { Shape = new BoxShape(new Vector3d(0, 0.5, -20.1), new Vector3d(1, 0.5, 0.005)) };
         var simulator = new Simulator(s_scene with { Bodies = bodies, Obstacles = [board] });
         BallState state = simulator.Launch(new Vector3d(0, 0.11, -19.95), Vector3d.Zero, Vector3d.Zero);
@@ -246,8 +246,8 @@ public sealed class PassageTests
         {
             double radius = random.Uniform(0.29, 0.296);
             double speed = random.Uniform(3.1, 3.4);
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", new CapsuleShape(new Vector3d(0, radius, 0), new Vector3d(0, 1.5, 0), radius), SurfaceMaterial.Boot, 75);
             var simulator = new Simulator(Pitch.Futsal.On(new Scene { Bodies = bodies }));
             double line = random.Uniform(-19.97, -19.95);
             BallState[] states = [simulator.Launch(new Vector3d(0.25, 0.11, line), Vector3d.Zero, Vector3d.Zero)];
@@ -289,7 +289,7 @@ public sealed class PassageTests
         Scene scene = s_scene with { Goals = [s_goal with { Center = new Vector3d(0, 0, Mouth - 8e-4) }] };
         for (int i = 0; i < 200; i++)
         {
-            var runner = new FixedStepRunner(new Simulator(scene), Tick) { WireTicks = 1 };
+            var runner = new FixedStepRunner(new Simulator(scene), Tick) { QuantizationInterval = 1 };
             runner.Place(new Vector3d(0, 0.11, -19.95 - (1e-4 * i)));
             runner.QueueKick(new Vector3d(0, 0, -1.1), default(Vector3d));
             int goals = 0;

@@ -3,7 +3,7 @@ namespace FootballPhysics.Tests.Things;
 /// <summary>An object that a game sets before each step: where it is, how it is turned, and how fast it moves and turns. Here as a body, there as a collider of an engine.</summary>
 internal sealed class PosedCollider : IEngineColliders
 {
-    private readonly Body? _body;
+    private readonly KinematicBody? _body;
     private readonly EngineCollider? _collider;
     private readonly double _reach;
 
@@ -17,16 +17,16 @@ internal sealed class PosedCollider : IEngineColliders
         }
         else
         {
-            Bodies = new Bodies();
+            Bodies = new KinematicBodies();
             _body = Bodies.Add("object", shape, surface);
         }
     }
 
     public double Time { get; private set; }
 
-    public double GreatestSpeed { get; private set; }
+    public double MaximumSpeed { get; private set; }
 
-    private Bodies? Bodies { get; }
+    private KinematicBodies? Bodies { get; }
 
     /// <summary>Makes the object and a scene that has it.</summary>
     public static PosedCollider In(ref Scene scene, IShape shape, SurfaceMaterial surface, bool isEngine)
@@ -40,7 +40,7 @@ internal sealed class PosedCollider : IEngineColliders
     public void MoveTo(in Vector3d position, in Quaterniond orientation, in Vector3d velocity, in Vector3d spin, double time)
     {
         Time = time;
-        GreatestSpeed = velocity.Length + (_reach * spin.Length);
+        MaximumSpeed = velocity.Length + (_reach * spin.Length);
         _body?.MoveTo(position, orientation, velocity, spin, time);
         _collider?.MoveTo(position, orientation, velocity, spin);
     }

@@ -17,8 +17,8 @@ public sealed class PredictionAmongThingsTests
         simulator.LookAhead(simulator.Launch(new Vector3d(0, 1, 0), new Vector3d(0, 3, -20), Vector3d.Zero), new LookAheadRequest(), path);
         Assert.True(path.TryGetHit(0, out BallEvent hit));
         Assert.True(path.TryGetTouchdown(0, out BallEvent touchdown));
-        Assert.Equal("wall", simulator.NameOf(hit.Thing));
-        Assert.Equal("ground", simulator.NameOf(touchdown.Thing));
+        Assert.Equal("wall", simulator.NameOf(hit.ColliderIndex));
+        Assert.Equal("ground", simulator.NameOf(touchdown.ColliderIndex));
         Assert.True(hit.Time < touchdown.Time);
         Assert.False(path.TryGetHit(1, out _));
         Assert.Equal(touchdown.Time, path.HangTime);
@@ -28,8 +28,8 @@ public sealed class PredictionAmongThingsTests
     [ProfileData]
     public void A_look_ahead_meets_a_body_on_the_path_that_the_game_gives_and_leaves_it_where_it_is(Profile profile)
     {
-        var bodies = new Bodies();
-        Body foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
+        var bodies = new KinematicBodies();
+        KinematicBody foot = bodies.Add("foot", new SphereShape(Vector3d.Zero, 0.15), SurfaceMaterial.Boot);
         var simulator = new Simulator(profile.Scene() with { Bodies = bodies }, s_rk4);
 
         // It swings on a circle, which is not how it goes at any one moment.
@@ -49,11 +49,11 @@ public sealed class PredictionAmongThingsTests
         }
 
         Swing(0);
-        var request = new LookAheadRequest { Duration = 1, TimeStep = 0.01, BodiesAt = Swing, StopAt = StopAt.Time };
+        var request = new LookAheadRequest { Duration = 1, TimeStep = 0.01, MoveBodies = Swing, StopAt = StopAt.Time };
         var path = new Trajectory();
         simulator.LookAhead(in ball, request, path);
         Assert.True(path.TryGetHit(0, out BallEvent hit));
-        Assert.Equal("foot", simulator.NameOf(hit.Thing));
+        Assert.Equal("foot", simulator.NameOf(hit.ColliderIndex));
         Assert.Equal(0, (played.Position - path.Final.Position).Length, 1e-9);
         Assert.Equal(before, foot.Position);
         Assert.Equal(0, foot.Time);
@@ -63,7 +63,7 @@ public sealed class PredictionAmongThingsTests
         kept.Update(in ball);
         Assert.Equal(hit.Time, kept.Path.TryGetHit(0, out BallEvent again) ? again.Time : 0);
         Assert.Equal(before, foot.Position);
-        simulator.LookAhead(in ball, request with { BodiesAt = null }, path);
+        simulator.LookAhead(in ball, request with { MoveBodies = null }, path);
         Assert.False(path.TryGetHit(0, out BallEvent other) && other.Time == hit.Time);
     }
 
@@ -95,13 +95,13 @@ public sealed class PredictionAmongThingsTests
             var log = new StepLog();
             Assert.True(simulator.Run(ref ball, batch.TimeStep, 30, StopAt.Impact, log));
             BallEvent impact = log.Events[log.Events.Count - 1];
-            hits += impact.Thing > 0 ? 1 : 0;
+            hits += impact.ColliderIndex > 0 ? 1 : 0;
             Assert.Equal(BatchEnd.Impact, flights.End[i]);
             Assert.Equal(0, (impact.Position - flights.Position[i]).Length, 5e-3);
             Assert.Equal(0, (impact.Velocity - flights.VelocityAfter[i]).Length, 5e-3);
         }
 
         Assert.InRange(hits, 10, 200);
-        Assert.InRange(batch.FlownSingly, hits, (9 * Count) / 10);
+        Assert.InRange(batch.ScalarFallbackCount, hits, (9 * Count) / 10);
     }
 }

@@ -42,7 +42,7 @@ public sealed class PushedObstacleTests
                 simulator.Step(ref ball, 0.01, log);
             }
 
-            return [.. log.Events.Span.ToArray().Where(item => item.Kind == BallEventKind.Impact).Select(item => simulator.NameOf(item.Thing) ?? "").Where(name => name != "ground").Distinct()];
+            return [.. log.Events.Span.ToArray().Where(item => item.Kind == BallEventKind.Impact).Select(item => simulator.NameOf(item.ColliderIndex) ?? "").Where(name => name != "ground").Distinct()];
         }
 
         static void Push(World world, int collider, Vector3d to) => world.Colliders[collider].Push(20 * to, 0.05);

@@ -109,8 +109,8 @@ public sealed class QueriesAreReadsTests
             BallState ball = simulator.Launch(new Vector3d(5, 1.3, 0), Vector3d.Zero, Vector3d.Zero);
             var log = new StepLog();
             simulator.Run(ref ball, Tick, 20, StopAt.Rest, log);
-            Assert.Equal(MotionState.Stopped, ball.Motion);
-            return (Snapshot.Hash(in ball), log.Events[0].Thing, simulator.NameOf(log.Events[0].Thing));
+            Assert.Equal(MotionState.Rest, ball.Motion);
+            return (Snapshot.Hash(in ball), log.Events[0].ColliderIndex, simulator.NameOf(log.Events[0].ColliderIndex));
         }
     }
 
@@ -127,7 +127,7 @@ public sealed class QueriesAreReadsTests
         var log = new StepLog();
         simulator.Run(ref ball, Tick, 20, StopAt.Rest, log);
         Assert.Equal(0.6 + Flight.Radius, ball.Position.Y, 1e-9);
-        Assert.Equal("crate", simulator.NameOf(log.Events[0].Thing));
+        Assert.Equal("crate", simulator.NameOf(log.Events[0].ColliderIndex));
 
         BallState sent = Snapshot.Read(Bytes(in ball));
         var other = new Simulator(scene, s_rk4);
@@ -138,7 +138,7 @@ public sealed class QueriesAreReadsTests
             other.Step(ref sent, Tick, log);
         }
 
-        Assert.Equal(MotionState.Stopped, sent.Motion);
+        Assert.Equal(MotionState.Rest, sent.Motion);
         Assert.True(Snapshot.Same(in ball, in sent));
     }
 
@@ -151,7 +151,7 @@ public sealed class QueriesAreReadsTests
 
     private static Simulator Hall(string crate, out Crate engine)
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         bodies.Add("far player", BodyKind.Player.Shape, SurfaceMaterial.Boot, 75).MoveTo(new Vector3d(60, 0, 0), Vector3d.Zero, 0);
         var box = new BoxShape(Vector3d.Zero, new Vector3d(0.35, 0.35, 0.35));
         if (crate == "body")
@@ -204,7 +204,7 @@ public sealed class QueriesAreReadsTests
 
             foreach (BallEvent happened in log.Events)
             {
-                hits += happened.Kind == BallEventKind.Impact && happened.Thing > 0 ? 1 : 0;
+                hits += happened.Kind == BallEventKind.Impact && happened.ColliderIndex > 0 ? 1 : 0;
             }
         }
 
@@ -244,7 +244,7 @@ public sealed class QueriesAreReadsTests
 
         public double Time { get; set; }
 
-        public double GreatestSpeed => 0;
+        public double MaximumSpeed => 0;
 
         public void Cast(in SphereCast cast, EngineHits hits)
         {

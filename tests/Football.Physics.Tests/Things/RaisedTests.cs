@@ -106,7 +106,7 @@ public sealed class RaisedTests
         Assert.Equal(expected, runner.State.Position);
 
         // A new ball lies on top of the hill, not at the height that the field is measured from.
-        Assert.Equal((MotionState.Stopped, 0.0, 0.0), (new Ball(simulator).Motion, new Ball(simulator).Position.X, new Ball(simulator).Position.Z));
+        Assert.Equal((MotionState.Rest, 0.0, 0.0), (new Ball(simulator).Motion, new Ball(simulator).Position.X, new Ball(simulator).Position.Z));
 
         var launches = new BatchLaunches(1);
         launches.Set(0, low, kick, default);
@@ -145,7 +145,7 @@ public sealed class RaisedTests
         }
 
         var ball = new Ball(new Scene { Ground = new Ground { Heights = new HeightField(-10, -10, 1, heights) } });
-        Assert.Equal((MotionState.Stopped, 0.0, 0.0), (ball.Motion, ball.Position.X, ball.Position.Z));
+        Assert.Equal((MotionState.Rest, 0.0, 0.0), (ball.Motion, ball.Position.X, ball.Position.Z));
         Assert.InRange(ball.Position.Y, -1.9, -1.5);
 
         // Several, each on the ground below it.

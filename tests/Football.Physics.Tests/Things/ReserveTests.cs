@@ -12,7 +12,7 @@ public sealed class ReserveTests
     [InlineData(1)]
     public void None_is_added_once_a_simulator_is_built_and_the_exception_says_how_else(int before)
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         for (int i = 0; i < before; i++)
         {
             bodies.Add("a", BodyKind.Player);
@@ -28,7 +28,7 @@ public sealed class ReserveTests
     [Fact]
     public void Empty_bodies_are_nothing_to_any_part_of_the_library()
     {
-        var empty = new Scene { Bodies = new Bodies() };
+        var empty = new Scene { Bodies = new KinematicBodies() };
         Assert.Equal(new Simulator().SceneHash, new Simulator(empty).SceneHash);
         Assert.True(new Simulator(empty).World.IsBare);
         Assert.False(new Aiming.AimContext(new Simulator(empty)).HasThings);
@@ -45,15 +45,15 @@ public sealed class ReserveTests
         batch.Fly(launches, one, 64);
         new BallBatch(new Scene()).Fly(launches, other, 64);
         Assert.Equal(Enumerable.Range(0, 64).Select(i => other.Position[i]), Enumerable.Range(0, 64).Select(i => one.Position[i]));
-        Assert.Equal(0, batch.FlownSingly);
+        Assert.Equal(0, batch.ScalarFallbackCount);
         Assert.True(new PassFan(empty).Find(new PassFanRequest { From = new Vector3d(0, 0.11, 0), Direction = new Vector3d(0, 0, -1), Target = new Vector3d(0, 0, -20) }, [], []).IsFound);
     }
 
     [Fact]
     public void A_reserve_is_hit_by_nothing_until_he_comes_on_and_no_more_after_he_has_left()
     {
-        var bodies = new Bodies();
-        Body reserve = bodies.Add("reserve", BodyKind.Player);
+        var bodies = new KinematicBodies();
+        KinematicBody reserve = bodies.Add("reserve", BodyKind.Player);
         reserve.MoveTo(new Vector3d(0, 0, -3), default, 0);
         reserve.Withdraw();
         var ball = new Ball(new Scene { Bodies = bodies });
@@ -78,13 +78,13 @@ public sealed class ReserveTests
     [Fact]
     public void A_ball_that_lies_on_a_body_falls_when_it_leaves_and_one_that_leans_on_it_rolls_on()
     {
-        var bodies = new Bodies();
-        Body table = bodies.Add("table", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.5, 1)));
+        var bodies = new KinematicBodies();
+        KinematicBody table = bodies.Add("table", new BoxShape(Vector3d.Zero, new Vector3d(1, 0.5, 1)));
         table.MoveTo(new Vector3d(0, 0.5, 0), default, 0);
         var ball = new Ball(new Scene { Bodies = bodies });
         ball.Place(new Vector3d(0, 1.11, 0));
         ball.Step(Step);
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         table.Withdraw();
         for (int i = 0; i < 20; i++)
         {
@@ -99,7 +99,7 @@ public sealed class ReserveTests
     public void A_rollback_a_recording_and_a_look_ahead_keep_who_is_in_play()
     {
         // He comes on at tick 20 in front of the ball, leaves at tick 45, comes on again at tick 70 elsewhere; nobody says so by BodiesAt.
-        static void Move(FixedStepRunner runner, Body body)
+        static void Move(FixedStepRunner runner, KinematicBody body)
         {
             switch (runner.Tick)
             {
@@ -115,17 +115,17 @@ public sealed class ReserveTests
             }
         }
 
-        static FixedStepRunner New(out Body body)
+        static FixedStepRunner New(out KinematicBody body)
         {
-            var bodies = new Bodies();
+            var bodies = new KinematicBodies();
             body = bodies.Add("reserve", BodyKind.Player);
             body.Withdraw();
             return new FixedStepRunner(new Simulator(new Scene { Bodies = bodies }), Step);
         }
 
-        FixedStepRunner runner = New(out Body reserve);
+        FixedStepRunner runner = New(out KinematicBody reserve);
         var rollback = new Rollback(runner, ticks: 100);
-        MatchSegment segment = runner.Record();
+        Recording segment = runner.Record();
         runner.QueueKick(new Vector3d(0, 1, -14), default);
         var hashes = new List<ulong>();
         int hits = 0;
@@ -136,7 +136,7 @@ public sealed class ReserveTests
             hashes.Add(Snapshot.Hash(runner.State));
             foreach (BallEvent item in runner.Events)
             {
-                hits += item.Kind == BallEventKind.Impact && item.Thing == 1 ? 1 : 0;
+                hits += item.Kind == BallEventKind.Impact && item.ColliderIndex == 1 ? 1 : 0;
             }
         }
 
@@ -145,14 +145,14 @@ public sealed class ReserveTests
         // Played again from everywhere: the same bits, and in play as at the end.
         foreach (long from in (long[])[0, 10, 21, 30, 46, 60, 71, 99])
         {
-            Assert.Null(rollback.PlayFrom(from));
+            Assert.Null(rollback.ResimulateFrom(from));
             Assert.Equal(hashes[^1], Snapshot.Hash(runner.State));
             Assert.False(reserve.IsWithdrawn);
         }
 
         // As bytes, in another process's scene.
-        MatchSegment read = MatchSegment.FromBytes(segment.ToBytes());
-        FixedStepRunner fresh = New(out Body other);
+        Recording read = Recording.FromBytes(segment.ToBytes());
+        FixedStepRunner fresh = New(out KinematicBody other);
         Assert.Null(read.FirstDivergence(fresh.Simulator));
         FixedStepRunner sought = read.Replay(fresh.Simulator);
         read.Seek(sought, 50);
@@ -168,18 +168,18 @@ public sealed class ReserveTests
         BallState from0 = runner.Simulator.Launch(new Vector3d(0, 0.11, 0), new Vector3d(0, 1, -14), default);
         runner.Simulator.LookAhead(in from0, new LookAheadRequest { Duration = 1 }, path);
         Assert.False(path.TryGetHit(0, out _));
-        var request = new LookAheadRequest { Duration = 1, TimeStep = Step, BodiesAt = time => { if (time > 0.1) { reserve.MoveTo(new Vector3d(0, 0, -6), default, time); } } };
+        var request = new LookAheadRequest { Duration = 1, TimeStep = Step, MoveBodies = time => { if (time > 0.1) { reserve.MoveTo(new Vector3d(0, 0, -6), default, time); } } };
         runner.Simulator.LookAhead(in from0, request, path);
         Assert.True(path.TryGetHit(0, out BallEvent hit));
-        Assert.Equal(1, hit.Thing);
+        Assert.Equal(1, hit.ColliderIndex);
         Assert.True(reserve.IsWithdrawn);
     }
 
     [Fact]
     public void Several_balls_pass_where_a_withdrawn_body_was_and_hit_it_when_it_is_back()
     {
-        var bodies = new Bodies();
-        Body post = bodies.Add("post", new SphereShape(Vector3d.Zero, 0.3), mass: 20);
+        var bodies = new KinematicBodies();
+        KinematicBody post = bodies.Add("post", new SphereShape(Vector3d.Zero, 0.3), mass: 20);
         post.MoveTo(new Vector3d(0, 0.4, -3), default, 0);
         var group = new BallGroup(new Simulator(new Scene { Bodies = bodies }), 2);
         foreach (bool plays in (bool[])[true, false])
@@ -207,7 +207,7 @@ public sealed class ReserveTests
             int hits = 0;
             foreach (BallEvent item in log.Events)
             {
-                hits += item.Kind == BallEventKind.Impact && item.Thing == 1 ? 1 : 0;
+                hits += item.Kind == BallEventKind.Impact && item.ColliderIndex == 1 ? 1 : 0;
             }
 
             Assert.Equal(plays, hits > 0);
@@ -217,9 +217,9 @@ public sealed class ReserveTests
     [Fact]
     public void Withdrawn_bodies_are_looked_at_by_no_step_and_allocate_nothing()
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         var asked = new Asked();
-        Body[] reserves = [.. Enumerable.Range(0, 9).Select(i => bodies.Add($"reserve {i}", asked))];
+        KinematicBody[] reserves = [.. Enumerable.Range(0, 9).Select(i => bodies.Add($"reserve {i}", asked))];
         Array.ForEach(reserves, body => body.Withdraw());
         var ball = new Ball(new Scene { Bodies = bodies });
         var plain = new Ball();
@@ -263,7 +263,7 @@ public sealed class ReserveTests
         Assert.Throws<ArgumentException>(() => new Ball(simulator).State = default);
     }
 
-    private static int Hits(Ball ball, Body reserve, Vector3d? on)
+    private static int Hits(Ball ball, KinematicBody reserve, Vector3d? on)
     {
         ball.Place(new Vector3d(0, 0.11, 0));
         ball.Kick(new Vector3d(0, 0.5, -20), default);
@@ -278,7 +278,7 @@ public sealed class ReserveTests
             ball.Step(Step);
             foreach (BallEvent item in ball.Events)
             {
-                hits += item.Kind == BallEventKind.Impact && item.Thing == 1 ? 1 : 0;
+                hits += item.Kind == BallEventKind.Impact && item.ColliderIndex == 1 ? 1 : 0;
             }
         }
 
@@ -292,7 +292,7 @@ public sealed class ReserveTests
 
         public int Times { get; set; }
 
-        public double HollowCurvature => 0;
+        public double MaximumConcaveCurvature => 0;
 
         public Bounds3d Bounds => _shape.Bounds;
 

@@ -64,7 +64,7 @@ public sealed class RotatingBodyTests
                 ball.Step(1 / hz);
                 foreach (ref readonly BallEvent item in ball.Events)
                 {
-                    if (item.Kind == BallEventKind.Impact && ball.Simulator.NameOf(item.Thing) == "thing")
+                    if (item.Kind == BallEventKind.Impact && ball.Simulator.NameOf(item.ColliderIndex) == "thing")
                     {
                         hits.Add(item);
                     }
@@ -228,7 +228,7 @@ public sealed class RotatingBodyTests
         var log = new StepLog();
         simulator.Step(ref state, 0.1, log);
         BallEvent hit = Flight.First(log, BallEventKind.Impact);
-        Body bat = scene.Body;
+        KinematicBody bat = scene.Body;
         Assert.Equal(hit.Time, bat.Time, 1e-12);
         Quaterniond expected = s_bat.At(hit.Time);
         Assert.Equal(0, (bat.Orientation.Rotate(new Vector3d(1, 2, 3)) - expected.Rotate(new Vector3d(1, 2, 3))).Length, 1e-12);
@@ -241,8 +241,8 @@ public sealed class RotatingBodyTests
     [Fact]
     public void What_is_placed_where_its_rotation_leads_has_not_strayed()
     {
-        var bodies = new Bodies();
-        Body body = bodies.Add("thing", Leg(10).Shape);
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("thing", Leg(10).Shape);
         Hinged leg = Leg(10) with { Velocity = new Vector3d(1, 0, 2) };
         leg.Place(body, 0);
         double before = bodies.Strayed;
@@ -318,7 +318,7 @@ public sealed class RotatingBodyTests
             ball.Step(1 / 60.0);
         }
 
-        Assert.Equal(MotionState.Stopped, ball.Motion);
+        Assert.Equal(MotionState.Rest, ball.Motion);
         Assert.InRange(counted.Looks, 60, 60 * 3000);
     }
 
@@ -326,9 +326,9 @@ public sealed class RotatingBodyTests
     [Fact]
     public void A_spin_that_changes_nothing_costs_nothing()
     {
-        var bodies = new Bodies();
-        Body ball = bodies.Add("ball", new SphereShape(Vector3d.Zero, 0.3));
-        Body drum = bodies.Add("drum", new CapsuleShape(new Vector3d(-1, 0, 0), new Vector3d(1, 0, 0), 0.3));
+        var bodies = new KinematicBodies();
+        KinematicBody ball = bodies.Add("ball", new SphereShape(Vector3d.Zero, 0.3));
+        KinematicBody drum = bodies.Add("drum", new CapsuleShape(new Vector3d(-1, 0, 0), new Vector3d(1, 0, 0), 0.3));
         Quaterniond turn = Quaterniond.FromAxisAngle(new Vector3d(0, 0, 1), Math.PI / 2);
         ball.MoveTo(default, turn, default, new Vector3d(3, 4, 5), 0);
         drum.MoveTo(default, turn, default, new Vector3d(0, 100, 0), 0);
@@ -426,7 +426,7 @@ public sealed class RotatingBodyTests
     {
         public int Looks { get; set; }
 
-        public double HollowCurvature => shape.HollowCurvature;
+        public double MaximumConcaveCurvature => shape.MaximumConcaveCurvature;
 
         public Bounds3d Bounds => shape.Bounds;
 

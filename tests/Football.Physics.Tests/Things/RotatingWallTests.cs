@@ -52,7 +52,7 @@ public sealed class RotatingWallTests
     /// <summary>All of space but a ball.</summary>
     private sealed class Hollow(Vector3d center, double radius) : IShape
     {
-        public double HollowCurvature => 1 / radius;
+        public double MaximumConcaveCurvature => 1 / radius;
 
         public Bounds3d Bounds => Bounds3d.Everywhere;
 

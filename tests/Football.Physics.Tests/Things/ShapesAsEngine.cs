@@ -9,7 +9,7 @@ internal sealed class ShapesAsEngine : IEngineColliders
 
     public double Time { get; set; }
 
-    public double GreatestSpeed { get; set; }
+    public double MaximumSpeed { get; set; }
 
     /// <summary>How often it was asked.</summary>
     public int Casts { get; private set; }
@@ -23,7 +23,7 @@ internal sealed class ShapesAsEngine : IEngineColliders
     {
         var collider = isKnown ? new EngineCollider(name, shape) : new EngineCollider(name);
         _all.Add((collider, shape, velocity, isKnown));
-        GreatestSpeed = Math.Max(GreatestSpeed, velocity.Length);
+        MaximumSpeed = Math.Max(MaximumSpeed, velocity.Length);
     }
 
     public void RemoveAll() => _all.Clear();

@@ -27,8 +27,8 @@ public sealed class SqueezeTests
         int squeezed = 0;
         for (int i = 0; i < 30; i++)
         {
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", s_player);
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", s_player);
             var ball = new Ball(profile.Scene() with { Bodies = bodies, Obstacles = boards });
             var from = new Vector3d(-4.8899 + random.Uniform(0, 0.3), Radius, -4.8899 + random.Uniform(0, 0.3));
             ball.Place(from);
@@ -39,7 +39,7 @@ public sealed class SqueezeTests
                 player.MoveTo(place, velocity, ball.Time);
                 ball.Step(Frame);
                 place += Frame * velocity;
-                squeezed += ball.Motion == MotionState.Squeezed ? 1 : 0;
+                squeezed += ball.Motion == MotionState.Pinned ? 1 : 0;
                 Vector3d at = ball.State.Position;
                 Assert.True(at.Y >= Radius - 1e-9 && at.X >= -5 + Radius - 1e-9 && at.Z >= -5 + Radius - 1e-9, $"press {i}, frame {frame}: {at}");
                 Assert.InRange(ball.Events.Count, 0, MostEvents);
@@ -58,9 +58,9 @@ public sealed class SqueezeTests
         int squeezes = 0;
         for (int i = 0; i < 60; i++)
         {
-            var bodies = new Bodies();
-            Body one = bodies.Add("one", s_player);
-            Body other = bodies.Add("other", s_player);
+            var bodies = new KinematicBodies();
+            KinematicBody one = bodies.Add("one", s_player);
+            KinematicBody other = bodies.Add("other", s_player);
             var ball = new Ball(profile.Scene() with { Bodies = bodies });
             double height = i % 2 == 0 ? Radius : random.Uniform(Radius, 1.2);
             ball.Place(new Vector3d(0, height, 0));
@@ -82,16 +82,16 @@ public sealed class SqueezeTests
                 Assert.InRange(ball.Events.Count, 0, MostEvents);
                 foreach (ref readonly BallEvent item in ball.Events)
                 {
-                    if (item.Kind == BallEventKind.Squeezed)
+                    if (item.Kind == BallEventKind.Pinned)
                     {
                         // It begins with a thing, and ends without one.
-                        Assert.Equal(isIn, item.Thing < 0);
+                        Assert.Equal(isIn, item.ColliderIndex < 0);
                         isIn = !isIn;
                         squeezes++;
                     }
                 }
 
-                Assert.Equal(isIn, ball.Motion == MotionState.Squeezed);
+                Assert.Equal(isIn, ball.Motion == MotionState.Pinned);
             }
 
             Assert.False(isIn && second > 1 && first > 1, "the players have passed");
@@ -107,8 +107,8 @@ public sealed class SqueezeTests
     {
         for (double speed = 1; speed < 8; speed += 0.7)
         {
-            var bodies = new Bodies();
-            Body player = bodies.Add("player", s_player);
+            var bodies = new KinematicBodies();
+            KinematicBody player = bodies.Add("player", s_player);
             var ball = new Ball(profile.Scene() with { Bodies = bodies });
             ball.Place(new Vector3d(0, Radius, 0.03));
             for (int frame = 0; frame < 120; frame++)
@@ -128,9 +128,9 @@ public sealed class SqueezeTests
     [ProfileData]
     public void It_has_room_before_one_who_runs_on(Profile profile)
     {
-        var bodies = new Bodies();
-        Body one = bodies.Add("one", s_player);
-        Body other = bodies.Add("other", s_player);
+        var bodies = new KinematicBodies();
+        KinematicBody one = bodies.Add("one", s_player);
+        KinematicBody other = bodies.Add("other", s_player);
         var ball = new Ball(profile.Scene() with { Bodies = bodies });
         ball.Place(new Vector3d(0, Radius, 0));
         int squeezed = 0;
@@ -141,8 +141,8 @@ public sealed class SqueezeTests
             one.MoveTo(new Vector3d(x > 0.33 ? -x : -0.33 - (2 * (0.33 - x)), 0, 0), new Vector3d(x > 0.33 ? 2 : -4, 0, 0), ball.Time);
             other.MoveTo(new Vector3d(x, 0, 0), new Vector3d(-2, 0, 0), ball.Time);
             ball.Step(Frame);
-            squeezed += ball.Motion == MotionState.Squeezed ? 1 : 0;
-            Assert.True(x > 0 || ball.Motion != MotionState.Squeezed, $"frame {frame}");
+            squeezed += ball.Motion == MotionState.Pinned ? 1 : 0;
+            Assert.True(x > 0 || ball.Motion != MotionState.Pinned, $"frame {frame}");
         }
 
         Assert.InRange(squeezed, 0, 30);
@@ -152,9 +152,9 @@ public sealed class SqueezeTests
     [Fact]
     public void It_is_looked_ahead_restored_and_stepped_without_memory_while_it_lasts()
     {
-        var bodies = new Bodies();
-        Body one = bodies.Add("one", s_player);
-        Body other = bodies.Add("other", s_player);
+        var bodies = new KinematicBodies();
+        KinematicBody one = bodies.Add("one", s_player);
+        KinematicBody other = bodies.Add("other", s_player);
         var simulator = new Simulator(new Scene { Bodies = bodies });
         BallState state = simulator.Launch(new Vector3d(0, Radius, 0), Vector3d.Zero, Vector3d.Zero);
         var log = new StepLog();
@@ -178,7 +178,7 @@ public sealed class SqueezeTests
             log.Clear();
             simulator.Step(ref again, Frame, log);
             Assert.True(Snapshot.Same(in again, in state));
-            squeezed += state.Motion == MotionState.Squeezed ? 1 : 0;
+            squeezed += state.Motion == MotionState.Pinned ? 1 : 0;
         }
 
         Assert.True(squeezed > 30, $"{squeezed} frames");

@@ -32,7 +32,7 @@ public sealed class SurfaceNumbersTests
     [Fact]
     public void A_body_is_a_boot_unless_it_is_told_otherwise()
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         bodies.Add("leg", Wall(SurfaceMaterial.Wood).Shape);
         Assert.Equal(0.5, Restitution(new Scene { Bodies = bodies }, 6), 1e-12);
     }
@@ -73,7 +73,7 @@ public sealed class SurfaceNumbersTests
         BallState state = simulator.Launch(((from - 2) * towards) + new Vector3d(20 * z * z, 0.5, 20 * x * x), 20 * towards, Vector3d.Zero);
         var log = new StepLog();
         simulator.Run(ref state, 0.01, 1, StopAt.Impact, log);
-        Assert.Equal(name, simulator.NameOf(log.Events[0].Thing));
+        Assert.Equal(name, simulator.NameOf(log.Events[0].ColliderIndex));
         Assert.Equal(from - Flight.Radius, Vector3d.Dot(log.Events[0].Position, in towards), 1e-9);
     }
 

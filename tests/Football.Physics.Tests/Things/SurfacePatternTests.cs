@@ -8,7 +8,7 @@ public sealed class SurfacePatternTests
     private static readonly SurfaceMaterial s_ice = SurfaceMaterial.PublishedTurf with
     {
         SlidingFriction = 0.05,
-        RollingFriction = 0.002,
+        RollingResistance = 0.002,
         NormalRestitution = 0.3,
     };
 
@@ -119,14 +119,14 @@ public sealed class SurfacePatternTests
         Material = ground.Material with
         {
             NormalRestitution = s_ice.NormalRestitution,
-            RestitutionSpeed = s_ice.RestitutionSpeed,
+            RestitutionSpeedScale = s_ice.RestitutionSpeedScale,
             SpinRestitution = s_ice.SpinRestitution,
             ImpactFriction = s_ice.ImpactFriction,
             SlidingFriction = s_ice.SlidingFriction,
-            RollingFriction = s_ice.RollingFriction,
-            RollingFrictionBySpeed = s_ice.RollingFrictionBySpeed,
+            RollingResistance = s_ice.RollingResistance,
+            RollingResistancePerSpeed = s_ice.RollingResistancePerSpeed,
             SpinDamping = s_ice.SpinDamping,
-            DrillingLength = s_ice.DrillingLength,
+            TorsionalPatchRadius = s_ice.TorsionalPatchRadius,
             TangentialRestitution = s_ice.TangentialRestitution,
         },
     };
@@ -140,14 +140,14 @@ public sealed class SurfacePatternTests
         var part = new SurfaceRectangles((new Vector3d(-200, 0, -200), new Vector3d(200, 0, 200), SurfaceMaterial.Presets[material]));
         var scene = new Scene { Ground = new Ground { Material = SurfaceMaterial.Snow, Pattern = part } };
         BallState end = Flight.Play(scene, Flight.With(Integrator.Euler), 1.0 / 60, 60, StopAt.Rest, new Vector3d(0, 1, 0), new Vector3d(6, 2, 3), Vector3d.Zero, out _);
-        Assert.Equal(MotionState.Stopped, end.Motion);
+        Assert.Equal(MotionState.Rest, end.Motion);
     }
 
     private sealed class Stripes : ISurfacePattern
     {
-        public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.PublishedTurf with { RollingFriction = 0.3, SlidingFriction = 0.9 }];
+        public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [SurfaceMaterial.PublishedTurf with { RollingResistance = 0.3, SlidingFriction = 0.9 }];
 
-        public double LeastWidth => 0.1;
+        public double MinimumWidth => 0.1;
 
         public int At(double x, double z) => ((long)Math.Floor(z / 0.1) & 1) == 0 ? 0 : -1;
     }

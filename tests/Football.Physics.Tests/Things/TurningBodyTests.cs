@@ -10,7 +10,7 @@ public sealed class TurningBodyTests
     private static readonly SurfaceMaterial s_rubber = SurfaceMaterial.GoalFrame with
     {
         NormalRestitution = 0.5,
-        RestitutionSpeed = double.PositiveInfinity,
+        RestitutionSpeedScale = double.PositiveInfinity,
         ImpactFriction = 0,
         SlidingFriction = 0,
     };
@@ -80,8 +80,8 @@ public sealed class TurningBodyTests
     [InlineData("rolls away", 60)]
     public void A_leg_kicks_the_ball_along_the_ground(string ball, double rate)
     {
-        var bodies = new Bodies();
-        Body leg = bodies.Add("leg", s_leg, s_rubber);
+        var bodies = new KinematicBodies();
+        KinematicBody leg = bodies.Add("leg", s_leg, s_rubber);
         var subject = new Ball(new Scene { Ball = BallProperties.Tunnel, Ground = Ground.Of(SurfaceMaterial.DryTurf), Bodies = bodies });
         if (ball != "new")
         {

@@ -7,7 +7,7 @@ public sealed class WorldContactTests
     private const double Mass = 0.43;
     private const double Slowest = 0.2;
 
-    private static readonly SurfaceMaterial Smooth = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeed = 1e9, ImpactFriction = 0, SlidingFriction = 0.5 };
+    private static readonly SurfaceMaterial Smooth = SurfaceMaterial.GoalFrame with { NormalRestitution = 0.5, RestitutionSpeedScale = 1e9, ImpactFriction = 0, SlidingFriction = 0.5 };
 
     private static readonly Scene Still = Scene.Default with
     {
@@ -17,9 +17,9 @@ public sealed class WorldContactTests
             Material = SurfaceMaterial.DryTurf with
             {
                 NormalRestitution = 0.5,
-                RestitutionSpeed = 1e9,
+                RestitutionSpeedScale = 1e9,
                 ImpactFriction = 0,
-                DrillingLength = 0,
+                TorsionalPatchRadius = 0,
             },
             MinimumBounceSpeed = Slowest,
         },
@@ -81,8 +81,8 @@ public sealed class WorldContactTests
         Assert.Equal((1, 0.0, 1), (run.Impacts, run.Part, run.AllImpacts));
         BallEvent told = log.Events[0];
         Assert.Equal((BallEventKind.Impact, new Vector3d(3, -4, 1), s.Velocity), (told.Kind, told.VelocityBefore, told.Velocity));
-        Assert.Equal("ground", table.Simulator.NameOf(told.Thing));
-        Assert.Equal((1, 0L, true), (log.Events.Count, log.Untold, log.Halted));
+        Assert.Equal("ground", table.Simulator.NameOf(told.ColliderIndex));
+        Assert.Equal((1, 0L, true), (log.Events.Count, log.UnreportedImpacts, log.Halted));
 
         // Slower than the slowest bounce it stays, and slides; what climbs there already was rounding.
         foreach ((double down, MotionState motion) in new[] { (0.41, MotionState.Airborne), (0.39, MotionState.Sliding), (-0.1, MotionState.Sliding) })
@@ -149,15 +149,15 @@ public sealed class WorldContactTests
             s.Time = 0.002 * k;
             run.Impacts = 0;
             table.Contact.Impact(ref s, table.Of("bat"), ref run);
-            squeezed = s.Motion == MotionState.Squeezed ? k : 0;
+            squeezed = s.Motion == MotionState.Pinned ? k : 0;
         }
 
         Assert.Equal(5, squeezed);
         Assert.Equal("bat", table.Simulator.NameOf((int)s.Carrier));
         Assert.InRange((s.Velocity - new Vector3d(2.5, 5, 0)).Length, 0, 1e-6);
-        Assert.Equal(BallEventKind.Squeezed, log.Events[log.Events.Count - 1].Kind);
+        Assert.Equal(BallEventKind.Pinned, log.Events[log.Events.Count - 1].Kind);
         table.Contact.EndSqueeze(ref s, ref run);
-        Assert.Equal((MotionState.Airborne, BallEventKind.Squeezed, -1), (s.Motion, log.Events[log.Events.Count - 1].Kind, log.Events[log.Events.Count - 1].Thing));
+        Assert.Equal((MotionState.Airborne, BallEventKind.Pinned, -1), (s.Motion, log.Events[log.Events.Count - 1].Kind, log.Events[log.Events.Count - 1].ColliderIndex));
     }
 
     /// <summary>After the tenth impact of an instant the rest is without restitution, at all contacts together; and not told one by one.</summary>
@@ -174,7 +174,7 @@ public sealed class WorldContactTests
         Assert.Equal(away, s.Velocity.X, 1e-6);
         Assert.Equal(2, s.Velocity.Y, 1e-6);
         Assert.Equal(MotionState.Airborne, s.Motion);
-        Assert.Equal((before + 1, away > 0 ? 1 : 0, away > 0 ? 0L : 1L), (run.Impacts, log.Events.Count, log.Untold));
+        Assert.Equal((before + 1, away > 0 ? 1 : 0, away > 0 ? 0L : 1L), (run.Impacts, log.Events.Count, log.UnreportedImpacts));
 
         // In the corner with the ground the ground bears it, and carries it.
         s = table.Ball(new Vector3d(Radius, Radius, 0), new Vector3d(-10, -2, 3), default);
@@ -189,7 +189,7 @@ public sealed class WorldContactTests
         run.Impacts = 10;
         s.Velocity = new Vector3d(-10, 0, 0);
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
-        Assert.NotEqual(MotionState.Squeezed, s.Motion);
+        Assert.NotEqual(MotionState.Pinned, s.Motion);
         Assert.InRange(s.Velocity.Length, 0, 1e-6);
     }
 
@@ -212,7 +212,7 @@ public sealed class WorldContactTests
         }
 
         table.Contact.Impact(ref s, table.Of("wall"), ref run);
-        Assert.Equal((events + told, 1L - told), (log.Events.Count, log.Untold));
+        Assert.Equal((events + told, 1L - told), (log.Events.Count, log.UnreportedImpacts));
     }
 
     /// <summary>A ball that something carries and that something else hits.</summary>
@@ -236,7 +236,7 @@ public sealed class WorldContactTests
         Assert.InRange((s.Spin - new Vector3d(1, 2, 3)).Length, 0, 1e-12);
         Assert.Equal((0.0, DragBranch.Unknown), (s.ClearUntil, s.Branch));
         Assert.Equal(new Vector3d(4, up, 0).Length, s.SqueezeSpeed, 1e-14);
-        Assert.Equal(up >= Slowest ? BallEventKind.Leave : up < -0.1 ? BallEventKind.Impact : BallEventKind.Slide, log.Events[0].Kind);
+        Assert.Equal(up >= Slowest ? BallEventKind.ContactEnd : up < -0.1 ? BallEventKind.Impact : BallEventKind.Slide, log.Events[0].Kind);
         s.SqueezeSpeed = 100;
         table.Simulator.Struck(ref s, new Vector3d(4, up, 0), default, new Vector3d(1, 0, 0), log);
         Assert.Equal(100, s.SqueezeSpeed);
@@ -249,11 +249,11 @@ public sealed class WorldContactTests
         var table = new Asked(Still);
         var log = new StepLog();
         BallState s = table.Simulator.Launch(new Vector3d(0, Radius, 0), default, default);
-        s.Motion = MotionState.Squeezed;
+        s.Motion = MotionState.Pinned;
         s.Position = new Vector3d(0, Radius + 0.01, 0);
         s.SetGroundSpin(new Vector3d(0, 5, 0));
         table.Simulator.Struck(ref s, new Vector3d(1, 0.5, 2), new Vector3d(9, 9, 9), new Vector3d(1, 0, 0), log);
-        Assert.Equal((MotionState.Squeezed, Radius, new Vector3d(1, 0, 2), new Vector3d(0, 5, 0)), (s.Motion, s.Position.Y, s.Velocity, s.Spin));
+        Assert.Equal((MotionState.Pinned, Radius, new Vector3d(1, 0, 2), new Vector3d(0, 5, 0)), (s.Motion, s.Position.Y, s.Velocity, s.Spin));
         Assert.Equal(0, log.Events.Count);
     }
 
@@ -263,10 +263,10 @@ public sealed class WorldContactTests
     [InlineData(MotionState.Rolling, 1.0, 0.5, true, MotionState.Sliding, BallEventKind.Slide)]
     [InlineData(MotionState.Sliding, 1.0, 0.0, true, MotionState.Rolling, BallEventKind.Roll)]
     [InlineData(MotionState.Sliding, 0.04, 0.0, true, MotionState.Rolling, null)]
-    [InlineData(MotionState.Rolling, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Leave)]
+    [InlineData(MotionState.Rolling, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.ContactEnd)]
     [InlineData(MotionState.Rolling, 0.04, 0.0, false, MotionState.Airborne, null)]
     [InlineData(MotionState.Airborne, 1.0, 0.0, false, MotionState.Airborne, null)]
-    [InlineData(MotionState.Squeezed, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Squeezed)]
+    [InlineData(MotionState.Pinned, 1.0, 0.0, false, MotionState.Airborne, BallEventKind.Pinned)]
     public void A_pile_lets_a_ball_go(MotionState before, double speed, double slip, bool borne, MotionState after, BallEventKind? told)
     {
         var table = new Asked(Still);
@@ -322,12 +322,12 @@ public sealed class WorldContactTests
         Assert.InRange((s.Spin - new Vector3d(4, 5, 6)).Length, 0, 1e-12);
         s = table.Simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(1e-3, 0, 0), default);
         table.Contact.Rest(ref s, ref run);
-        Assert.Equal((MotionState.Stopped, default, default, false), (s.Motion, s.Velocity, s.Spin, log.Halted));
+        Assert.Equal((MotionState.Rest, default, default, false), (s.Motion, s.Velocity, s.Spin, log.Halted));
         log.StopAt = StopAt.Rest;
         table.Contact.Rest(ref s, ref run);
         Assert.True(log.Halted);
-        Assert.Equal([BallEventKind.Roll, BallEventKind.Slide, BallEventKind.Leave, BallEventKind.Rest, BallEventKind.Rest], log.Events.Span.ToArray().Select(item => item.Kind));
-        Assert.Equal(["ground", "ground", null, null, null], log.Events.Span.ToArray().Select(item => table.Simulator.NameOf(item.Thing)));
+        Assert.Equal([BallEventKind.Roll, BallEventKind.Slide, BallEventKind.ContactEnd, BallEventKind.Rest, BallEventKind.Rest], log.Events.Span.ToArray().Select(item => item.Kind));
+        Assert.Equal(["ground", "ground", null, null, null], log.Events.Span.ToArray().Select(item => table.Simulator.NameOf(item.ColliderIndex)));
     }
 
     /// <summary>Taken up with slip it slides; without, where friction can hold it, it rolls; what slid there at this instant slides on untold.</summary>

@@ -72,7 +72,7 @@ public sealed class WorldStabilityTests
 
                 // A ball that comes into a net from its side finds it stretched already.
                 bool met = log.Events.Span.ToArray().Any(item => item.Kind == BallEventKind.Net);
-                Assert.True(met || after <= before + (1e-7 * (1 + Math.Abs(before))), $"scene {seed} step {i}: {before} J, then {after} J, {from.Motion} to {state.Motion}, {string.Join(' ', log.Events.Span.ToArray().Select(item => $"{item.Kind}@{simulator.NameOf(item.Thing)}"))}");
+                Assert.True(met || after <= before + (1e-7 * (1 + Math.Abs(before))), $"scene {seed} step {i}: {before} J, then {after} J, {from.Motion} to {state.Motion}, {string.Join(' ', log.Events.Span.ToArray().Select(item => $"{item.Kind}@{simulator.NameOf(item.ColliderIndex)}"))}");
                 before = after;
             }
         }

@@ -22,7 +22,7 @@ public sealed class ZoneTests
             simulator.Step(ref end, dt, log);
         }
 
-        return [.. log.Events.Span.ToArray().Where(IsOfZone).Select(e => $"{e.Kind} {simulator.NameOf(e.Thing)} {e.Time:F9} {e.Position.Z:F9}")];
+        return [.. log.Events.Span.ToArray().Where(IsOfZone).Select(e => $"{e.Kind} {simulator.NameOf(e.ColliderIndex)} {e.Time:F9} {e.Position.Z:F9}")];
     }
 
     private static bool IsOfZone(BallEvent e) => e.Kind is BallEventKind.EnterZone or BallEventKind.ExitZone;
@@ -83,7 +83,7 @@ public sealed class ZoneTests
     {
         Scene scene = Scene.Measured with { Zones = [new Zone { Shape = new PlaneShape(Vector3d.Zero, Vector3d.Up) }] };
         Assert.Empty(Play(scene, new Vector3d(0, Radius, 0), new Vector3d(1, 0, -3), 0.01, 500, out BallState end));
-        Assert.Equal(MotionState.Stopped, end.Motion);
+        Assert.Equal(MotionState.Rest, end.Motion);
         Assert.False(scene.Zones[0].Holds(end.Position, Radius));
     }
 
@@ -143,8 +143,8 @@ public sealed class ZoneTests
     [Fact]
     public void A_push_across_a_border_is_reported_once()
     {
-        var bodies = new Bodies();
-        Body block = bodies.Add("block", new BoxShape(Vector3d.Zero, new Vector3d(0.5, 0.5, 0.5)));
+        var bodies = new KinematicBodies();
+        KinematicBody block = bodies.Add("block", new BoxShape(Vector3d.Zero, new Vector3d(0.5, 0.5, 0.5)));
         Scene scene = Scene.Measured with { Bodies = bodies, Zones = [new Zone { Name = "line", Shape = new PlaneShape(new Vector3d(0, 0, -0.2), new Vector3d(0, 0, 1)), Of = ZonePart.Center }] };
         block.MoveTo(new Vector3d(0, 0.5, 5), Vector3d.Zero, 0);
         var simulator = new Simulator(scene);

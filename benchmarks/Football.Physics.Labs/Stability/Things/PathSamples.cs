@@ -13,16 +13,16 @@ internal sealed class PathSamples(World world) : PieceObserver
 
     public void Clear() => Deepest = 0;
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         // What moves may overlap a ball that is squeezed. What it cannot have reached need not be asked: only what is close enough to its way is looked at in places of it.
         Vector3d middle = 0.5 * (piece.StartPosition + piece.EndPosition);
         double around = (0.5 * (piece.EndPosition - piece.StartPosition).Length) + (0.25 * piece.Length * (piece.EndVelocity - piece.StartVelocity).Length) + 0.5;
-        var near = new NearThings(world, new Bounds3d(in middle, in middle).Grown(around), piece.Time, piece.Length);
+        var near = new NearThings(world, new Bounds3d(in middle, in middle).Expanded(around), piece.Time, piece.Length);
         while (near.NextCollider(out int i))
         {
             Collider collider = world.Colliders[i];
-            if (collider.Moves ? piece.Motion == MotionState.Squeezed : collider.At(in middle).Distance > around)
+            if (collider.Moves ? piece.Motion == MotionState.Pinned : collider.At(in middle).Distance > around)
             {
                 continue;
             }

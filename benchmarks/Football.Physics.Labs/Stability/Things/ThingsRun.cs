@@ -124,7 +124,7 @@ internal sealed class ThingsRun
         int near = 0;
         double inMovers = 0;
         double inOthers = 0;
-        var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Grown(_world.Ball.Radius + Beside), _state.Time, 0);
+        var things = new NearThings(_world, new Bounds3d(_state.Position, _state.Position).Expanded(_world.Ball.Radius + Beside), _state.Time, 0);
         while (things.NextCollider(out int i))
         {
             Collider collider = _world.Colliders[i];
@@ -153,14 +153,14 @@ internal sealed class ThingsRun
             }
 
             Impacts++;
-            Collider collider = _world.Colliders[hit.Thing - _world.FirstCollider];
+            Collider collider = _world.Colliders[hit.ColliderIndex - _world.FirstCollider];
             Vector3d contact = hit.Position - (_world.Ball.Radius * hit.Normal);
             Vector3d with = collider.SurfaceVelocity(in contact, hit.Time);
             double before = (mass * (hit.VelocityBefore - with).LengthSquared) + (inertia * hit.SpinBefore.LengthSquared);
             double after = (mass * (hit.Velocity - with).LengthSquared) + (inertia * hit.Spin.LengthSquared);
             if (!(after <= ((before + (2 * hit.AddedEnergy)) * (1 + 1e-12)) + 1e-24))
             {
-                return Fail("impact energy", $"{0.5 * before} J to {0.5 * after} J at {_simulator.NameOf(hit.Thing)}");
+                return Fail("impact energy", $"{0.5 * before} J to {0.5 * after} J at {_simulator.NameOf(hit.ColliderIndex)}");
             }
         }
 

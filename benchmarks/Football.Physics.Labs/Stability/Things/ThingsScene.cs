@@ -76,7 +76,7 @@ internal sealed class ThingsScene
     /// <summary>Moves the bodies somewhere, as a game would before a frame.</summary>
     public void MoveBodies(double time)
     {
-        foreach (Body body in Scene.Bodies ?? [])
+        foreach (KinematicBody body in Scene.Bodies ?? [])
         {
             Vector3d jump = _motion.Chance(0.05) ? _motion.Log(0.01, 5) * _motion.Direction() : Vector3d.Zero;
             Vector3d change = _motion.Log(0.1, 3) * _motion.Direction();
@@ -117,8 +117,8 @@ internal sealed class ThingsScene
                 ImpactFriction = _random.Any(double.PositiveInfinity, 1.2, _random.Uniform(0, 1)),
                 NormalRestitution = _random.Uniform(0, 0.95),
                 SlidingFriction = _random.Uniform(0.05, 1),
-                RollingFriction = _random.Log(0.003, 0.2),
-                DrillingLength = _random.Any(0, 0.02),
+                RollingResistance = _random.Log(0.003, 0.2),
+                TorsionalPatchRadius = _random.Any(0, 0.02),
             },
             Aerodynamics = _random.Any(GroundAerodynamics.Horizontal, GroundAerodynamics.None, GroundAerodynamics.Full),
         };
@@ -148,7 +148,7 @@ internal sealed class ThingsScene
         SpinRestitution = _random.Next(),
         ImpactFriction = _random.Any(0, double.PositiveInfinity, _random.Uniform(0, 1.5)),
         SlidingFriction = _random.Uniform(0, 1),
-        RollingFriction = _random.Log(0.003, 0.3),
+        RollingResistance = _random.Log(0.003, 0.3),
     };
 
     private Obstacle DrawObstacle(bool moves)
@@ -184,16 +184,16 @@ internal sealed class ThingsScene
         }
     }
 
-    private Bodies DrawBodies()
+    private KinematicBodies DrawBodies()
     {
-        var bodies = new Bodies();
+        var bodies = new KinematicBodies();
         int count = 1 + _random.Below(8);
         for (int i = 0; i < count; i++)
         {
             bodies.Add("body", DrawShape(Vector3d.Zero), DrawSurface());
         }
 
-        foreach (Body body in bodies)
+        foreach (KinematicBody body in bodies)
         {
             body.MoveTo(Place(1), Polar(_random.Log(0.1, 10) * _random.Direction()), 0);
         }

@@ -58,7 +58,7 @@ public partial class FootballBall
         FixedStepRunner runner = Runner;
         ApplyChanges();
         _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
-        return Follow(_scene.Stage.Ahead, _scene.Stage.LookFrom(runner.State), runner.TimeStep, points);
+        return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), runner.TimeStep, points);
     }
 
     /// <summary>The path of a kick from where the ball is, in a game that runs. Allocates nothing.</summary>
@@ -71,7 +71,7 @@ public partial class FootballBall
         FixedStepRunner runner = Runner;
         ApplyChanges();
         _scene!.CollidersAreAt(runner.State.Time, GreatestSpeed);
-        BallState state = _scene.Stage.LookFrom(runner.State);
+        BallState state = _scene.Stage.PredictionState(runner.State);
         _scene.Stage.Ahead.Kick(ref state, GodotFrame.FromGodot(velocity), GodotFrame.SpinFromGodot(spin));
         return Follow(_scene.Stage.Ahead, state, runner.TimeStep, points);
     }
@@ -142,7 +142,7 @@ public partial class FootballBall
         while (count < points.Length)
         {
             points[count++] = GodotFrame.ToGodot(state.Position);
-            if (state.Motion == MotionState.Stopped)
+            if (state.Motion == MotionState.Rest)
             {
                 break;
             }

@@ -63,10 +63,10 @@ public partial class FootballBall
             case BallEventKind.Rest:
                 EmitSignal(SignalName.Rest, position, happened.Time);
                 break;
-            case BallEventKind.Leave:
+            case BallEventKind.ContactEnd:
                 EmitSignal(SignalName.Leave, position, velocity, happened.Time);
                 break;
-            case BallEventKind.Squeezed:
+            case BallEventKind.Pinned:
                 EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
                 break;
             case BallEventKind.EnterZone:

@@ -38,14 +38,14 @@ public sealed class FootballColliders : IEngineColliders
         _space = space;
         _query.CollisionMask = mask;
         _query.Shape = _sphere;
-        GreatestSpeed = greatestSpeed;
+        MaximumSpeed = greatestSpeed;
     }
 
     /// <summary>When Godot has its bodies where they are, on the ball's clock, s: set before every step.</summary>
     public double Time { get; set; }
 
     /// <summary>Not slower than the fastest of them, m/s.</summary>
-    public double GreatestSpeed { get; set; }
+    public double MaximumSpeed { get; set; }
 
     /// <summary>Godot's body of a collider that was met; null for none.</summary>
     public CollisionObject3D? Of(EngineCollider? collider) => collider is not null && _bodies.TryGetValue(collider, out CollisionObject3D? body) ? body : null;

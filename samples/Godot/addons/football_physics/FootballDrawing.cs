@@ -25,7 +25,7 @@ internal sealed class FootballDrawing
     {
         var points = new Vector3[shape.Points.Length];
         var normals = new Vector3[points.Length];
-        var picture = new Vector2[shape.Picture.Length / 2];
+        var picture = new Vector2[shape.TextureCoordinates.Length / 2];
         for (int i = 0; i < points.Length; i++)
         {
             points[i] = GodotFrame.ToGodot(shape.Points[i]);
@@ -34,7 +34,7 @@ internal sealed class FootballDrawing
 
         for (int i = 0; i < picture.Length; i++)
         {
-            picture[i] = new Vector2((float)shape.Picture[2 * i], (float)shape.Picture[(2 * i) + 1]);
+            picture[i] = new Vector2((float)shape.TextureCoordinates[2 * i], (float)shape.TextureCoordinates[(2 * i) + 1]);
         }
 
         Godot.Collections.Array arrays = Arrays(points, shape.Triangles.ToArray());

@@ -52,7 +52,7 @@ public partial class FootballKeeper : FootballThing
         Acceleration = FootballPreset.Typed(Acceleration),
         Speed = FootballPreset.Typed(Speed),
         Reach = FootballPreset.Typed(Reach),
-        HighestHeight = FootballPreset.Typed(Highest),
+        MaximumHeight = FootballPreset.Typed(Highest),
     });
 
     internal override int StampOfFields() => HashCode.Combine(HashCode.Combine(Goal, Shirt), Reaction, Acceleration, Speed, Reach, Highest);

@@ -79,7 +79,7 @@ public partial class FootballPath : Node3D
             _points = new Vector3[room];
         }
 
-        bool shows = _aims || Ball.Motion != MotionState.Stopped;
+        bool shows = _aims || Ball.Motion != MotionState.Rest;
         int count = !shows ? 0 : _aims ? Ball.PredictKick(_velocity, _spin, _points) : Ball.PredictPath(_points);
         FootballDrawing.Trace(_lines[0], _points.AsSpan(0, count));
         for (int i = 0; i < Sides; i++)

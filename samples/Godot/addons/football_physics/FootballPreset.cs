@@ -182,7 +182,7 @@ public partial class FootballPreset : Resource
             {
                 NormalRestitution = Typed(CustomRestitution),
                 SlidingFriction = Typed(CustomSlidingFriction),
-                RollingFriction = Typed(CustomRollingFriction),
+                RollingResistance = Typed(CustomRollingFriction),
             },
         };
         var dials = new Dials { Pressure = Typed(BallPressure), Wetness = Typed(Wetness), Wear = Typed(BallWear), Mud = Typed(Mud) };
@@ -196,7 +196,7 @@ public partial class FootballPreset : Resource
         });
         return DragScale == 1 && BendScale == 1
             ? scene
-            : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
+            : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
     }
 
     /// <summary>A ground at a height, m; no ground has no height.</summary>
@@ -221,7 +221,7 @@ public partial class FootballPreset : Resource
         AirChoice.OfProfile => own,
         AirChoice.Measured => ForceSet.Measured,
         AirChoice.Published => ForceSet.Published,
-        AirChoice.Regularised => ForceSet.Regularised,
+        AirChoice.Regularised => ForceSet.Regularized,
         AirChoice.Constant => ForceSet.Constant,
         AirChoice.Vacuum => ForceSet.None,
         _ => throw new InvalidOperationException($"There are no laws {Laws}."),

@@ -24,7 +24,7 @@ public partial class FootballReplayDock : VBoxContainer
     private bool _moves;
 
     /// <summary>The segment that is shown; null for none.</summary>
-    public SegmentPlayer? Player { get; private set; }
+    public RecordingPlayer? Player { get; private set; }
 
     /// <summary>What was found out last.</summary>
     public string Said => _label.Text;
@@ -64,7 +64,7 @@ public partial class FootballReplayDock : VBoxContainer
         _ball = ball;
         try
         {
-            Player = new SegmentPlayer(MatchSegment.FromBytes(bytes), ball.CompileScene());
+            Player = new RecordingPlayer(Recording.FromBytes(bytes), ball.CompileScene());
             _slider.MinValue = Player.Segment.StartTick;
             _slider.MaxValue = Player.Segment.EndTick;
             Show(string.Create(CultureInfo.InvariantCulture, $"{Player.Duration:0.00} s, {Player.Segment.EndTick - Player.Segment.StartTick} ticks"));

@@ -17,13 +17,13 @@ internal sealed class FootballScene
     /// <summary>Compiles it.</summary>
     public FootballScene(FootballPreset? preset, uint mask, double greatestSpeed, PhysicsDirectSpaceState3D? space)
     {
-        Stage = new Stage(preset?.MakeScene(), preset?.Settings);
+        Stage = new BallScene(preset?.MakeScene(), preset?.Settings);
         if (mask != 0 && space is not null)
         {
             _colliders = new FootballColliders(space, mask, greatestSpeed, pushes: true);
             _collidersAhead = new FootballColliders(space, mask, greatestSpeed);
             Stage.Colliders = _colliders;
-            Stage.CollidersAhead = _collidersAhead;
+            Stage.PredictionColliders = _collidersAhead;
         }
 
         foreach (FootballThing thing in FootballThing.InOrder())
@@ -34,7 +34,7 @@ internal sealed class FootballScene
         Stage.Compile();
     }
 
-    public Stage Stage { get; }
+    public BallScene Stage { get; }
 
     /// <summary>Adds a goal.</summary>
     public void Add(FootballGoal goal, Goal made)
@@ -63,16 +63,16 @@ internal sealed class FootballScene
         if (_colliders is not null && _collidersAhead is not null)
         {
             _colliders.Time = time;
-            _colliders.GreatestSpeed = greatestSpeed;
+            _colliders.MaximumSpeed = greatestSpeed;
             _collidersAhead.Time = time;
-            _collidersAhead.GreatestSpeed = greatestSpeed;
+            _collidersAhead.MaximumSpeed = greatestSpeed;
         }
     }
 
     /// <summary>The goal that an event tells of; null for none.</summary>
     public FootballGoal? GoalOf(in BallEvent happened)
     {
-        int goal = happened.Thing >= 0 ? Stage.GoalOf(in happened) : -1;
+        int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
         return goal >= 0 ? _goals[goal] : null;
     }
 

@@ -68,7 +68,7 @@ public partial class FootballScore : CanvasLayer
                 Write();
             }
         }
-        else if ((_ball.GlobalPosition - _spot).Length() > 1 && _ball.Motion == MotionState.Stopped)
+        else if ((_ball.GlobalPosition - _spot).Length() > 1 && _ball.Motion == MotionState.Rest)
         {
             _left = Again;
         }

@@ -12,13 +12,13 @@ namespace FootballPhysics.Unity.Editor
     public sealed class FootballReplayWindow : EditorWindow
     {
         private FootballBall _ball;
-        private SegmentPlayer _player;
+        private RecordingPlayer _player;
         private string _said = "";
         private bool _plays;
         private double _clock;
 
         /// <summary>The segment that is shown; null for none.</summary>
-        public SegmentPlayer Player => _player;
+        public RecordingPlayer Player => _player;
 
         /// <summary>What was found out last.</summary>
         public string Said => _said;
@@ -40,7 +40,7 @@ namespace FootballPhysics.Unity.Editor
             _plays = false;
             try
             {
-                _player = new SegmentPlayer(MatchSegment.FromBytes(bytes), ball.CompileScene());
+                _player = new RecordingPlayer(Recording.FromBytes(bytes), ball.CompileScene());
                 _said = string.Format(CultureInfo.InvariantCulture, "{0:0.00} s, {1} ticks", _player.Duration, _player.Segment.EndTick - _player.Segment.StartTick);
             }
             catch (Exception refusal) when (refusal is FormatException || refusal is ArgumentException || refusal is InvalidOperationException)

@@ -19,7 +19,7 @@ namespace FootballPhysics.Unity
             FixedStepRunner runner = Runner;
             ApplyChanges();
             _scene.CollidersAreAt(runner.State.Time);
-            return Follow(_scene.Stage.Ahead, _scene.Stage.LookFrom(runner.State), _runner.TimeStep, points);
+            return Follow(_scene.Stage.Ahead, _scene.Stage.PredictionState(runner.State), _runner.TimeStep, points);
         }
 
         /// <summary>The path of a kick from where the ball is, in a game that runs. Allocates nothing.</summary>
@@ -32,7 +32,7 @@ namespace FootballPhysics.Unity
             FixedStepRunner runner = Runner;
             ApplyChanges();
             _scene.CollidersAreAt(runner.State.Time);
-            BallState state = _scene.Stage.LookFrom(runner.State);
+            BallState state = _scene.Stage.PredictionState(runner.State);
             _scene.Stage.Ahead.Kick(ref state, UnityFrame.FromUnity(velocity), UnityFrame.SpinFromUnity(spin));
             return Follow(_scene.Stage.Ahead, state, _runner.TimeStep, points);
         }
@@ -83,7 +83,7 @@ namespace FootballPhysics.Unity
                 while (count < points.Length)
                 {
                     points[count++] = UnityFrame.ToUnity(state.Position);
-                    if (state.Motion == MotionState.Stopped)
+                    if (state.Motion == MotionState.Rest)
                     {
                         break;
                     }

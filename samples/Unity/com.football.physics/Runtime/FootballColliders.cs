@@ -34,14 +34,14 @@ namespace FootballPhysics.Unity
             _pushes = pushes;
             _own = own;
             _layers = layers;
-            GreatestSpeed = greatestSpeed;
+            MaximumSpeed = greatestSpeed;
         }
 
         /// <summary>When Unity has its colliders where they are, on the ball's clock, s: set before every step.</summary>
         public double Time { get; set; }
 
         /// <summary>Not slower than the fastest point of any of them, m/s, with its rotation.</summary>
-        public double GreatestSpeed { get; set; }
+        public double MaximumSpeed { get; set; }
 
         /// <summary>Unity's collider of one that was met; null for none.</summary>
         public Collider Of(EngineCollider collider)

@@ -141,7 +141,7 @@ namespace FootballPhysics.Unity
             int count = shape.Points.Length;
             var points = new Vector3[count];
             var normals = new Vector3[count];
-            var picture = new Vector2[shape.Picture.Length / 2];
+            var picture = new Vector2[shape.TextureCoordinates.Length / 2];
             for (int i = 0; i < count; i++)
             {
                 points[i] = UnityFrame.ToUnity(shape.Points[i]);
@@ -150,7 +150,7 @@ namespace FootballPhysics.Unity
 
             for (int i = 0; i < picture.Length; i++)
             {
-                picture[i] = new Vector2((float)shape.Picture[2 * i], 1f - (float)shape.Picture[(2 * i) + 1]);
+                picture[i] = new Vector2((float)shape.TextureCoordinates[2 * i], 1f - (float)shape.TextureCoordinates[(2 * i) + 1]);
             }
 
             var mesh = new Mesh { name = "football", hideFlags = HideFlags.HideAndDontSave, indexFormat = IndexFormat.UInt32 };

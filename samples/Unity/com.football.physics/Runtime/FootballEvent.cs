@@ -11,7 +11,7 @@ namespace FootballPhysics.Unity
             Impulse = impulse;
             Goal = goal;
             Collider = collider;
-            NormalSpeed = (float)happened.NormalSpeed;
+            NormalSpeed = (float)happened.ApproachSpeed;
             Normal = UnityFrame.ToUnity(happened.Normal);
             Kind = happened.Kind;
             Time = happened.Time;

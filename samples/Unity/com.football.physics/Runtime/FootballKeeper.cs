@@ -58,7 +58,7 @@ namespace FootballPhysics.Unity
                 Acceleration = FootballPreset.Typed(acceleration),
                 Speed = FootballPreset.Typed(speed),
                 Reach = FootballPreset.Typed(reach),
-                HighestHeight = FootballPreset.Typed(highest),
+                MaximumHeight = FootballPreset.Typed(highest),
             });
         }
 

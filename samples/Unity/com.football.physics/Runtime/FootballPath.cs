@@ -91,7 +91,7 @@ namespace FootballPhysics.Unity
                 _points = new Vector3[room];
             }
 
-            bool shows = _aims || ball.Motion != MotionState.Stopped;
+            bool shows = _aims || ball.Motion != MotionState.Rest;
             Put(_lines[0], shows ? (_aims ? ball.PredictKick(_velocity, _spin, _points) : ball.PredictPath(_points)) : 0);
             for (int i = 0; i < Sides; i++)
             {

@@ -220,7 +220,7 @@ namespace FootballPhysics.Unity
             });
             return dragScale == 1f && bendScale == 1f
                 ? scene
-                : scene with { Forces = scene.Forces with { Custom = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
+                : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
         }
 
         /// <summary>A ground at a height, m; no ground has no height.</summary>
@@ -292,7 +292,7 @@ namespace FootballPhysics.Unity
                 {
                     NormalRestitution = Typed(customRestitution),
                     SlidingFriction = Typed(customSlidingFriction),
-                    RollingFriction = Typed(customRollingFriction),
+                    RollingResistance = Typed(customRollingFriction),
                 },
             };
         }
@@ -304,7 +304,7 @@ namespace FootballPhysics.Unity
                 AirChoice.OfProfile => own,
                 AirChoice.Measured => ForceSet.Measured,
                 AirChoice.Published => ForceSet.Published,
-                AirChoice.Regularised => ForceSet.Regularised,
+                AirChoice.Regularised => ForceSet.Regularized,
                 AirChoice.Constant => ForceSet.Constant,
                 AirChoice.Vacuum => ForceSet.None,
                 _ => throw new InvalidOperationException("There are no laws " + laws + "."),

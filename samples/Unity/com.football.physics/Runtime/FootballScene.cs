@@ -18,13 +18,13 @@ namespace FootballPhysics.Unity
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
         public FootballScene(FootballPreset preset, int hits, float greatestSpeed, Rigidbody own)
         {
-            Stage = new Stage(preset != null ? preset.MakeScene() : null, preset != null ? preset.Settings : null);
+            Stage = new BallScene(preset != null ? preset.MakeScene() : null, preset != null ? preset.Settings : null);
             if (hits != 0)
             {
                 _colliders = new FootballColliders(own, hits, greatestSpeed, true);
                 _collidersAhead = new FootballColliders(own, hits, greatestSpeed, false);
                 Stage.Colliders = _colliders;
-                Stage.CollidersAhead = _collidersAhead;
+                Stage.PredictionColliders = _collidersAhead;
             }
 
             foreach (FootballThing thing in FootballThing.InOrder())
@@ -35,7 +35,7 @@ namespace FootballPhysics.Unity
             Stage.Compile();
         }
 
-        public Stage Stage { get; }
+        public BallScene Stage { get; }
 
         /// <summary>How fast the fastest collider may come, m/s.</summary>
         public float GreatestSpeed
@@ -44,8 +44,8 @@ namespace FootballPhysics.Unity
             {
                 if (_colliders != null)
                 {
-                    _colliders.GreatestSpeed = value;
-                    _collidersAhead.GreatestSpeed = value;
+                    _colliders.MaximumSpeed = value;
+                    _collidersAhead.MaximumSpeed = value;
                 }
             }
         }
@@ -84,10 +84,10 @@ namespace FootballPhysics.Unity
         /// <summary>An event in Unity's frame, with the goal or collider that it tells of.</summary>
         public FootballEvent Tell(in BallEvent happened)
         {
-            int goal = happened.Thing >= 0 ? Stage.GoalOf(in happened) : -1;
+            int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
             return new FootballEvent(
                 in happened,
-                Stage.Game.NameOf(happened.Thing),
+                Stage.Game.NameOf(happened.ColliderIndex),
                 UnityFrame.ToUnity(happened.Impulse(Stage.Game.Scene.Ball)),
                 goal >= 0 ? _goals[goal] : null,
                 _colliders?.Of(Stage.ColliderOf(in happened)));

@@ -63,7 +63,7 @@ namespace FootballPhysics.Unity
                     Tell();
                 }
             }
-            else if (away && _ball.Motion == MotionState.Stopped)
+            else if (away && _ball.Motion == MotionState.Rest)
             {
                 _left = again;
             }

@@ -67,9 +67,9 @@ public sealed class BankShotAimer
         Check.Given(nameof(request), request);
         Check.Given("aim.after", after);
         request.Validate();
-        if (request.Through is { } point)
+        if (request.Waypoint is { } point)
         {
-            throw Check.Refusal("aim.through", point.ToString(), "none, where something is to be met before");
+            throw Check.Refusal("aim.waypoint", point.ToString(), "none, where something is to be met before");
         }
 
         // 1. Chains of legs from several guesses, closed and then corrected by what they miss. 2. Where none hits, kicks over all directions.

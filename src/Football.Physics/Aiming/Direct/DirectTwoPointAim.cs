@@ -51,7 +51,7 @@ internal sealed class DirectTwoPointAim
         (Passes(in solution) && !_context.Steps.AreShort) || (solution.Status == AimStatus.Hit && IsOnlyOne(in solution.Kick));
 
     private bool Passes(in AimSolution solution) =>
-        solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.ThroughTolerance;
+        solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.WaypointTolerance;
 
     /// <summary>In still air, where the spin of a flat kick is at its limit, no other passes the point more closely.</summary>
     private bool IsOnlyOne(in Kick kick)

@@ -93,9 +93,9 @@ internal sealed class PlaneProblem
         Set(request, request.Speed, 0, 0);
         HasThrough = true;
         _targetVelocity = Vector3d.Zero;
-        Through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
+        Through = AimContext.Raised(_context.Game, request.Waypoint.GetValueOrDefault());
         ThroughDistance = Vector3d.Dot(Through - _frame.From, in _frame.Forward);
-        ThroughTolerance = AimContext.Sharp(request.ThroughTolerance, FineThrough);
+        ThroughTolerance = AimContext.Sharp(request.WaypointTolerance, FineThrough);
         _context.Planes.Aim(in _frame, in _targetVelocity);
         _context.Planes.AimThrough(Through, in _frame.Forward);
         return _frame.Distance > 1e-6 && ThroughDistance > 1e-3 * _frame.Distance && ThroughDistance < 0.999 * _frame.Distance;

@@ -112,11 +112,11 @@ internal sealed class PlaneShooter : KickObserver
             return true;
         }
 
-        ended |= crosses ? Add(PathPiece.Cubic(in before, in after)) : GivesUp(after.Position, after.Velocity);
+        ended |= crosses ? Add(PathSegment.Cubic(in before, in after)) : GivesUp(after.Position, after.Velocity);
         return false;
     }
 
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         if (_wantsThrough && !_through.Crossed)
         {
@@ -238,10 +238,10 @@ internal struct PlaneCrossing
 
     /// <summary>Looks for the crossing in a piece of the flight.</summary>
     /// <returns>True where it is.</returns>
-    public bool Find(in PathPiece piece)
+    public bool Find(in PathSegment piece)
     {
         // As the point sees it.
-        PathPiece relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
+        PathSegment relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
         if (!IsBehind(relative.EndPosition) || !relative.Crosses(in _point, in _normal, out double time))
         {
             return false;

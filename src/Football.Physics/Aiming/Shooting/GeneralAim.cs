@@ -244,7 +244,7 @@ internal sealed class GeneralAim
     private bool Near(out AimSolution solution)
     {
         solution = default;
-        double tolerance = _problem.Request.ThroughTolerance;
+        double tolerance = _problem.Request.WaypointTolerance;
         double squares = 0;
         foreach (double residual in _problem.Solver.Residuals)
         {

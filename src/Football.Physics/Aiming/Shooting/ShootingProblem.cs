@@ -106,7 +106,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         _rolls = rolls;
         _speed = speed;
         _frame = _context.Frame(request);
-        _through = AimContext.Raised(_context.Game, request.Through.GetValueOrDefault());
+        _through = AimContext.Raised(_context.Game, request.Waypoint.GetValueOrDefault());
         double tolerance = Closeness(request);
         double spinRate = Math.Sqrt(through
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
@@ -144,7 +144,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     public bool IsHit(double[] r)
     {
         double tolerance = Closeness(Request);
-        double through = AimContext.Sharp(Request.ThroughTolerance, PlaneProblem.FineThrough);
+        double through = AimContext.Sharp(Request.WaypointTolerance, PlaneProblem.FineThrough);
         return (r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) <= tolerance * tolerance
             && (!_passesThrough || (r[3] * r[3]) + (r[4] * r[4]) + (r[5] * r[5]) <= through * through);
     }
@@ -201,7 +201,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         if (_rolls)
         {
             // A ball that rolls slows down by friction, and by what its slide costs it first.
-            double slowing = _context.Scene.Ground.Material.RollingFriction * _context.Scene.Gravity;
+            double slowing = _context.Scene.Ground.Material.RollingResistance * _context.Scene.Gravity;
             double length = Math.Max(toTarget.Horizontal.Length, 1e-3);
             double rolled = Math.Min(time, slowing > 0 ? Math.Sqrt(2.0 * length / slowing) : time);
             double speed = 1.2 * ((length / rolled) + (0.5 * slowing * rolled));
@@ -342,7 +342,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
         // What is in the way of the kick for a time is to be told.
         bool isBlocked = !_isFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
-        return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.ThroughTolerance);
+        return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.WaypointTolerance);
     }
 
     /// <summary>The solution that unknowns stand for.</summary>
@@ -428,7 +428,7 @@ internal sealed class TimedFlight : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        ended = after.Motion == MotionState.Stopped;
+        ended = after.Motion == MotionState.Rest;
         return false;
     }
 }

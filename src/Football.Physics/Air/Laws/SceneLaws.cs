@@ -22,7 +22,7 @@ internal static class SceneLaws
         default(ConstantSpinDecay),
         IsMeasured(scene) ? default(ProportionalSpinDecay) : default(EmpiricalSpinDecay));
 
-    private static bool IsMeasured(Scene scene) => scene.Forces.Coefficients == CoefficientForm.Measured;
+    private static bool IsMeasured(Scene scene) => scene.Forces.Coefficients == AerodynamicModel.Measured;
 
     private static IAirLaw Prepared(Scene scene, string field, ForceLaw kind, IAirLaw constant, IAirLaw empirical)
     {

@@ -10,7 +10,7 @@ public sealed record ShieldRequest
     public IReadOnlyList<Player> Opponents { get; init; } = [];
 
     /// <summary>How far from him the ball may be, m. Above 0, at most 10; default 0.6, what he can reach where he stands.</summary>
-    public double Farthest { get; init; } = 0.6;
+    public double MaximumDistance { get; init; } = 0.6;
 
     /// <summary>Radius of his body, which opponents go around, m. 0 … 1; default 0.3.</summary>
     public double BodyRadius { get; init; } = 0.3;
@@ -28,14 +28,14 @@ public sealed record ShieldRequest
             Opponents[i].Validate();
         }
 
-        Check.Within("shield.farthest", Farthest, 0, 10, exclusiveLow: true);
+        Check.Within("shield.maximumDistance", MaximumDistance, 0, 10, exclusiveLow: true);
         Check.Within("shield.bodyRadius", BodyRadius, 0, 1);
         Check.Within("shield.time", Time, -Limits.Time, Limits.Time);
     }
 }
 
 /// <summary>Where a ball is shielded: the best place, and how long before any opponent the player has it there and elsewhere.</summary>
-public sealed class ShieldAnswer
+public sealed class ShieldResult
 {
     /// <summary>Directions and distances that are looked at.</summary>
     private const int Directions = 72;
@@ -47,7 +47,7 @@ public sealed class ShieldAnswer
     private readonly ShieldRequest _request;
     private readonly double[] _margins = new double[Directions];
 
-    internal ShieldAnswer(ShieldRequest request)
+    internal ShieldResult(ShieldRequest request)
     {
         _request = request;
         Margin = double.NegativeInfinity;
@@ -58,7 +58,7 @@ public sealed class ShieldAnswer
         {
             for (int i = 0; i < Directions; i++)
             {
-                Vector3d place = At(i, request.Farthest * ring / Rings);
+                Vector3d place = At(i, request.MaximumDistance * ring / Rings);
                 double margin = MarginAt(place);
                 safe += margin > 0 ? 1 : 0;
                 if (ring == Rings)
@@ -69,7 +69,7 @@ public sealed class ShieldAnswer
                 if (margin > Margin)
                 {
                     Margin = margin;
-                    Place = place;
+                    Position = place;
                 }
             }
         }
@@ -78,7 +78,7 @@ public sealed class ShieldAnswer
     }
 
     /// <summary>The place within his reach where the player has the ball longest before any opponent, m over the ground.</summary>
-    public Vector3d Place { get; }
+    public Vector3d Position { get; }
 
     /// <summary>How long before the first opponent he has it there, s; below 0 where that one is first; 3 600 where nobody comes.</summary>
     public double Margin { get; }

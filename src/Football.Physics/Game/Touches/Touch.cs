@@ -9,11 +9,11 @@ public readonly struct Touch : IFormattable
     {
         Status = status;
         Strike = strike;
-        Place = place;
+        Position = place;
         BallVelocity = ballVelocity;
         Time = time;
         Miss = miss;
-        PaceMiss = paceMiss;
+        SpeedError = paceMiss;
         Chance = chance;
     }
 
@@ -33,7 +33,7 @@ public readonly struct Touch : IFormattable
     public Vector3d Spin => Strike.Spin;
 
     /// <summary>Where the ball is at the end, m: of a dribbling touch at its time, of a trap when it has settled, of a shot where it is closest to the target.</summary>
-    public Vector3d Place { get; }
+    public Vector3d Position { get; }
 
     /// <summary>Velocity of the ball then, m/s.</summary>
     public Vector3d BallVelocity { get; }
@@ -48,7 +48,7 @@ public readonly struct Touch : IFormattable
     public double Miss { get; }
 
     /// <summary>Difference of the ball's velocity over the ground then from what was wanted, m/s: of a dribbling touch that of its speed. 0 for a shot.</summary>
-    public double PaceMiss { get; }
+    public double SpeedError { get; }
 
     /// <summary>The share of touches with the player's errors (<see cref="TouchSpread"/>) that come off, 0 … 1; not a number where that was not asked for.</summary>
     public double Chance { get; }
@@ -63,7 +63,7 @@ public readonly struct Touch : IFormattable
     {
         format = NumberFormat.OrShort(format);
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
-        return $"{Status}: ball {Velocity.ToString(format, culture)} m/s by a foot of {Strike.FootVelocity.ToString(format, culture)} m/s, after {Time.ToString(format, culture)} s {Miss.ToString(format, culture)} m and {PaceMiss.ToString(format, culture)} m/s off";
+        return $"{Status}: ball {Velocity.ToString(format, culture)} m/s by a foot of {Strike.FootVelocity.ToString(format, culture)} m/s, after {Time.ToString(format, culture)} s {Miss.ToString(format, culture)} m and {SpeedError.ToString(format, culture)} m/s off";
     }
 }
 
@@ -73,7 +73,7 @@ public enum TouchStatus
     /// <summary>The touch does what was wanted, within its tolerance.</summary>
     Done = 0,
 
-    /// <summary>It would take a faster foot than <see cref="Foot.FastestSpeed"/>.</summary>
+    /// <summary>It would take a faster foot than <see cref="Foot.MaximumSpeed"/>.</summary>
     FootTooSlow = 1,
 
     /// <summary>No touch does: the target is out of reach, something is in the way, or no foot gives the ball the spin that it would need.</summary>

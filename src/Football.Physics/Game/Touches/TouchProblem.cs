@@ -124,9 +124,9 @@ internal sealed class DribbleProblem : TouchProblem
     public void Set(in BallState ball, DribbleRequest request)
     {
         Ball = ball;
-        _after = request.After;
+        _after = request.Duration;
         _place = request.Wanted;
-        _pace = request.Pace;
+        _pace = request.RunSpeed;
         Free(spin: false);
     }
 
@@ -187,7 +187,7 @@ internal sealed class TrapProblem : TouchProblem
     {
         Ball = ball;
         _velocity = request.Velocity.Horizontal;
-        _after = request.After;
+        _after = request.Duration;
     }
 
     public override double Clamp(int unknown, double value) => Math.Clamp(value, -40, 40);

@@ -7,13 +7,13 @@ public sealed record DribbleRequest
     public Vector3d Position { get; init; }
 
     /// <summary>Which way he runs from the touch on; any length but zero over the ground.</summary>
-    public Vector3d Way { get; init; } = new(0, 0, -1);
+    public Vector3d Direction { get; init; } = new(0, 0, -1);
 
     /// <summary>How fast he runs, m/s. 0 … 15; default 5.</summary>
-    public double Pace { get; init; } = 5;
+    public double RunSpeed { get; init; } = 5;
 
     /// <summary>When he wants the ball, s after the touch. 0.05 … 5; default 0.5.</summary>
-    public double After { get; init; } = 0.5;
+    public double Duration { get; init; } = 0.5;
 
     /// <summary>How far before him he wants it then, m. 0 … 10; default 0.6.</summary>
     public double Lead { get; init; } = 0.6;
@@ -22,23 +22,23 @@ public sealed record DribbleRequest
     public double Tolerance { get; init; } = 0.1;
 
     /// <summary>How far a touch with errors may bring it from there and still have come off, m; above 0. Default 0.5.</summary>
-    public double Within { get; init; } = 0.5;
+    public double SuccessRadius { get; init; } = 0.5;
 
     /// <summary>Where he wants the ball, m over the ground.</summary>
-    internal Vector3d Wanted => Position + (((Pace * After) + Lead) * Direction);
+    internal Vector3d Wanted => Position + (((RunSpeed * Duration) + Lead) * Heading);
 
     /// <summary>Which way he runs, of length 1.</summary>
-    internal Vector3d Direction => Check.Direction("dribble.way", Way.Horizontal);
+    internal Vector3d Heading => Check.Direction("dribble.direction", Direction.Horizontal);
 
     internal void Validate()
     {
         Check.Place("dribble.position", Position);
-        Check.Direction("dribble.way", Way.Horizontal);
-        Check.Within("dribble.pace", Pace, 0, 15);
-        Check.Within("dribble.after", After, 0.05, 5);
+        Check.Direction("dribble.direction", Direction.Horizontal);
+        Check.Within("dribble.runSpeed", RunSpeed, 0, 15);
+        Check.Within("dribble.duration", Duration, 0.05, 5);
         Check.Within("dribble.lead", Lead, 0, 10);
         Check.Positive("dribble.tolerance", Tolerance);
-        Check.Positive("dribble.within", Within);
+        Check.Positive("dribble.successRadius", SuccessRadius);
     }
 }
 
@@ -49,20 +49,20 @@ public sealed record TrapRequest
     public Vector3d Velocity { get; init; }
 
     /// <summary>When the ball is to have settled, s after the touch. 0.05 … 5; default 0.5.</summary>
-    public double After { get; init; } = 0.5;
+    public double Duration { get; init; } = 0.5;
 
     /// <summary>How fast it may be then against the player, m/s; above 0. Default 0.3.</summary>
     public double Tolerance { get; init; } = 0.3;
 
     /// <summary>How fast a touch with errors may leave it and still have come off, m/s; above 0. Default 1.</summary>
-    public double Within { get; init; } = 1;
+    public double SuccessSpeed { get; init; } = 1;
 
     internal void Validate()
     {
         Check.Size("trap.velocity", Velocity, 15, "m/s");
-        Check.Within("trap.after", After, 0.05, 5);
+        Check.Within("trap.duration", Duration, 0.05, 5);
         Check.Positive("trap.tolerance", Tolerance);
-        Check.Positive("trap.within", Within);
+        Check.Positive("trap.successSpeed", SuccessSpeed);
     }
 }
 
@@ -91,7 +91,7 @@ public sealed record FirstTimeRequest
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>How far from it a touch with errors may pass and still have come off, m; above 0. Default 0.5.</summary>
-    public double Within { get; init; } = 0.5;
+    public double SuccessRadius { get; init; } = 0.5;
 
     internal void Validate()
     {
@@ -101,7 +101,7 @@ public sealed record FirstTimeRequest
         Check.Within("firstTime.sideSpin", SideSpin, -200, 200);
         Check.Within("firstTime.maximumElevationDegrees", MaximumElevationDegrees, 0, 80);
         Check.Positive("firstTime.tolerance", Tolerance);
-        Check.Positive("firstTime.within", Within);
+        Check.Positive("firstTime.within", SuccessRadius);
     }
 }
 

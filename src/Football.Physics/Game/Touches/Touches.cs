@@ -36,7 +36,7 @@ public sealed class Touches
     {
         // Without bodies and engine colliders: the foot that strikes is one of them, and would be in the way.
         Scene own = (scene ?? Scene.Default) with { Bodies = null, EngineColliders = null };
-        Foot = foot ?? new Foot { FastestSpeed = 25 };
+        Foot = foot ?? new Foot { MaximumSpeed = 25 };
         Spread = spread ?? new TouchSpread();
         Spread.Validate();
         _simulator = new Simulator(own);
@@ -70,7 +70,7 @@ public sealed class Touches
         _dribble.Set(in ball, request);
 
         // First guess: the mean velocity over the ground.
-        Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.After;
+        Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.Duration;
         _x[0] = mean.X;
         _x[1] = mean.Z;
         _x[2] = 0;
@@ -99,8 +99,8 @@ public sealed class Touches
         TouchStatus status = miss <= request.Tolerance ? TouchStatus.Done : !_dribble.Strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
         FootStrike strike = _dribble.Strike;
         BallState end = _dribble.End;
-        double chance = Chance(_dribble, in strike, r => Off(r) <= request.Within);
-        return new Touch(status, in strike, end.Position, end.Velocity, request.After, miss, paceMiss, chance);
+        double chance = Chance(_dribble, in strike, r => Off(r) <= request.SuccessRadius);
+        return new Touch(status, in strike, end.Position, end.Velocity, request.Duration, miss, paceMiss, chance);
     }
 
     /// <summary>Finds the motion of the foot that takes the ball's speed, so that it lies dead, or rolls with the player, once it has settled.</summary>
@@ -127,10 +127,10 @@ public sealed class Touches
         BallState end = _trap.End;
 
         // How far from where the player would have it: the ball's own way less his.
-        double gone = (end.Position - ball.Position - (request.After * velocity)).Horizontal.Length;
+        double gone = (end.Position - ball.Position - (request.Duration * velocity)).Horizontal.Length;
         TouchStatus status = off <= request.Tolerance ? TouchStatus.Done : !strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
-        double chance = Chance(_trap, in strike, r => Off(r) <= request.Within);
-        return new Touch(status, in strike, end.Position, end.Velocity, request.After, gone, off, chance);
+        double chance = Chance(_trap, in strike, r => Off(r) <= request.SuccessSpeed);
+        return new Touch(status, in strike, end.Position, end.Velocity, request.Duration, gone, off, chance);
     }
 
     /// <summary>Finds the strike that sends a moving ball to a target as it comes, within what the foot can do: slower where it is not fast enough.</summary>
@@ -140,7 +140,7 @@ public sealed class Touches
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
-    public Touch FirstTime(in BallState ball, FirstTimeRequest request)
+    public Touch FirstTimeShot(in BallState ball, FirstTimeRequest request)
     {
         Check.Given(nameof(request), request);
         request.Validate();
@@ -169,7 +169,7 @@ public sealed class Touches
         PathPoint closest = _shot.Closest;
         double miss = _shot.Miss;
         TouchStatus status = fast && miss <= request.Tolerance ? TouchStatus.Done : !fast ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
-        double chance = Chance(_shot, in strike, _ => _shot.Miss <= request.Within);
+        double chance = Chance(_shot, in strike, _ => _shot.Miss <= request.SuccessRadius);
         return new Touch(status, in strike, closest.Position, closest.Velocity, closest.Time - ball.Time, miss, 0, chance);
     }
 
@@ -177,11 +177,11 @@ public sealed class Touches
     /// <param name="request">The player, the opponents, and how far the ball may be from him.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public static ShieldAnswer Shield(ShieldRequest request)
+    public static ShieldResult Shield(ShieldRequest request)
     {
         Check.Given(nameof(request), request);
         request.Validate();
-        return new ShieldAnswer(request);
+        return new ShieldResult(request);
     }
 
     /// <summary>From the aim of a ball without the spin that stays; and where that first meets the ground, from steeper and flatter ones. The best stays.</summary>

@@ -32,14 +32,14 @@ public readonly struct InterceptWindow
 }
 
 /// <summary>A part of the ball's way that one runner owns: of those who can meet the ball there, he could be there first.</summary>
-public readonly struct InterceptShare
+public readonly struct PossessionInterval
 {
-    internal InterceptShare(int runner, double from, double to, double lead)
+    internal PossessionInterval(int runner, double from, double to, double lead)
     {
         Player = runner;
         From = from;
         To = to;
-        Lead = lead;
+        TimeMargin = lead;
     }
 
     /// <summary>Which of the runners, from 0.</summary>
@@ -52,8 +52,8 @@ public readonly struct InterceptShare
     public double To { get; }
 
     /// <summary>By how much he could be where the ball is when it begins before the second of them, s; infinite where no one else can.</summary>
-    public double Lead { get; }
+    public double TimeMargin { get; }
 
     /// <inheritdoc/>
-    public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, {Lead:0.###} s before others");
+    public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, {TimeMargin:0.###} s before others");
 }

@@ -29,7 +29,7 @@ public sealed class Interception
     public int First { get; private set; } = -1;
 
     /// <summary>By how much he is first, s: how much later the next one meets it. Infinite where no one else does.</summary>
-    public double Lead { get; private set; } = double.PositiveInfinity;
+    public double TimeMargin { get; private set; } = double.PositiveInfinity;
 
     /// <summary>The windows of one runner of the last <see cref="Find"/>, in order of time.</summary>
     /// <param name="runner">Which, from 0.</param>
@@ -69,7 +69,7 @@ public sealed class Interception
     /// <param name="at">Where and when he meets it.</param>
     /// <param name="now">When their time begins, s since the launch; default the path's start.</param>
     /// <param name="until">When to end, s since the launch; default the path's end.</param>
-    /// <returns>Which of them; −1 where nobody does. <see cref="First"/> and <see cref="Lead"/> tell so too.</returns>
+    /// <returns>Which of them; −1 where nobody does. <see cref="First"/> and <see cref="TimeMargin"/> tell so too.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
     public int FindFirst(Trajectory path, Player[] runners, out PathPoint at, double? now = null, double? until = null)
@@ -100,7 +100,7 @@ public sealed class Interception
     /// </summary>
     /// <remarks>Who is ahead within a piece of the look-ahead without being so at either of its ends, or where a window begins or ends, is not told.</remarks>
     /// <returns>The parts, in order of time; where nobody can meet the ball there is none. They last until the next call.</returns>
-    public ReadOnlySpan<InterceptShare> FindShares()
+    public ReadOnlySpan<PossessionInterval> FindShares()
     {
         _shares.Run(_motions, _starts, _runners);
         return _shares.Items.AsSpan(0, _shares.Count);
@@ -113,7 +113,7 @@ public sealed class Interception
     /// <param name="now">When his time begins, s since the launch; default the path's start.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public KeeperAnswer FindSave(Trajectory path, in Player keeper, Goal goal, double? now = null)
+    public KeeperResult FindSave(Trajectory path, in Player keeper, Goal goal, double? now = null)
     {
         Check.Given(nameof(path), path);
         Check.Given(nameof(goal), goal);
@@ -178,6 +178,6 @@ public sealed class Interception
             }
         }
 
-        Lead = First < 0 ? double.PositiveInfinity : Math.Max(0, next - _earliest[First].From);
+        TimeMargin = First < 0 ? double.PositiveInfinity : Math.Max(0, next - _earliest[First].From);
     }
 }

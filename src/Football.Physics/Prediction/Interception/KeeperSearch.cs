@@ -22,7 +22,7 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>Finds it.</summary>
-    public KeeperAnswer Run(Trajectory path, in Player keeper, Goal goal, double now)
+    public KeeperResult Run(Trajectory path, in Player keeper, Goal goal, double now)
     {
         var mouth = new GoalMouth(goal);
 
@@ -45,15 +45,15 @@ internal readonly struct KeeperSearch
 
         // And where the ball comes: aside and height, by which it is on target or not.
         mouth.Place(crossing.Position, out double ballAside, out double height);
-        return new KeeperAnswer
+        return new KeeperResult
         {
             Crosses = crosses,
             Crossing = crosses ? crossing : default,
-            Aside = crosses ? ballAside : 0,
+            LateralOffset = crosses ? ballAside : 0,
             IsOnTarget = crosses && mouth.IsOpen(ballAside, height),
-            CoversFrom = Math.Max(-0.5 * goal.Width, aside - half),
-            CoversTo = Math.Min(0.5 * goal.Width, aside + half),
-            CoversUpTo = Math.Min(goal.Height, keeper.HighestHeight - goal.Center.Y),
+            ReachLeft = Math.Max(-0.5 * goal.Width, aside - half),
+            ReachRight = Math.Min(0.5 * goal.Width, aside + half),
+            ReachHeight = Math.Min(goal.Height, keeper.MaximumHeight - goal.Center.Y),
             Saves = saves,
             Save = saves ? new PathPoint(first.From, first.Position, first.Velocity, 0) : default,
             LatestReaction = saves ? Latest(keeper, now, begin, end) : double.NaN,

@@ -49,7 +49,7 @@ internal struct PathSpan
     }
 
     /// <summary>A piece of path; its length is above 0.</summary>
-    public static PathSpan Of(in PathPiece piece, double end)
+    public static PathSpan Of(in PathSegment piece, double end)
     {
         // c₀ + c₁ s + … + c₅ s⁵ in s = (t − start)/length, by the degree that the integrator's piece has.
         double h = piece.Length;

@@ -27,7 +27,7 @@ internal sealed class PathSpans
         Start = path.StartTime;
 
         // A ball at rest can be waited for; one that still moves is unknown from the end of the path on.
-        End = path.Final.Motion == MotionState.Stopped ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
+        End = path.Final.Motion == MotionState.Rest ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
 
         // A wait after each piece at most, and the rest at the end.
@@ -38,7 +38,7 @@ internal sealed class PathSpans
 
         for (int i = 0; i < pieces; i++)
         {
-            ref readonly PathPiece piece = ref path.Piece(i);
+            ref readonly PathSegment piece = ref path.Piece(i);
 
             // Up to where the next begins, so that rounding leaves no gap between them.
             double end = i + 1 < pieces ? path.Piece(i + 1).Time : piece.EndTime;

@@ -31,10 +31,10 @@ public readonly struct Player
     public double Reach { get; init; } = 0.6;
 
     /// <summary>Least height of the ball's centre at which he can play it, m. Default 0.</summary>
-    public double LowestHeight { get; init; }
+    public double MinimumHeight { get; init; }
 
     /// <summary>Greatest such height, m: 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands. Default 2.3.</summary>
-    public double HighestHeight { get; init; } = 2.3;
+    public double MaximumHeight { get; init; } = 2.3;
 
     /// <summary>A copy with another reaction time, s, and with so much more reach, m.</summary>
     internal Player Reacting(double reaction, double further = 0) => new()
@@ -45,8 +45,8 @@ public readonly struct Player
         Acceleration = Acceleration,
         Speed = Speed,
         Reach = Reach + further,
-        LowestHeight = LowestHeight,
-        HighestHeight = HighestHeight,
+        MinimumHeight = MinimumHeight,
+        MaximumHeight = MaximumHeight,
     };
 
     /// <summary>Refuses numbers out of range.</summary>
@@ -58,8 +58,8 @@ public readonly struct Player
         Check.Positive("runner.acceleration", Acceleration);
         Check.Within("runner.speed", Speed, 0, Limits.Speed, exclusiveLow: true);
         Check.Within("runner.reach", Reach, 0, Limits.Length);
-        Check.Within("runner.heights[0]", LowestHeight, -Limits.Length, Limits.Length);
-        Check.Within("runner.heights[1]", HighestHeight, LowestHeight, Limits.Length);
+        Check.Within("runner.heights[0]", MinimumHeight, -Limits.Length, Limits.Length);
+        Check.Within("runner.heights[1]", MaximumHeight, MinimumHeight, Limits.Length);
     }
 
     /// <inheritdoc/>

@@ -28,8 +28,8 @@ internal readonly struct RunnerMotion
         _z = runner.Position.Z + (runner.Reaction * _velocityZ);
         Reach = runner.Reach;
         Carried = Math.Sqrt((_velocityX * _velocityX) + (_velocityZ * _velocityZ));
-        Lowest = runner.LowestHeight - HeightSlack;
-        Highest = runner.HighestHeight + HeightSlack;
+        Lowest = runner.MinimumHeight - HeightSlack;
+        Highest = runner.MaximumHeight + HeightSlack;
     }
 
     /// <summary>When he reacts, s.</summary>

@@ -22,7 +22,7 @@ internal sealed class ShareSearch
     }
 
     /// <summary>The parts.</summary>
-    public InterceptShare[] Items = new InterceptShare[64];
+    public PossessionInterval[] Items = new PossessionInterval[64];
 
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
@@ -146,8 +146,8 @@ internal sealed class ShareSearch
         // The same owner goes on: one share, with the lead that he had at its start.
         if (Count > 0 && Items[Count - 1].Player == runner && from - Items[Count - 1].To <= Shortest)
         {
-            InterceptShare before = Items[Count - 1];
-            Items[Count - 1] = new InterceptShare(runner, before.From, to, before.Lead);
+            PossessionInterval before = Items[Count - 1];
+            Items[Count - 1] = new PossessionInterval(runner, before.From, to, before.TimeMargin);
             return;
         }
 
@@ -156,7 +156,7 @@ internal sealed class ShareSearch
             Array.Resize(ref Items, 2 * Count);
         }
 
-        Items[Count++] = new InterceptShare(runner, from, to, lead);
+        Items[Count++] = new PossessionInterval(runner, from, to, lead);
     }
 
     /// <summary>The ball belongs to another runner.</summary>

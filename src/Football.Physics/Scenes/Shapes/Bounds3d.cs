@@ -44,7 +44,7 @@ public readonly struct Bounds3d
 
     /// <summary>The smallest box around two.</summary>
     /// <param name="other">The other box.</param>
-    public Bounds3d With(in Bounds3d other) => new(
+    public Bounds3d Union(in Bounds3d other) => new(
         new Vector3d(Math.Min(Min.X, other.Min.X), Math.Min(Min.Y, other.Min.Y), Math.Min(Min.Z, other.Min.Z)),
         new Vector3d(Math.Max(Max.X, other.Max.X), Math.Max(Max.Y, other.Max.Y), Math.Max(Max.Z, other.Max.Z)));
 
@@ -60,14 +60,14 @@ public readonly struct Bounds3d
 
     /// <summary>True when two boxes have a point in common.</summary>
     /// <param name="other">The other box.</param>
-    public bool Touches(in Bounds3d other) =>
+    public bool Intersects(in Bounds3d other) =>
         Min.X <= other.Max.X && Max.X >= other.Min.X
         && Min.Y <= other.Max.Y && Max.Y >= other.Min.Y
         && Min.Z <= other.Max.Z && Max.Z >= other.Min.Z;
 
     /// <summary>The box, larger on all sides.</summary>
     /// <param name="margin">By how much, m.</param>
-    public Bounds3d Grown(double margin)
+    public Bounds3d Expanded(double margin)
     {
         var by = new Vector3d(margin, margin, margin);
         return new Bounds3d(Min - by, Max + by);
@@ -75,5 +75,5 @@ public readonly struct Bounds3d
 
     /// <summary>The box, moved.</summary>
     /// <param name="by">By how much, m.</param>
-    public Bounds3d Moved(in Vector3d by) => new(Min + by, Max + by);
+    public Bounds3d Translated(in Vector3d by) => new(Min + by, Max + by);
 }

@@ -46,7 +46,7 @@ public sealed class BoxShape : IShape
     public Quaterniond Rotation { get; }
 
     /// <inheritdoc/>
-    public double HollowCurvature => 0;
+    public double MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Around(

@@ -41,10 +41,10 @@ public sealed class CapsuleShape : IShape
     public double Radius { get; }
 
     /// <inheritdoc/>
-    public double HollowCurvature => 0;
+    public double MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
-    public Bounds3d Bounds => Bounds3d.Around(From, Radius, Radius, Radius).With(Bounds3d.Around(To, Radius, Radius, Radius));
+    public Bounds3d Bounds => Bounds3d.Around(From, Radius, Radius, Radius).Union(Bounds3d.Around(To, Radius, Radius, Radius));
 
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)

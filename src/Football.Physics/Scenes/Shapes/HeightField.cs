@@ -100,7 +100,7 @@ public sealed class HeightField : IShape
     internal IEnumerable<IEnumerable<double>> Rows => Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
 
     /// <inheritdoc/>
-    public double HollowCurvature => StrongestCurvature;
+    public double MaximumConcaveCurvature => StrongestCurvature;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => new(

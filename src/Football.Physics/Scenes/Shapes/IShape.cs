@@ -8,7 +8,7 @@ public interface IShape
     /// The strongest curvature of a hollow of the shape, 1/m; 0 where it is convex. At most half of that of the ball, 1/(2r). The search for contact
     /// relies on it: nothing that bends more can be promised not to be passed through.
     /// </summary>
-    double HollowCurvature { get; }
+    double MaximumConcaveCurvature { get; }
 
     /// <summary>A box around the shape; infinite where the shape is unbounded.</summary>
     Bounds3d Bounds { get; }

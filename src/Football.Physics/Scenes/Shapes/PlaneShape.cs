@@ -24,7 +24,7 @@ public sealed class PlaneShape : IShape
     public Vector3d Normal { get; }
 
     /// <inheritdoc/>
-    public double HollowCurvature => 0;
+    public double MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Normal == Vector3d.Up

@@ -22,7 +22,7 @@ public sealed class SphereShape : IShape
     public double Radius { get; }
 
     /// <inheritdoc/>
-    public double HollowCurvature => 0;
+    public double MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Around(Center, Radius, Radius, Radius);

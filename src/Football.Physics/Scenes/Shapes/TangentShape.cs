@@ -7,7 +7,7 @@ internal sealed class TangentShape : IShape
     private double _curvature;
 
     /// <inheritdoc/>
-    public double HollowCurvature => 0;
+    public double MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Everywhere;

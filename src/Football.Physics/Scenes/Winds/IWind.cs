@@ -8,7 +8,7 @@ namespace FootballPhysics.Laws;
 public interface IWind
 {
     /// <summary>A speed, m/s, that this wind nowhere and never exceeds; at most 1000.</summary>
-    double Fastest { get; }
+    double MaximumSpeed { get; }
 
     /// <summary>Velocity of the air, m/s.</summary>
     /// <param name="time">Time since the launch, s.</param>

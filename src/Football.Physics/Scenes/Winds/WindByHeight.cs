@@ -65,8 +65,8 @@ public sealed class WindByHeight : IWind
 
         // The mean far above any place, with all gusts at their largest: a bound that flights rely on.
         Vector3d largest = new Vector3d(speed, 0, 0) + (_gusts?.Largest ?? Vector3d.Zero);
-        Fastest = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
-        Check.Within("air.wind.speed (with its gusts, at any height)", Fastest, 0, Limits.Speed);
+        MaximumSpeed = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
+        Check.Within("air.wind.speed (with its gusts, at any height)", MaximumSpeed, 0, Limits.Speed);
     }
 
     /// <summary>Speed at the reference height, m/s.</summary>
@@ -88,7 +88,7 @@ public sealed class WindByHeight : IWind
     public double GroundHeight { get; }
 
     /// <inheritdoc/>
-    public double Fastest { get; }
+    public double MaximumSpeed { get; }
 
     /// <inheritdoc/>
     public Vector3d At(double time, in Vector3d position) => At(time, position.X, position.Y, position.Z);

@@ -323,7 +323,7 @@ internal sealed partial class BallCluster
         // Gently they press each other, and so do those that meet again and again: solved as one, without a restitution that nobody sees.
         if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
         {
-            _current[i].Untold++;
+            _current[i].UnreportedImpacts++;
             Press(states, i, j, time);
             return false;
         }

@@ -8,8 +8,8 @@ public sealed partial class BallGroup
     {
         log.Steps += _flown.Steps;
         log.Evaluations += _flown.Evaluations;
-        log.Stalled += _flown.Stalled;
-        log.Untold += _flown.Untold;
+        log.StalledSteps += _flown.StalledSteps;
+        log.UnreportedImpacts += _flown.UnreportedImpacts;
         int told = 0;
         for (int i = 0; i < Count; i++)
         {
@@ -26,8 +26,8 @@ public sealed partial class BallGroup
             StepLog own = _logs[_cluster[k]];
             log.Steps += own.Steps;
             log.Evaluations += own.Evaluations;
-            log.Stalled += own.Stalled;
-            log.Untold += own.Untold;
+            log.StalledSteps += own.StalledSteps;
+            log.UnreportedImpacts += own.UnreportedImpacts;
             for (int e = 0; e < own.Events.Count; e++)
             {
                 Insert(in own.Events[e], told++);

@@ -164,7 +164,7 @@ public sealed partial class BallGroup
         for (int k = first; k < _flown.Events.Count; k++)
         {
             ref readonly BallEvent happened = ref _flown.Events[k];
-            if (happened.Kind == BallEventKind.Squeezed
+            if (happened.Kind == BallEventKind.Pinned
                 || !_neighbours.Allows(ball, happened.VelocityBefore.LengthSquared) || !_neighbours.Allows(ball, happened.Velocity.LengthSquared))
             {
                 return false;

@@ -59,7 +59,7 @@ public sealed partial class BallGroup
         _simulators = simulators;
         World world = simulators[0].World;
         Scene scene = simulators[0].Scene;
-        _mayThrow = scene.Forces.Custom.Count > 0 || scene.Air.WindField is not null || world.Engine is not null;
+        _mayThrow = scene.Forces.CustomForces.Count > 0 || scene.Air.WindField is not null || world.Engine is not null;
         _alone = count == 1 && !_mayThrow ? simulators[0] : null;
         _pushes = new bool[count];
         _neighbours = new BallNeighbours([.. simulators.Select(simulator => simulator.Scene.Ball.Radius)]);
@@ -154,7 +154,7 @@ public sealed partial class BallGroup
             double left = end - (states.Length > 0 ? states[0].Time : 0);
             bool ended = Step(states, Math.Min(timeStep, left), log, stopAt == StopAt.Impact ? StopAt.Impact : StopAt.Time, watched);
             onStep?.Invoke(in states[0]);
-            if (ended || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Stopped)))
+            if (ended || (stopAt == StopAt.Rest && Array.TrueForAll(states, state => state.Motion == MotionState.Rest)))
             {
                 return true;
             }

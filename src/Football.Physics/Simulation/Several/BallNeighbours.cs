@@ -56,7 +56,7 @@ internal sealed class BallNeighbours
         double z = before.Position.Z - sphere.Center.Z;
 
         // In a net, and squeezed, a ball may go faster within a step than at its ends.
-        return (before.Nets | after.Nets) == 0 && before.Motion != MotionState.Squeezed && dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
+        return (before.Nets | after.Nets) == 0 && before.Motion != MotionState.Pinned && dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
             && (after.Position - before.Position).LengthSquared <= sphere.Reach * sphere.Reach
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
     }

@@ -74,7 +74,7 @@ internal sealed class BallRests
             return;
         }
 
-        if (a.Motion == MotionState.Stopped && b.Motion == MotionState.Stopped)
+        if (a.Motion == MotionState.Rest && b.Motion == MotionState.Rest)
         {
             if (_keys[i] != 0 && _keys[j] != 0)
             {
@@ -124,5 +124,5 @@ internal sealed class BallRests
     }
 
     /// <summary>True of a ball that came to rest in a pile.</summary>
-    public static bool RestsInPile(in BallState s) => s.Motion == MotionState.Stopped && s.ClearIn != 0 && (s.ClearIn & 1) == 0;
+    public static bool RestsInPile(in BallState s) => s.Motion == MotionState.Rest && s.ClearIn != 0 && (s.ClearIn & 1) == 0;
 }

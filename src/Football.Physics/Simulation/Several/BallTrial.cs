@@ -116,7 +116,7 @@ internal sealed class BallTrial : PieceObserver
     }
 
     /// <inheritdoc/>
-    public override bool Add(in PathPiece piece)
+    public override bool Add(in PathSegment piece)
     {
         if (_count == _paths.Length)
         {

@@ -62,7 +62,7 @@ internal sealed class PilePhase
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
-        var ball = new ForceInput(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
+        var ball = new ForceContext(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
@@ -134,10 +134,10 @@ internal sealed class PilePhase
         bool tells = s.Velocity.Length > ToldSpeed;
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        Tell(in s, BallEventKind.Squeezed, -1, Vector3d.Zero, in w, s.Motion == MotionState.Squeezed, log);
+        Tell(in s, BallEventKind.Pinned, -1, Vector3d.Zero, in w, s.Motion == MotionState.Pinned, log);
         if (carrier < 0)
         {
-            Tell(in s, BallEventKind.Leave, -1, Vector3d.Zero, in w, wasCarried && tells, log);
+            Tell(in s, BallEventKind.ContactEnd, -1, Vector3d.Zero, in w, wasCarried && tells, log);
             s.Motion = MotionState.Airborne;
             s.Carrier = 0;
             s.SetFlightSpin(in w);
@@ -164,14 +164,14 @@ internal sealed class PilePhase
     {
         Vector3d w = s.Spin;
         Vector3d n = _world.Colliders[carrier].At(s.Position, s.Time).Normal;
-        bool begins = s.Motion != MotionState.Squeezed;
-        s.Motion = MotionState.Squeezed;
+        bool begins = s.Motion != MotionState.Pinned;
+        s.Motion = MotionState.Pinned;
         s.Carrier = carrier + _world.FirstCollider;
         _world.Exit(ref s);
         s.SetGroundSpin(in w);
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
-        Tell(in s, BallEventKind.Squeezed, (int)s.Carrier, in n, in w, begins, log);
+        Tell(in s, BallEventKind.Pinned, (int)s.Carrier, in n, in w, begins, log);
     }
 
     /// <summary>The ball rests in the pile.</summary>

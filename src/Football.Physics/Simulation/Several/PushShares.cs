@@ -51,7 +51,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
             int first = -1;
             for (int i = 0; i < before.Length; i++)
             {
-                if (!box.Grown(_reaches[i] + simulators[i].Scene.Ball.Radius).Touches(new Bounds3d(before[i].Position, before[i].Position)))
+                if (!box.Expanded(_reaches[i] + simulators[i].Scene.Ball.Radius).Intersects(new Bounds3d(before[i].Position, before[i].Position)))
                 {
                     continue;
                 }

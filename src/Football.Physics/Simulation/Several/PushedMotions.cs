@@ -70,8 +70,8 @@ internal sealed class PushedMotions(World world)
             {
                 // All that it sweeps until the end, pushed and not pushed.
                 Bounds3d box = world.BoundsOfMover(m, time, end - time);
-                box = box.With(box.Moved((end - time) * _before[m].Velocity)).With(box.Moved((end - time) * _after[m].Velocity));
-                meets = box.Grown(reach).Touches(new Bounds3d(position, position));
+                box = box.Union(box.Translated((end - time) * _before[m].Velocity)).Union(box.Translated((end - time) * _after[m].Velocity));
+                meets = box.Expanded(reach).Intersects(new Bounds3d(position, position));
             }
         }
 
@@ -101,7 +101,7 @@ internal sealed class PushedMotions(World world)
             {
                 // The motion after the push, as if it had always been so. At any time the object is or would be at most |ΔV| dt away; twice that, for pushes to and fro.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
-                box = at.With(at.Moved(dt * _after[_next].Velocity)).Grown(2.0 * dt * change.Length);
+                box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length);
                 _next++;
                 return true;
             }

@@ -43,7 +43,7 @@ internal sealed class AimRows : RowMaker
         new(Column.Vector("velocity", "m/s", "velocity of the best kick"), (to, row, _) => to.Set(row, _found.Velocity)),
         new(Column.Vector("spin", "rad/s", "spin of the best kick"), (to, row, _) => to.Set(row, _found.Spin)),
         new(Column.Real("miss", "m", "how far it passes from the target before its first impact"), (to, row, _) => to.Reals[row] = _found.Miss),
-        new(Column.Real("throughMiss", "m", "how far it passes from the point on the way; none without one"), (to, row, _) => to.Reals[row] = _found.ThroughMiss ?? double.NaN),
+        new(Column.Real("throughMiss", "m", "how far it passes from the point on the way; none without one"), (to, row, _) => to.Reals[row] = _found.WaypointMiss ?? double.NaN),
         new(Column.Real("time", "s", "when it is closest to the target"), (to, row, _) => to.Reals[row] = _found.Time),
         new(Column.Vector("closest", "m", "where it is then"), (to, row, _) => to.Set(row, _found.Closest)),
         new(Column.Whole("iterations", "", "iterations of the method"), (to, row, _) => to.Wholes[row] = _found.Iterations),

@@ -23,7 +23,7 @@ internal sealed class BatchAimRows : RowMaker
         };
     }
 
-    public override long? FlownSingly => _aimer.FlownSingly;
+    public override long? FlownSingly => _aimer.ScalarFallbackCount;
 
     protected override void Answer(int count)
     {

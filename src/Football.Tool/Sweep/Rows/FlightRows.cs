@@ -68,7 +68,7 @@ internal sealed class FlightRows : LaunchRows
     private void Fly(CompiledScene scene, BatchLaunches launches, BatchFlights flights, int count)
     {
         scene.Batch.Fly(launches, flights, count, scene.Scene.Duration);
-        _handedOn += scene.Batch.FlownSingly;
+        _handedOn += scene.Batch.ScalarFallbackCount;
     }
 
     private void FlySeveral(int count)

@@ -75,7 +75,7 @@ internal sealed class PlayRows : LaunchRows
                 for (int k = 0; k < Plan.Row.Hits.Count; k++)
                 {
                     string name = Plan.Row.Hits[k];
-                    to.Wholes[(row * Plan.Row.Hits.Count) + k] = Count(happened => happened.Kind is BallEventKind.Impact or BallEventKind.Net && NameOf(happened.Thing) == name);
+                    to.Wholes[(row * Plan.Row.Hits.Count) + k] = Count(happened => happened.Kind is BallEventKind.Impact or BallEventKind.Net && NameOf(happened.ColliderIndex) == name);
                 }
             });
         }
@@ -100,7 +100,7 @@ internal sealed class PlayRows : LaunchRows
             new(Column.Word("events.kind", "what happened", s_kinds).Along(places),
                 (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent ? (int)_path.Events[k].Kind : s_kinds.Length - 1))),
             new(Column.Word("events.surface", "what was hit or met", surfaces).Along(places),
-                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent && _scene.Place(_path.Events[k].Thing) is >= 0 and int thing && thing < surfaces.Length ? thing : surfaces.Length - 1))),
+                (to, row, _) => Each(row, (k, place) => to.Words[place] = (byte)(k <= _lastEvent && _scene.Place(_path.Events[k].ColliderIndex) is >= 0 and int thing && thing < surfaces.Length ? thing : surfaces.Length - 1))),
             new(Column.Real("events.time", "s", "when").Along(places),
                 (to, row, _) => Each(row, (k, place) => to.Reals[place] = k <= _lastEvent ? _path.Events[k].Time : double.NaN)),
             Vector("position", "m", "where the centre was", happened => happened.Position),
@@ -183,7 +183,7 @@ internal sealed class PlayRows : LaunchRows
     /// <summary>Place among <see cref="s_outcomes"/>; obstacles follow the ground in the list of things, then come the frames of goals.</summary>
     private int Outcome(int obstacles)
     {
-        bool Hit(int first, int last) => Count(happened => happened.Kind == BallEventKind.Impact && happened.Thing >= first && happened.Thing <= last) > 0;
+        bool Hit(int first, int last) => Count(happened => happened.Kind == BallEventKind.Impact && happened.ColliderIndex >= first && happened.ColliderIndex <= last) > 0;
         return Count(happened => happened.Kind == BallEventKind.Goal) > 0 ? 1 : Hit(1, obstacles) ? 3 : Hit(obstacles + 1, int.MaxValue) ? 2 : 0;
     }
 

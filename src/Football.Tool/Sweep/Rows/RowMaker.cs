@@ -85,7 +85,7 @@ internal abstract class RowMaker
     }
 
     /// <summary>Copies vectors.</summary>
-    protected static Action<ColumnData, int, int> Vectors(VectorArrays vectors) => (to, from, count) =>
+    protected static Action<ColumnData, int, int> Vectors(Vector3dColumns vectors) => (to, from, count) =>
     {
         for (int i = from; i < from + count; i++)
         {

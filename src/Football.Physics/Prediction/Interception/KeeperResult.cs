@@ -1,7 +1,7 @@
 namespace FootballPhysics.Prediction;
 
 /// <summary>A goalkeeper's answer to a shot.</summary>
-public readonly struct KeeperAnswer
+public readonly struct KeeperResult
 {
     /// <summary>True when the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>
     public bool Crosses { get; init; }
@@ -10,19 +10,19 @@ public readonly struct KeeperAnswer
     public PathPoint Crossing { get; init; }
 
     /// <summary>How far right of the goal's middle that is, seen by who stands in the goal and looks at the pitch, m.</summary>
-    public double Aside { get; init; }
+    public double LateralOffset { get; init; }
 
     /// <summary>True when the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
     public bool IsOnTarget { get; init; }
 
-    /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="CoversTo"/> where it is none.</summary>
-    public double CoversFrom { get; init; }
+    /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="ReachRight"/> where it is none.</summary>
+    public double ReachLeft { get; init; }
 
     /// <summary>The right end of it, m right of the middle.</summary>
-    public double CoversTo { get; init; }
+    public double ReachRight { get; init; }
 
     /// <summary>How high he covers it, m: his height, or that of the opening.</summary>
-    public double CoversUpTo { get; init; }
+    public double ReachHeight { get; init; }
 
     /// <summary>True when he can meet the ball before it crosses.</summary>
     public bool Saves { get; init; }

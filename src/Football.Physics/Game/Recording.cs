@@ -13,7 +13,7 @@ namespace FootballPhysics.Netcode;
 /// time. The scene is not part of it, but a hash of it: whoever plays it again must have the same one, and is told so where it is another. Nor are an engine's colliders, which whoever
 /// plays it again puts where they were.
 /// </remarks>
-public sealed class MatchSegment
+public sealed class Recording
 {
     /// <summary>Ticks from one whole state in a segment to the next: a jump to any tick plays fewer than these.</summary>
     public const int KeyframeTicks = 64;
@@ -30,15 +30,15 @@ public sealed class MatchSegment
     private int _count;
 
     /// <summary>Begins at a runner's present tick.</summary>
-    internal MatchSegment(FixedStepRunner runner)
+    internal Recording(FixedStepRunner runner)
         : this(runner.TimeStep, runner.Tick, [.. runner.States], runner.Kicks, new PlacementLog(), new RigidMotion[runner.Simulator.World.Movers], 1024)
     {
         runner.Simulator.World.ReadMotions(_motions);
         SceneHash = HashOf(runner);
-        WireTicks = runner.WireTicks;
+        QuantizationInterval = runner.QuantizationInterval;
     }
 
-    private MatchSegment(double timeStep, long startTick, BallState[] start, KickLog kicks, PlacementLog bodies, RigidMotion[] motions, int capacity)
+    private Recording(double timeStep, long startTick, BallState[] start, KickLog kicks, PlacementLog bodies, RigidMotion[] motions, int capacity)
     {
         TimeStep = timeStep;
         StartTick = startTick;
@@ -71,11 +71,11 @@ public sealed class MatchSegment
     /// <summary>The version of the library that recorded it: bits are those of a version.</summary>
     public string Version { get; private set; } = LibraryVersion;
 
-    /// <summary><see cref="FixedStepRunner.WireTicks"/> of the match.</summary>
-    public int WireTicks { get; private set; }
+    /// <summary><see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>
+    public int QuantizationInterval { get; private set; }
 
     /// <summary>True when an engine's colliders moved in it: they are not part of it.</summary>
-    public bool EngineMoves { get; private set; }
+    public bool HasMovingColliders { get; private set; }
 
     /// <summary>The kicks; those before <see cref="StartTick"/> and from <see cref="EndTick"/> on do not count.</summary>
     public KickLog Kicks { get; }
@@ -185,8 +185,8 @@ public sealed class MatchSegment
         writer.Bits(SceneHash, 8);
         writer.Bits((ulong)BitConverter.DoubleToInt64Bits(TimeStep), 8);
         writer.Integer((ulong)StartTick);
-        writer.Integer((ulong)WireTicks);
-        writer.Bits(EngineMoves ? 1UL : 0, 1);
+        writer.Integer((ulong)QuantizationInterval);
+        writer.Bits(HasMovingColliders ? 1UL : 0, 1);
 
         // The start: the balls, then all that is moved.
         writer.Integer((ulong)_start.Length);
@@ -231,7 +231,7 @@ public sealed class MatchSegment
             throw new InvalidOperationException($"balls is {Balls}; allowed: 1 in a bundle.");
         }
 
-        Replay(simulator, EngineMoves ? static _ => { }
+        Replay(simulator, HasMovingColliders ? static _ => { }
         : null);
 
         // A text for people, which a scenario can be made of; what is played again is the segment beside it.
@@ -254,7 +254,7 @@ public sealed class MatchSegment
     /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
     /// <exception cref="FormatException">The bytes are no match segment, or were changed on their way; the message says why.</exception>
-    public static MatchSegment FromBytes(ReadOnlySpan<byte> bytes)
+    public static Recording FromBytes(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
 
@@ -325,7 +325,7 @@ public sealed class MatchSegment
         }
 
         int count = reader.Count(sizeof(ulong));
-        var segment = new MatchSegment(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, EngineMoves = engineMoves, Version = version, WireTicks = wireTicks };
+        var segment = new Recording(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, HasMovingColliders = engineMoves, Version = version, QuantizationInterval = wireTicks };
         for (int i = 0; i < count; i++)
         {
             segment.Add(reader.Bits(8));
@@ -361,7 +361,7 @@ public sealed class MatchSegment
     }
 
     /// <summary>An engine's colliders moved.</summary>
-    internal void MovesEngine() => EngineMoves = true;
+    internal void MovesEngine() => HasMovingColliders = true;
 
     /// <summary>Forgets what came after a tick; false when the states at that tick are not the recorded ones.</summary>
     internal bool TryRewind(long tick, ulong hash)
@@ -380,7 +380,7 @@ public sealed class MatchSegment
 
     /// <summary>The version of this library, without what a build adds.</summary>
     private static string LibraryVersion { get; } =
-        (typeof(MatchSegment).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "").Split('+')[0];
+        (typeof(Recording).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "").Split('+')[0];
 
     private double LongestFrame => Math.Max(TimeStep, Math.Min(0.25, TimeStep * (FixedStepRunner.MostSteps / 2)));
 
@@ -444,14 +444,14 @@ public sealed class MatchSegment
         }
     }
 
-    /// <inheritdoc cref="FixedStepRunner.MatchHash"/>
+    /// <inheritdoc cref="FixedStepRunner.SessionHash"/>
     internal static ulong MatchHash(FixedStepRunner runner)
     {
         var key = new SceneKey();
 
         // All that a step depends on besides state, kicks and bodies: two peers with the same hash make the same bits.
         key.Add(runner.TimeStep);
-        key.Add(runner.WireTicks);
+        key.Add(runner.QuantizationInterval);
         key.Add(runner.Balls);
         foreach (char letter in LibraryVersion)
         {
@@ -502,7 +502,7 @@ public sealed class MatchSegment
                 $"scene has {runner.Balls} balls and the hash {hash:x16}; allowed: that of the segment, {Balls} balls and {SceneHash:x16}: the same scene, with the same settings.");
         }
 
-        if (EngineMoves && bodiesAt is null)
+        if (HasMovingColliders && bodiesAt is null)
         {
             throw new InvalidOperationException(
                 "engineColliders: they moved in the segment, which does not hold them; allowed: bodiesAt, which puts them where they were.");
@@ -521,8 +521,8 @@ public sealed class MatchSegment
 
         // No kick is forgotten: Seek goes back to any tick.
         runner.KickTicks = Limits.Tick;
-        runner.WireTicks = WireTicks;
-        runner.BodiesAt = bodiesAt;
+        runner.QuantizationInterval = QuantizationInterval;
+        runner.MoveBodies = bodiesAt;
         runner.Script = Bodies;
         runner.RestoreAll(StartTick, _start);
         return runner;

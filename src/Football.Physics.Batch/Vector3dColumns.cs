@@ -1,12 +1,12 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>Many vectors as three arrays of numbers, one a component.</summary>
-public sealed class VectorArrays
+public sealed class Vector3dColumns
 {
     /// <summary>Makes zero vectors.</summary>
     /// <param name="length">How many; not negative.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="length"/> is negative.</exception>
-    public VectorArrays(int length)
+    public Vector3dColumns(int length)
     {
         Check.AtLeast(nameof(length), length, 0);
         X = new double[length];

@@ -1,14 +1,14 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>The outcome of many balls that were played to a plane, to rest or to a time, as arrays of numbers.</summary>
-public sealed class BatchPlays
+public sealed class BatchResults
 {
     /// <summary>Makes room for balls.</summary>
     /// <param name="capacity">How many; not negative.</param>
     /// <param name="samples">Places of each path to make room for; not negative, default 0.</param>
     /// <param name="interval">Time between two of them, s. Above 0; default 0.05.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    public BatchPlays(int capacity, int samples = 0, double interval = 0.05)
+    public BatchResults(int capacity, int samples = 0, double interval = 0.05)
     {
         Check.AtLeast(nameof(capacity), capacity, 0);
         Check.AtLeast(nameof(samples), samples, 0);
@@ -21,11 +21,11 @@ public sealed class BatchPlays
         Scored = new bool[capacity];
         Bounces = new int[capacity];
         Time = new double[capacity];
-        Position = new VectorArrays(capacity);
-        Velocity = new VectorArrays(capacity);
-        Spin = new VectorArrays(capacity);
+        Position = new Vector3dColumns(capacity);
+        Velocity = new Vector3dColumns(capacity);
+        Spin = new Vector3dColumns(capacity);
         SampleCount = new int[capacity];
-        Places = new VectorArrays(capacity * samples);
+        Places = new Vector3dColumns(capacity * samples);
     }
 
     /// <summary>How many there is room for.</summary>
@@ -53,17 +53,17 @@ public sealed class BatchPlays
     public double[] Time { get; }
 
     /// <summary>Positions of the centres then, m.</summary>
-    public VectorArrays Position { get; }
+    public Vector3dColumns Position { get; }
 
     /// <summary>Velocities then, m/s.</summary>
-    public VectorArrays Velocity { get; }
+    public Vector3dColumns Velocity { get; }
 
     /// <summary>Spins at the end of the last step, rad/s, world frame.</summary>
-    public VectorArrays Spin { get; }
+    public Vector3dColumns Spin { get; }
 
     /// <summary>How many places of each path were written.</summary>
     public int[] SampleCount { get; }
 
     /// <summary>Places of the paths, m: those of ball i from i × <see cref="Samples"/> on.</summary>
-    public VectorArrays Places { get; }
+    public Vector3dColumns Places { get; }
 }

@@ -5,17 +5,17 @@ namespace FootballPhysics;
 /// it goes on so, rotates about its position, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
 /// </summary>
 /// <remarks>
-/// Made by <see cref="Bodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
+/// Made by <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
 /// speed; what hits it then is the body's own velocity. To a look-ahead a body goes on for ever as it goes now.
 /// </remarks>
-public sealed class Body
+public sealed class KinematicBody
 {
     /// <summary>A body that comes into play may be anywhere: farther than this it strays from no place, m.</summary>
     private const double Anywhere = 4.0 * Limits.Length;
 
-    private readonly Bodies _all;
+    private readonly KinematicBodies _all;
 
-    internal Body(Bodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass, int layer)
+    internal KinematicBody(KinematicBodies all, int index, string name, IShape shape, SurfaceMaterial surface, double mass, int layer)
     {
         _all = all;
         Index = index;
@@ -106,7 +106,7 @@ public sealed class Body
 
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
-        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (Bodies.Foresight * (velocity - motion.Velocity).Length);
+        double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
         Quaterniond expected = motion.Orientation;
         if (motion.Rotates)
         {
@@ -140,7 +140,7 @@ public sealed class Body
         if ((rotated || motion.Rotates) && change != Vector3d.Zero)
         {
             // With another spin its points go elsewhere, but not beyond their circles.
-            jump += Math.Min(Bodies.Foresight * change.Length, 2.0) * Placement.Reach;
+            jump += Math.Min(KinematicBodies.Foresight * change.Length, 2.0) * Placement.Reach;
         }
 
         // Told last, when it is where it says: broad phase, and who records.
@@ -152,7 +152,7 @@ public sealed class Body
     /// <summary>An impact changes its velocity.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
-        _all.Moved(Bodies.Foresight * (velocity - Velocity).Length, time, again: true);
+        _all.Moved(KinematicBodies.Foresight * (velocity - Velocity).Length, time, again: true);
         Placement.GoOn(in velocity, time);
         _all.Update(this);
     }
@@ -164,7 +164,7 @@ public sealed class Body
         set
         {
             // As MoveTo, but with the largest jump that a turn can be.
-            double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (Bodies.Foresight * (value.Velocity - Velocity).Length);
+            double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
             bool turns = value.Orientation != motion.Orientation;
             bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);

@@ -5,17 +5,17 @@ namespace FootballPhysics;
 
 /// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
-/// All are added before the first simulator of the scene is built, players who come on later too: <see cref="Body.Withdraw"/> keeps such a reserve out of play, at no cost to
-/// the steps, until <see cref="Body.MoveTo(Vector3d, Vector3d, double)"/> brings him on. A scene with bodies is for one match: they are where the game has put them last, and
-/// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="MatchSegment"/> keep where they were, or ask
-/// <see cref="FixedStepRunner.BodiesAt"/>.
+/// All are added before the first simulator of the scene is built, players who come on later too: <see cref="KinematicBody.Withdraw"/> keeps such a reserve out of play, at no cost to
+/// the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on. A scene with bodies is for one match: they are where the game has put them last, and
+/// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="Recording"/> keep where they were, or ask
+/// <see cref="FixedStepRunner.MoveBodies"/>.
 /// </remarks>
-public sealed class Bodies : IReadOnlyList<Body>
+public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 {
     /// <summary>Nobody relies for longer than this, s, on where a body is expected.</summary>
     internal const double Foresight = 0.25;
 
-    private readonly List<Body> _bodies = [];
+    private readonly List<KinematicBody> _bodies = [];
     private readonly MovingSpheres _movers = new();
     private RigidMotion[] _kept = [];
     private bool _inUse;
@@ -31,7 +31,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     public int Count => _bodies.Count;
 
     /// <inheritdoc/>
-    public Body this[int index] => _bodies[index];
+    public KinematicBody this[int index] => _bodies[index];
 
     /// <summary>Adds a body.</summary>
     /// <param name="name">Its name, for events and messages.</param>
@@ -43,7 +43,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0, or <paramref name="layer"/> is out of range.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
-    public Body Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
+    public KinematicBody Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
     {
         Check.Given(nameof(name), name);
         Check.Given(nameof(shape), shape);
@@ -57,7 +57,7 @@ public sealed class Bodies : IReadOnlyList<Body>
                 "A simulator uses these bodies already. Add all of them before it is built; withdraw those that come on later (Body.Withdraw), and MoveTo brings them on.");
         }
 
-        var body = new Body(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
+        var body = new KinematicBody(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
         _bodies.Add(body);
         Array.Resize(ref _kept, _bodies.Count);
         _movers.Add(body.BoundsAt(0), body.Velocity);
@@ -72,14 +72,14 @@ public sealed class Bodies : IReadOnlyList<Body>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0, or <paramref name="layer"/> is out of range.</exception>
     /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
-    public Body Add(string name, BodyKind kind, int layer = 0)
+    public KinematicBody Add(string name, BodyKind kind, int layer = 0)
     {
         Check.Given(nameof(kind), kind);
         return Add(name, kind.Shape, kind.Surface, kind.Mass, layer);
     }
 
     /// <inheritdoc/>
-    public IEnumerator<Body> GetEnumerator() => _bodies.GetEnumerator();
+    public IEnumerator<KinematicBody> GetEnumerator() => _bodies.GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
@@ -108,7 +108,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     }
 
     /// <summary>A body was added, moved or withdrawn: what a quick look needs is kept in one place.</summary>
-    internal void Update(Body body)
+    internal void Update(KinematicBody body)
     {
         if (body.IsWithdrawn)
         {
@@ -158,7 +158,7 @@ public sealed class Bodies : IReadOnlyList<Body>
         for (int i = 0; i < Count; i++)
         {
             // A body may have been moved for the time after the jump already.
-            Body body = _bodies[i];
+            KinematicBody body = _bodies[i];
             bool isTold = IsTold(i);
             if (isTold ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
             {
@@ -176,7 +176,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     }
 
     /// <summary>A body was moved: for a step to come, or within a look-ahead, after which it is put back.</summary>
-    internal void Told(Body body, double time)
+    internal void Told(KinematicBody body, double time)
     {
         // What a look-ahead moves is put back: no step is told of it.
         if (_lookAhead)
@@ -190,7 +190,7 @@ public sealed class Bodies : IReadOnlyList<Body>
     }
 
     /// <summary>A body was withdrawn: that is of no time, and holds from the step to come on.</summary>
-    internal void Told(Body body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
+    internal void Told(KinematicBody body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
 
     /// <summary>True when the game has moved a body since the last step.</summary>
     internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
@@ -245,7 +245,7 @@ public sealed class Bodies : IReadOnlyList<Body>
         for (int i = 0; i < Count; i++)
         {
             string field = Check.Item("bodies", i);
-            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.HollowCurvature, 0, 0.5 / ball.Radius);
+            Check.Within(field + ".shape.maximumConcaveCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
             _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
     }

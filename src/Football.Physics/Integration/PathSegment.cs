@@ -5,7 +5,7 @@ namespace FootballPhysics.Prediction;
 /// With RK4 the path is the quintic Hermite interpolant of both ends' positions, velocities and accelerations (1e-8 m off a step of 40 ms); with
 /// methods of lower order it is the quadratic that the method itself re-integrates.
 /// </remarks>
-public readonly struct PathPiece
+public readonly struct PathSegment
 {
     /// <summary>A fraction of a piece is known when the next correction is below this: a few hundred times the rounding of its ends.</summary>
     private const double Closeness = 1e-13;
@@ -13,7 +13,7 @@ public readonly struct PathPiece
 
     private readonly int _degree;
 
-    internal PathPiece(
+    internal PathSegment(
         double time,
         double length,
         in Vector3d startPosition,
@@ -43,7 +43,7 @@ public readonly struct PathPiece
     internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
 
     /// <summary>The cubic between the ends of a step without an event in it.</summary>
-    internal static PathPiece Cubic(in BallState start, in BallState end) => new(
+    internal static PathSegment Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
 
     /// <summary>Degree of its polynomial in time.</summary>
@@ -128,7 +128,7 @@ public readonly struct PathPiece
     }
 
     /// <summary>The piece as seen by something that moves steadily and was at the origin at time 0.</summary>
-    internal PathPiece SeenFrom(in Vector3d velocity) => new(
+    internal PathSegment SeenFrom(in Vector3d velocity) => new(
         Time,
         Length,
         StartPosition - (Time * velocity),
@@ -270,11 +270,11 @@ public readonly struct PathPiece
     /// <summary>Distance from a plane over fractions of a piece, positive where the piece begins.</summary>
     private readonly struct PlaneDistance : IDifferentiableFunction
     {
-        private readonly PathPiece _piece;
+        private readonly PathSegment _piece;
         private readonly Vector3d _point;
         private readonly Vector3d _normal;
 
-        public PlaneDistance(in PathPiece piece, in Vector3d point, in Vector3d normal, bool positive)
+        public PlaneDistance(in PathSegment piece, in Vector3d point, in Vector3d normal, bool positive)
         {
             _piece = piece;
             _point = point;
@@ -293,10 +293,10 @@ public readonly struct PathPiece
     /// <summary>How fast the distance from a plane grows on the side where the piece begins, over fractions of it.</summary>
     private readonly struct PlaneApproach : IFunction
     {
-        private readonly PathPiece _piece;
+        private readonly PathSegment _piece;
         private readonly Vector3d _normal;
 
-        public PlaneApproach(in PathPiece piece, in Vector3d normal, bool positive)
+        public PlaneApproach(in PathSegment piece, in Vector3d normal, bool positive)
         {
             _piece = piece;
             _normal = positive ? normal : -normal;
@@ -312,9 +312,9 @@ public readonly struct PathPiece
     /// <summary>Vertical velocity over fractions of a piece.</summary>
     private readonly struct Climb : IFunction
     {
-        private readonly PathPiece _piece;
+        private readonly PathSegment _piece;
 
-        public Climb(in PathPiece piece) => _piece = piece;
+        public Climb(in PathSegment piece) => _piece = piece;
 
         public bool Evaluate(double x, out double value)
         {
@@ -326,10 +326,10 @@ public readonly struct PathPiece
     /// <summary>Half the rate of change of the squared distance from a point, over fractions of a piece.</summary>
     private readonly struct Recession : IFunction
     {
-        private readonly PathPiece _piece;
+        private readonly PathSegment _piece;
         private readonly Vector3d _point;
 
-        public Recession(in PathPiece piece, in Vector3d point)
+        public Recession(in PathSegment piece, in Vector3d point)
         {
             _piece = piece;
             _point = point;

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Engines;
 
 /// <summary>Plays a recorded stretch of a match in a window: forwards in time, and to any tick.</summary>
-public sealed class SegmentPlayer
+public sealed class RecordingPlayer
 {
     private readonly Simulator _simulator;
     private readonly Action<double>? _bodiesAt;
@@ -15,7 +15,7 @@ public sealed class SegmentPlayer
     /// <exception cref="ArgumentNullException">Segment or scene is null.</exception>
     /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
     /// <exception cref="InvalidOperationException">An engine's colliders moved, and nothing says where they were.</exception>
-    public SegmentPlayer(MatchSegment segment, Simulator simulator, Action<double>? bodiesAt = null)
+    public RecordingPlayer(Recording segment, Simulator simulator, Action<double>? bodiesAt = null)
     {
         Check.Given(nameof(segment), segment);
         Check.Given(nameof(simulator), simulator);
@@ -26,7 +26,7 @@ public sealed class SegmentPlayer
     }
 
     /// <summary>The segment.</summary>
-    public MatchSegment Segment { get; }
+    public Recording Segment { get; }
 
     /// <summary>The tick that is shown.</summary>
     public long Tick => _runner.Tick;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Laws;
 
 /// <summary>The input of a force: the ball at one instant.</summary>
-public readonly struct ForceInput
+public readonly struct ForceContext
 {
-    internal ForceInput(
+    internal ForceContext(
         double time,
         in Vector3d position,
         in Vector3d velocity,
@@ -43,5 +43,5 @@ public readonly struct ForceInput
     internal double AirDistance { get; }
 
     /// <summary>A copy with another velocity relative to the air.</summary>
-    internal ForceInput In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
+    internal ForceContext In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
 }

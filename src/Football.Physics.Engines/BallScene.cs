@@ -5,7 +5,7 @@ namespace FootballPhysics.Engines;
 /// A component of the engine adds what it is to the stage; <see cref="Compile"/> then makes the scene that is played, and the one that is looked ahead in, without what reacts to the ball.
 /// Between, before and after each step the stage moves its keepers and its nets. When anything of it changes, the engine makes a new one and goes on in that.
 /// </remarks>
-public sealed class Stage
+public sealed class BallScene
 {
     private readonly SolverSettings? _settings;
     private readonly List<Goal> _goals = [];
@@ -19,7 +19,7 @@ public sealed class Stage
     /// <summary>Makes a stage with nothing on it.</summary>
     /// <param name="scene">Ball, air, forces and ground; default <see cref="Scene.Default"/>.</param>
     /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
-    public Stage(Scene? scene = null, SolverSettings? settings = null)
+    public BallScene(Scene? scene = null, SolverSettings? settings = null)
     {
         Scene = scene ?? Scene.Default;
         _settings = settings;
@@ -32,7 +32,7 @@ public sealed class Stage
     public IEngineColliders? Colliders { get; set; }
 
     /// <summary>The same colliders for looking ahead: others than <see cref="Colliders"/>, for a look ahead must push nothing. Default none.</summary>
-    public IEngineColliders? CollidersAhead { get; set; }
+    public IEngineColliders? PredictionColliders { get; set; }
 
     /// <summary>The scene that is played, compiled.</summary>
     /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
@@ -133,11 +133,11 @@ public sealed class Stage
             Goals = [.. Scene.Goals, .. _goals],
             Obstacles = [.. Scene.Obstacles, .. _obstacles],
         };
-        _ahead = new Simulator(CollidersAhead is null ? still : still with { EngineColliders = CollidersAhead }, _settings);
+        _ahead = new Simulator(PredictionColliders is null ? still : still with { EngineColliders = PredictionColliders }, _settings);
         _game = _ahead;
         if (_planned.Count > 0 || Colliders is not null)
         {
-            Bodies? bodies = _planned.Count > 0 ? new Bodies() : still.Bodies;
+            KinematicBodies? bodies = _planned.Count > 0 ? new KinematicBodies() : still.Bodies;
             foreach ((int goal, Vector3d feet, Player? abilities) in _planned)
             {
                 _keepers.Add(new KeeperDive(bodies!.Add("keeper", KeeperDive.Kind), _goals[goal], _ahead, feet, abilities));
@@ -151,7 +151,7 @@ public sealed class Stage
 
     /// <summary>Gives the ball as it is in <see cref="Ahead"/>, to be looked ahead from: one that lies on a keeper, or on an engine's collider, is in the air there.</summary>
     /// <param name="ball">The ball in <see cref="Game"/>.</param>
-    public BallState LookFrom(in BallState ball)
+    public BallState PredictionState(in BallState ball)
     {
         bool isElsewhere = !ReferenceEquals(_game, _ahead) && ball.Carrier >= PartsBefore(Game.World, Game.Scene.Goals.Count);
         return isElsewhere ? Ahead.Continue(Game, in ball) : ball;
@@ -163,7 +163,7 @@ public sealed class Stage
     {
         if (_keepers.Count > 0)
         {
-            BallState seen = LookFrom(in ball);
+            BallState seen = PredictionState(in ball);
             foreach (KeeperDive keeper in _keepers)
             {
                 keeper.Follow(in seen);
@@ -182,7 +182,7 @@ public sealed class Stage
     {
         World world = Game.World;
         int first = Scene.Goals.Count;
-        int thing = happened.Thing;
+        int thing = happened.ColliderIndex;
         for (int i = 0; i < _goals.Count; i++)
         {
             int post = PartsBefore(world, first + i);
@@ -210,7 +210,7 @@ public sealed class Stage
     public EngineCollider? ColliderOf(in BallEvent happened)
     {
         World world = Game.World;
-        return world.Engine is { } engine && happened.Thing >= EngineCollider.FirstNumber ? engine.Of(happened.Thing, happened.Position, happened.Time) : null;
+        return world.Engine is { } engine && happened.ColliderIndex >= EngineCollider.FirstNumber ? engine.Of(happened.ColliderIndex, happened.Position, happened.Time) : null;
     }
 
     private static InvalidOperationException NotYet() => new("stage: it is not compiled yet; call Compile first.");

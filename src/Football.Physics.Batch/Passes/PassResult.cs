@@ -1,7 +1,7 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>The best pass of a fan.</summary>
-public readonly struct PassChoice
+public readonly struct PassResult
 {
     /// <summary>True when there is one; without it only the counts below count.</summary>
     public bool IsFound { get; init; }
@@ -19,7 +19,7 @@ public readonly struct PassChoice
     public PathPoint Meeting { get; init; }
 
     /// <summary>How much earlier that is than an opponent could meet the ball, s; infinite where none can while the pass is judged: until it comes down, or along the ground until it rests, for <see cref="PassFanRequest.Duration"/> at most.</summary>
-    public double Lead { get; init; }
+    public double TimeMargin { get; init; }
 
     /// <summary>Kicks that were flown.</summary>
     public int Kicks { get; init; }

@@ -5,13 +5,13 @@ namespace FootballPhysics.Batch;
 /// Ball by ball in double, on several threads. Each result depends on its own launch alone. For flights to the first impact <see cref="BallBatch"/> is much faster.
 /// Not for several threads at once; its own threads are.
 /// </remarks>
-public sealed class PlayBatch
+public sealed class BatchSimulator
 {
     private readonly Trajectory[] _paths;
     private readonly GroupRun _groups;
     private readonly GroupRun _alone;
     private BatchLaunches? _launches;
-    private BatchPlays? _plays;
+    private BatchResults? _plays;
     private LookAheadRequest? _request;
 
     /// <summary>Prepares for balls of a compiled scene.</summary>
@@ -19,7 +19,7 @@ public sealed class PlayBatch
     /// <param name="threads">How many threads; one where a ball may move what it meets. The results do not depend on it. 1 … 1024; default 1.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="threads"/> is out of range.</exception>
-    public PlayBatch(Simulator simulator, int threads = 1)
+    public BatchSimulator(Simulator simulator, int threads = 1)
     {
         Simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));
         Check.Within(nameof(threads), threads, 1, 1024);
@@ -29,8 +29,8 @@ public sealed class PlayBatch
             _paths[i] = new Trajectory();
         }
 
-        _groups = new GroupRun(threads, (thread, from, count) => Play(thread, from, count));
-        _alone = new GroupRun(1, (thread, from, count) => Play(thread, from, count));
+        _groups = new GroupRun(threads, (thread, from, count) => Run(thread, from, count));
+        _alone = new GroupRun(1, (thread, from, count) => Run(thread, from, count));
     }
 
     /// <summary>The scene.</summary>
@@ -46,8 +46,8 @@ public sealed class PlayBatch
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some answers may have been written.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled. Some answers may have been written.</exception>
-    public void Play(
-        BatchLaunches launches, BatchPlays plays, int count, LookAheadRequest request, IProgress<int>? progress = null, CancellationToken cancellation = default)
+    public void Run(
+        BatchLaunches launches, BatchResults plays, int count, LookAheadRequest request, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
         _launches = launches ?? throw new ArgumentNullException(nameof(launches));
         _plays = plays ?? throw new ArgumentNullException(nameof(plays));
@@ -55,11 +55,11 @@ public sealed class PlayBatch
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, plays.Capacity));
 
         // What an impact moves, what an engine says and where the game has its bodies belong to the simulator: one ball at a time.
-        bool isShared = Simulator.World.GivesWay || Simulator.World.Engine is not null || request.BodiesAt is not null;
+        bool isShared = Simulator.World.GivesWay || Simulator.World.Engine is not null || request.MoveBodies is not null;
         (isShared ? _alone : _groups).Run(count, progress, cancellation);
     }
 
-    private void Play(int thread, int from, int count)
+    private void Run(int thread, int from, int count)
     {
         for (int index = from; index < from + count; index++)
         {
@@ -80,7 +80,7 @@ public sealed class PlayBatch
 
     private void Write(int index, Trajectory path)
     {
-        BatchPlays plays = _plays!;
+        BatchResults plays = _plays!;
         BallState end = path.Final;
         double time = end.Time;
         Vector3d position = end.Position;
@@ -109,7 +109,7 @@ public sealed class PlayBatch
         // To its end a path has as many as were counted, also those that its memory of events has no place for.
         bounces = crossed ? bounces : path.Events.Impacts;
         plays.Crossed[index] = crossed;
-        plays.Rests[index] = !crossed && end.Motion == MotionState.Stopped;
+        plays.Rests[index] = !crossed && end.Motion == MotionState.Rest;
         plays.Scored[index] = scored;
         plays.Bounces[index] = (int)bounces;
         plays.Time[index] = time;
