@@ -83,7 +83,7 @@ public sealed class MatchBundle
         }
         catch (InvalidDataException)
         {
-            throw new RefusedException("FILE", "no zip file", "a bundle that MatchSegment.ToBundle wrote");
+            throw new RefusedException("FILE", "no zip file", "a bundle that Recording.ToBundle wrote");
         }
         catch (FormatException broken)
         {
@@ -148,7 +148,7 @@ public sealed class MatchBundle
 
     private static byte[] Entry(ZipArchive zip, string name, int largest)
     {
-        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that MatchSegment.ToBundle wrote");
+        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that Recording.ToBundle wrote");
         if (entry.Length > largest)
         {
             throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"{largest} bytes at most"));

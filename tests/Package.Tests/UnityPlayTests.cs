@@ -77,7 +77,7 @@ public sealed class UnityPlayTests : IDisposable
 
         Assert.Equal(part, hits[0].Surface);
         Assert.True(hits[0].Velocity.z < hits[0].VelocityBefore.z - 5f);
-        Assert.True(hits[0].NormalSpeed > 5f);
+        Assert.True(hits[0].ApproachSpeed > 5f);
     }
 
     [Fact]

@@ -61,11 +61,11 @@ internal static class RollbackCounts
 
     private static string Name(Kind kind) => kind switch
     {
-        Kind.AskedBodies => "bodies, by BodiesAt",
+        Kind.AskedBodies => "bodies, by MoveBodies",
         Kind.KeptBodies => "bodies, as the rollback kept them",
-        Kind.AskedEngine => "an engine's colliders, by BodiesAt",
-        Kind.SeveralBalls => "bodies and three balls, by BodiesAt",
-        _ => "bodies in a cage with nets and wind, by BodiesAt, wire form",
+        Kind.AskedEngine => "an engine's colliders, by MoveBodies",
+        Kind.SeveralBalls => "bodies and three balls, by MoveBodies",
+        _ => "bodies in a cage with nets and wind, by MoveBodies, wire form",
     };
 
     private static void Play(Kind kind, LabRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
@@ -110,7 +110,7 @@ internal static class RollbackCounts
                         break;
                     }
 
-                    late += rollback.ApplyServerState(in all[i]) is not null ? 1 : 0;
+                    late += rollback.ApplyKick(in all[i]) is not null ? 1 : 0;
                     next = i + 1;
                 }
 
@@ -126,7 +126,7 @@ internal static class RollbackCounts
 
             for (; next < all.Length; next++)
             {
-                late += rollback.ApplyServerState(in all[next]) is not null ? 1 : 0;
+                late += rollback.ApplyKick(in all[next]) is not null ? 1 : 0;
             }
 
             runs++;
@@ -191,7 +191,7 @@ internal static class RollbackCounts
 
         try
         {
-            rollback.ApplyServerState(new KickInput(4, new Vector3d(0, 3, -9), Vector3d.Zero));
+            rollback.ApplyKick(new KickInput(4, new Vector3d(0, 3, -9), Vector3d.Zero));
             return false;
         }
         catch (InvalidOperationException refusal)

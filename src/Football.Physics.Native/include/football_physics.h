@@ -69,7 +69,7 @@ typedef enum {
     /* The ball left what carried it without an impact with it: over a crest, or lifted by a hit. */
     FP_EVENT_LEAVE = 6,
     /* Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces
-       it, and what it hits is not told one by one. The ball is then Squeezed. */
+       it, and what it hits is not told one by one. The ball is then Pinned. */
     FP_EVENT_SQUEEZED = 7,
     /* The ball entered a Zone. */
     FP_EVENT_ENTER_ZONE = 8,

@@ -84,7 +84,7 @@ public sealed class Rollback
     /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
-    public long? ApplyServerState(in KickInput kick)
+    public long? ApplyKick(in KickInput kick)
     {
         Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
         Check.Index("kick.ball", kick.Ball, _balls);
@@ -262,13 +262,13 @@ public sealed class Rollback
         if (Runner.EngineMoved >= from)
         {
             throw new InvalidOperationException(
-                $"engineColliders: they moved at tick {Runner.EngineMoved}, which is to be played again; allowed: BodiesAt of the runner, which puts them where they were.");
+                $"engineColliders: they moved at tick {Runner.EngineMoved}, which is to be played again; allowed: MoveBodies of the runner, which puts them where they were.");
         }
 
         if (_bodies is null && _bodiesMoved >= from)
         {
             throw new InvalidOperationException(
-                $"bodies: they moved at tick {_bodiesMoved}, which is to be played again; allowed: BodiesAt of the runner, or a rollback that keeps where they were.");
+                $"bodies: they moved at tick {_bodiesMoved}, which is to be played again; allowed: MoveBodies of the runner, or a rollback that keeps where they were.");
         }
     }
 

@@ -10,7 +10,7 @@ internal static class BundleCommand
 {
     public static Command Create(Terminal terminal)
     {
-        var file = new Argument<string>("FILE") { Description = "A bundle: what MatchSegment.ToBundle wrote." };
+        var file = new Argument<string>("FILE") { Description = "A bundle: what Recording.ToBundle wrote." };
         Option<long> tick = Arguments.Whole("--tick", "Goes to a tick of the match and tells the ball there; default its end.", -1, 1_000_000_000_000_000, -1);
         var command = new ExampleCommand(
             "bundle",

@@ -175,7 +175,7 @@ public sealed class GameRefusalTests
         BallState state = runner.State;
         keeper.MoveTo(new Vector3d(0, 1, -11), Vector3d.Zero, runner.Time);
         ball.Simulator.LookAhead(in state, new LookAheadRequest { Duration = 2, MoveBodies = time => keeper.MoveTo(new Vector3d(time, 1, -11), Vector3d.Zero, time) }, path);
-        Assert.NotNull(rollback.ApplyServerState(new KickInput(5, new Vector3d(0, 3, -15), Vector3d.Zero)));
+        Assert.NotNull(rollback.ApplyKick(new KickInput(5, new Vector3d(0, 3, -15), Vector3d.Zero)));
         runner.Step();
     }
 

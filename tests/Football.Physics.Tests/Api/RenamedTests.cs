@@ -50,6 +50,7 @@ public sealed class RenamedTests
             {
                 PropertyInfo property => property.PropertyType,
                 MethodInfo method => method.ReturnType,
+                FieldInfo field => field.FieldType,
                 _ => null,
             };
         }

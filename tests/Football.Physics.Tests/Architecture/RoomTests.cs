@@ -32,7 +32,7 @@ public sealed class RoomTests
         Assert.Equal(Rooms.Order.Order(), SourceFile.Library.Select(file => file.Room).Distinct().Order());
         Assert.All(Rooms.Order, room => Assert.Contains(SourceFile.Library, file => file.Room == room && file.Types.Count > 0));
         foreach ((string type, string room) in (ReadOnlySpan<(string, string)>)[
-            ("Vector3d", "Numerics"), ("BallState", "State"), ("Scene", "Scenes"), ("PathPiece", "Integration"), ("DragJump", "Air"),
+            ("Vector3d", "Numerics"), ("BallState", "State"), ("Scene", "Scenes"), ("PathSegment", "Integration"), ("DragJump", "Air"),
             ("CoulombImpact", "Contact"), ("BallEvent", "Events"), ("Simulator", "Simulation"), ("Trajectory", "Prediction"), ("TrackFit", "Tracks"), ("Aimer", "Aiming"), ("ThesisAimer", "Thesis"),
             ("BallBatch", "Batch"), ("Ball", "Game")])
         {

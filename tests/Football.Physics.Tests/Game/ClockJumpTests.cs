@@ -208,7 +208,7 @@ public sealed class ClockJumpTests
             runner.Step();
             if (late > 0 && runner.Tick == 10 + late)
             {
-                rollback.ApplyServerState(in kick);
+                rollback.ApplyKick(in kick);
             }
 
             unheld += runner.Tick % wireTicks == 0 && !runner.TryWriteQuantized(runner.State, wire) ? 1 : 0;

@@ -67,7 +67,7 @@ public sealed class KeyframeTests
         var rollback = new Rollback(match, 100);
         Recording segment = match.Record();
         Play(match, 200);
-        Assert.NotNull(rollback.ApplyServerState(new KickInput(110, new Vector3d(2, 3, -9), Vector3d.Zero, 9)));
+        Assert.NotNull(rollback.ApplyKick(new KickInput(110, new Vector3d(2, 3, -9), Vector3d.Zero, 9)));
         Play(match, 300);
         Recording received = Recording.FromBytes(segment.ToBytes());
         FixedStepRunner replay = received.Replay(match.Simulator);

@@ -23,7 +23,7 @@ public sealed class PlayersInTimeTests
             late.Advance(frame);
             if (!arrived && late.Tick >= Kick.Tick + 8)
             {
-                arrived = rollback.ApplyServerState(Kick) is not null;
+                arrived = rollback.ApplyKick(Kick) is not null;
                 Assert.True(arrived);
             }
         }
@@ -52,7 +52,7 @@ public sealed class PlayersInTimeTests
             if (late.Tick == Kick.Tick + 11)
             {
                 // Between the move and the step: what was moved for the step to come counts too.
-                Assert.NotNull(rollback.ApplyServerState(Kick));
+                Assert.NotNull(rollback.ApplyKick(Kick));
             }
 
             late.Step();
@@ -72,11 +72,11 @@ public sealed class PlayersInTimeTests
         }
 
         BallState before = runner.State;
-        Assert.StartsWith("bodies: they moved at tick 11", Assert.Throws<InvalidOperationException>(() => rollback.ApplyServerState(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
+        Assert.StartsWith("bodies: they moved at tick 11", Assert.Throws<InvalidOperationException>(() => rollback.ApplyKick(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
         Assert.Equal(1, runner.Kicks.Count);
         Assert.True(Snapshot.Same(before, runner.State));
         runner.MoveBodies = move;
-        Assert.NotNull(rollback.ApplyServerState(new KickInput(5, new Vector3d(1, 2, 3), default)));
+        Assert.NotNull(rollback.ApplyKick(new KickInput(5, new Vector3d(1, 2, 3), default)));
     }
 
     [Fact]
@@ -131,7 +131,7 @@ public sealed class PlayersInTimeTests
             late.Step();
             foreach (KickInput kick in kicks.Where(kick => kick.Tick + 8 == late.Tick))
             {
-                rollback.ApplyServerState(in kick);
+                rollback.ApplyKick(in kick);
             }
         }
 

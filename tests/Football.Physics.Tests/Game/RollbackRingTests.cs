@@ -20,13 +20,13 @@ public sealed class RollbackRingTests
         }
 
         Assert.Equal(30, rollback.OldestTick);
-        Assert.Equal(41, rollback.ApplyServerState(in s_late));
+        Assert.Equal(41, rollback.ApplyKick(in s_late));
         Assert.True(Snapshot.Same(expected.State, runner.State));
         Assert.Equal(60, runner.Tick);
         Assert.Equal(Snapshot.Hash(runner.State), rollback.HashAt(60));
 
         // Again the same kick changes nothing, and taking it back brings the old match back.
-        Assert.Null(rollback.ApplyServerState(in s_late));
+        Assert.Null(rollback.ApplyKick(in s_late));
         Assert.Equal(41, rollback.Remove(40, player: 1));
         FixedStepRunner without = Runner(simulator, s_first);
         while (without.Tick < 60)
@@ -68,8 +68,8 @@ public sealed class RollbackRingTests
         Assert.Equal(12, rollback.OldestTick);
         Assert.Equal(runner.State.Position, rollback.StateAt(20).Position);
         Assert.Throws<ArgumentOutOfRangeException>(() => rollback.StateAt(11));
-        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ApplyServerState(new KickInput(11, default, default)));
-        Assert.Null(rollback.ApplyServerState(new KickInput(30, new Vector3d(1, 0, 0), default)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => rollback.ApplyKick(new KickInput(11, default, default)));
+        Assert.Null(rollback.ApplyKick(new KickInput(30, new Vector3d(1, 0, 0), default)));
         runner.Place(new Vector3d(1, 1, 1));
         Assert.Equal(20, rollback.OldestTick);
     }
@@ -84,7 +84,7 @@ public sealed class RollbackRingTests
             runner.Step();
         }
 
-        Assert.Equal(4, rollback.ApplyServerState(in s_first));
+        Assert.Equal(4, rollback.ApplyKick(in s_first));
         Assert.Contains(rollback.Events.Span.ToArray(), happened => happened.Kind == BallEventKind.Impact);
     }
 

@@ -142,7 +142,7 @@ public sealed class WireTests
             client.Step();
             if (client.Tick == 180)
             {
-                Assert.Equal(151, rollback.ApplyServerState(in late));
+                Assert.Equal(151, rollback.ApplyKick(in late));
             }
 
             if (server.Tick % server.QuantizationInterval == 0 && server.TryWriteQuantized(server.State, bytes))

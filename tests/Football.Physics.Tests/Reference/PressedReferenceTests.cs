@@ -115,7 +115,7 @@ public sealed class PressedReferenceTests
 
         if (expected.TryGetProperty("motion", out JsonElement motion))
         {
-            Assert.Equal(Enum.Parse<MotionState>(motion.GetString()!, ignoreCase: true), state.Motion);
+            Assert.Equal(Enum.GetValues<MotionState>().Single(value => motion.ValueEquals(Words.Of(value))), state.Motion);
         }
 
         Near(name, expected, "position", state.Position, Place(expected));

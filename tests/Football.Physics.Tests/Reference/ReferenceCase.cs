@@ -1,4 +1,5 @@
 using System.Text.Json;
+using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tests.Reference;
 
@@ -53,7 +54,7 @@ internal sealed class ReferenceCase
     internal static Quaterniond Rotation(JsonElement of) => new(of[0].GetDouble(), of[1].GetDouble(), of[2].GetDouble(), of[3].GetDouble());
 
     internal static T Choice<T>(JsonElement of, string name)
-        where T : struct, Enum => Enum.Parse<T>(of.GetProperty(name).GetString()!, ignoreCase: true);
+        where T : struct, Enum => Enum.GetValues<T>().Single(value => of.GetProperty(name).ValueEquals(Words.Of(value)));
 
     private static Scene ReadScene(JsonElement scenario)
     {

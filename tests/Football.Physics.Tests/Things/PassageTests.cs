@@ -73,7 +73,7 @@ public sealed class PassageTests
                 deepest = isDeepest ? runner.Tick : deepest;
                 if (deepest > 0 && runner.Tick == deepest + (isLate ? 30 : 0))
                 {
-                    rollback.ApplyServerState(new KickInput(deepest, new Vector3d(0, 1, 6), default, 3));
+                    rollback.ApplyKick(new KickInput(deepest, new Vector3d(0, 1, 6), default, 3));
                 }
             }
 

@@ -23,7 +23,7 @@ public partial class FootballBall
 
     /// <summary>A ball that was carried left what carried it.</summary>
     [Signal]
-    public delegate void LeaveEventHandler(Vector3 position, Vector3 velocity, double time);
+    public delegate void ContactEndEventHandler(Vector3 position, Vector3 velocity, double time);
 
     /// <summary>The ball met a net.</summary>
     [Signal]
@@ -35,7 +35,7 @@ public partial class FootballBall
 
     /// <summary>Things that move leave the ball no room, or it has room again: the ball's motion says which.</summary>
     [Signal]
-    public delegate void SqueezedEventHandler(Vector3 position, Vector3 velocity, double time);
+    public delegate void PinnedEventHandler(Vector3 position, Vector3 velocity, double time);
 
     /// <summary>The ball entered a zone of the scene.</summary>
     [Signal]
@@ -64,10 +64,10 @@ public partial class FootballBall
                 EmitSignal(SignalName.Rest, position, happened.Time);
                 break;
             case BallEventKind.ContactEnd:
-                EmitSignal(SignalName.Leave, position, velocity, happened.Time);
+                EmitSignal(SignalName.ContactEnd, position, velocity, happened.Time);
                 break;
             case BallEventKind.Pinned:
-                EmitSignal(SignalName.Squeezed, position, velocity, happened.Time);
+                EmitSignal(SignalName.Pinned, position, velocity, happened.Time);
                 break;
             case BallEventKind.EnterZone:
                 EmitSignal(SignalName.EnterZone, position, velocity, happened.Time);

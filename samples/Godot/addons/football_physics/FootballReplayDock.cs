@@ -16,7 +16,7 @@ public partial class FootballReplayDock : VBoxContainer
     private readonly Button _play = new() { Text = "Play" };
     private readonly Button _validate = new() { Text = "Validate" };
     private readonly HSlider _slider = new() { Step = 1 };
-    private readonly Label _label = new() { Text = "A recording is what MatchSegment.ToBytes wrote, of ball.Runner.Record()." };
+    private readonly Label _label = new() { Text = "A recording is what Recording.ToBytes wrote, of ball.Runner.Record()." };
     private FootballDrawing? _drawing;
     private MeshInstance3D? _marker;
     private FootballBall? _ball;
@@ -55,7 +55,7 @@ public partial class FootballReplayDock : VBoxContainer
     }
 
     /// <summary>Loads a segment for the scene of a ball: its preset, and the goals, pitches, walls and keepers in the tree.</summary>
-    /// <param name="bytes">What MatchSegment.ToBytes wrote.</param>
+    /// <param name="bytes">What Recording.ToBytes wrote.</param>
     /// <param name="ball">The ball.</param>
     public void Load(byte[] bytes, FootballBall ball)
     {

@@ -31,7 +31,7 @@ namespace FootballPhysics.Unity.Editor
         }
 
         /// <summary>Loads a segment for the scene of a ball: its preset, and the goals, pitches, walls and keepers that stand in the scene.</summary>
-        /// <param name="bytes">What MatchSegment.ToBytes wrote.</param>
+        /// <param name="bytes">What Recording.ToBytes wrote.</param>
         /// <param name="ball">The ball.</param>
         public void Load(byte[] bytes, FootballBall ball)
         {
@@ -108,7 +108,7 @@ namespace FootballPhysics.Unity.Editor
                 EditorGUILayout.LabelField("Ball", _player.State.Motion + ", " + _player.State.Velocity.Length.ToString("0.0", CultureInfo.InvariantCulture) + " m/s");
             }
 
-            EditorGUILayout.HelpBox(_said.Length > 0 ? _said : "A recording is what MatchSegment.ToBytes wrote, of ball.Runner.Record().", MessageType.Info);
+            EditorGUILayout.HelpBox(_said.Length > 0 ? _said : "A recording is what Recording.ToBytes wrote, of ball.Runner.Record().", MessageType.Info);
         }
 
         private void Update()

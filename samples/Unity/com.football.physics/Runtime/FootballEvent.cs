@@ -11,7 +11,7 @@ namespace FootballPhysics.Unity
             Impulse = impulse;
             Goal = goal;
             Collider = collider;
-            NormalSpeed = (float)happened.ApproachSpeed;
+            ApproachSpeed = (float)happened.ApproachSpeed;
             Normal = UnityFrame.ToUnity(happened.Normal);
             Kind = happened.Kind;
             Time = happened.Time;
@@ -53,7 +53,7 @@ namespace FootballPhysics.Unity
         public Vector3 Impulse { get; }
 
         /// <summary>Speed against what was hit, along the normal, m/s: how loud it is.</summary>
-        public float NormalSpeed { get; }
+        public float ApproachSpeed { get; }
 
         /// <summary>The goal whose line, net, post or bar it tells of; null for none.</summary>
         public FootballGoal Goal { get; }
