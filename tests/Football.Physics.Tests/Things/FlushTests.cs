@@ -56,6 +56,56 @@ public sealed class FlushTests
         Assert.InRange(s.Spin.X / (-1.5 / 0.11 * 0.5 * 9.81 * timeOver), 0.999, 1.001);
     }
 
+    /// <summary>A ball slides along a wall, and the wind stops pressing it there; the wall has a seam just where its load ends. It leaves the wall, and is not hit by it.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_seam_where_a_wall_stops_bearing_is_as_a_wall_without_one(bool bodies)
+    {
+        BallState alone = Along(null, bodies, out string events);
+        for (int i = 0; i < 200; i++)
+        {
+            BallState over = Along(-3.25702 - (5e-7 * i), bodies, out string told);
+            Assert.Equal(events, told);
+            Assert.InRange(Vector3d.Distance(over.Position, alone.Position), 0, 1e-9);
+        }
+    }
+
+    private static BallState Along(double? seam, bool asBodies, out string events)
+    {
+        const double Radius = 0.08925614023727141;
+        SurfaceMaterial material = SurfaceMaterial.Concrete with
+        {
+            NormalRestitution = 0.77, SlidingFriction = 0.8448745337326229, RollingFriction = 0.16837158431216415, RollingFrictionBySpeed = 0.001, DrillingLength = 0.006,
+        };
+        double end = seam ?? -40;
+        BoxShape[] walls =
+        [
+            new(new Vector3d(Radius + 0.25, 1, 0.5 * (20 + end)), new Vector3d(0.25, 1, 0.5 * (20 - end))),
+            new(new Vector3d(Radius + 0.25, 1, end - 20), new Vector3d(0.25, 1, 20)),
+        ];
+        var bodies = new Bodies();
+        Scene scene = new()
+        {
+            Ball = BallProperties.Tunnel with { Radius = Radius, InertiaFactor = 0.4 },
+            Air = new Air { Wind = new Vector3d(3.9568399345388854, 0, -2.9499214557178837) },
+            Ground = Ground.Of(material),
+        };
+        foreach (BoxShape wall in asBodies ? walls : [])
+        {
+            bodies.Add("wall", wall, material);
+        }
+
+        scene = asBodies ? scene with { Bodies = bodies } : scene with { Obstacles = [.. walls.Select(wall => new Obstacle { Shape = wall, Surface = material })] };
+        var simulator = new Simulator(scene);
+        BallState s = simulator.Launch(
+            new Vector3d(0, Radius, -3.2558656445015814), new Vector3d(0, 0, -7.465530830835643), new Vector3d(-82.37242343276147, 0, 0.07694023929003722));
+        var log = new StepLog();
+        simulator.Step(ref s, 0.0079, log);
+        events = string.Join(' ', log.Events.Span.ToArray().Select(item => item.Kind));
+        return s;
+    }
+
     /// <summary>Rolls for five steps; the edge is so far from where the first one ends, m.</summary>
     private static BallState Rolled(double? beyond, bool engine, out int told)
     {
