@@ -71,6 +71,41 @@ public sealed class FlushTests
         }
     }
 
+    /// <summary>Wind presses a ball onto a wall of bodies that stand still. It has just hit the wall, and crosses a seam: the first body is behind it, and no contact any more.</summary>
+    [Fact]
+    public void A_standing_body_that_was_hit_is_left_at_the_seam()
+    {
+        BallState alone = Hit(null, out long evaluations);
+        for (int i = 0; i < 20; i++)
+        {
+            BallState over = Hit(-0.05 - (0.005 * i), out long spent);
+            Assert.Equal(0, Vector3d.Distance(over.Position, alone.Position), 1e-7);
+            Assert.InRange(spent, 1, 3 * evaluations);
+        }
+    }
+
+    private static BallState Hit(double? seam, out long evaluations)
+    {
+        const double Radius = 0.11;
+        const double Step = 0.01;
+        SurfaceMaterial material = SurfaceMaterial.DryTurf;
+        double end = seam ?? -40;
+        var bodies = new Bodies();
+        bodies.Add("first", new BoxShape(new Vector3d(Radius + 0.25, 1, 0.5 * (20 + end)), new Vector3d(0.25, 1, 0.5 * (20 - end))), material);
+        bodies.Add("second", new BoxShape(new Vector3d(Radius + 0.25, 1, end - 20), new Vector3d(0.25, 1, 20)), material);
+        Scene scene = new() { Ball = BallProperties.Tunnel, Air = new Air { Wind = new Vector3d(8, 0, 0) }, Ground = Ground.Of(material), Bodies = bodies };
+        var simulator = new Simulator(scene);
+        BallState s = simulator.Launch(new Vector3d(-0.005, Radius, 0), new Vector3d(0.3, 0, -1), Vector3d.Cross(Vector3d.Up, new Vector3d(0.3, 0, -1)) / Radius);
+        var log = new StepLog();
+        for (int i = 0; i < 40; i++)
+        {
+            simulator.Step(ref s, Step, log);
+        }
+
+        evaluations = log.Evaluations;
+        return s;
+    }
+
     private static BallState Along(double? seam, bool asBodies, out string events)
     {
         const double Radius = 0.08925614023727141;
