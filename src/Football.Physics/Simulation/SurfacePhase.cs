@@ -195,6 +195,7 @@ internal sealed class SurfacePhase<TIntegrator>
             double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _alpha));
             h = TurnLimit.Follow(h, system.Direction, size, in rate, turned, out system.LocksDirection);
             h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
+            h = TurnLimit.ShortenStiff(h, system.Direction, size, in rate, turned);
             rates = system.LocksDirection ? system.RatesUnder(in on, s.Time, in from) : rates;
         }
 
