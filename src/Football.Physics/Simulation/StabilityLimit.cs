@@ -291,17 +291,20 @@ internal static class TurnLimit
     /// however slowly the size changes. What turns in a piece is off by (λ h)⁴/120 of itself (RK4).
     /// </summary>
     /// <param name="h">Length of the piece, s.</param>
+    /// <param name="step">Length of the whole step, s: a long one is off by more.</param>
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
     /// <param name="friction">By how much friction changes it, m/s².</param>
-    public static double ShortenStiff(double h, in Vector3d direction, double size, in Vector3d rate, double friction)
+    public static double ShortenStiff(double h, double step, in Vector3d direction, double size, in Vector3d rate, double friction)
     {
         double along = Vector3d.Dot(in rate, in direction);
         double stiff = friction * h / size;
         double squared = stiff * stiff;
         double off = Math.Sqrt(Math.Max(0, rate.LengthSquared - (along * along))) * h * squared * squared;
-        return off > LargestOff ? h * Math.Sqrt(Math.Sqrt(LargestOff / off)) : h;
+        double coarse = Coarseness(step) * Coarseness(step);
+        double most = LargestOff * coarse * coarse;
+        return off > most ? h * Math.Sqrt(Math.Sqrt(most / off)) : h;
     }
 
     /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
