@@ -56,6 +56,17 @@ public sealed class StressLabTests
         Assert.EndsWith("--looks and --bytes are two runs. Give one of them.", refused.ErrorLine);
     }
 
+    /// <summary>Matches in which a look-ahead made balls be played together that otherwise were not: the time until which the way ahead is free differed.</summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(33)]
+    public void Look_aheads_change_no_bit_of_balls_that_push_objects(long match)
+    {
+        var played = new LookMatch(1, match);
+        played.Play(4.5);
+        Assert.Equal("", played.FirstAt);
+    }
+
     [Fact]
     public void Look_aheads_and_late_kicks_change_no_bit()
     {
