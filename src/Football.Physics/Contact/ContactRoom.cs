@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace Football.Physics;
 
 /// <summary>
@@ -7,7 +9,7 @@ namespace Football.Physics;
 /// </summary>
 internal sealed class ContactRoom
 {
-    private readonly ThreadLocal<Contact[]> _contacts = new(() => []);
+    private readonly ConcurrentDictionary<int, Contact[]> _contacts = new();
 
     /// <summary>Room for a number of contacts.</summary>
     /// <param name="count">The number of contacts.</param>
@@ -20,11 +22,11 @@ internal sealed class ContactRoom
             return room;
         }
 
-        Contact[] contacts = _contacts.Value!;
-        if (contacts.Length < count)
+        int thread = Environment.CurrentManagedThreadId;
+        if (!_contacts.TryGetValue(thread, out Contact[]? contacts) || contacts.Length < count)
         {
-            Array.Resize(ref contacts, Math.Max(count, 2 * contacts.Length));
-            _contacts.Value = contacts;
+            contacts = new Contact[Math.Max(count, 2 * (contacts?.Length ?? 0))];
+            _contacts[thread] = contacts;
         }
 
         return contacts;
