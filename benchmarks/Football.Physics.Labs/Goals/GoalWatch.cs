@@ -19,7 +19,7 @@ internal sealed class GoalWatch(Goal goal, double radius)
     /// <summary>When the ball was over the line, s; infinite where it never was.</summary>
     public double Time { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>Whether it came through within rounding of post or bar.</summary>
+    /// <summary>Whether it came through within rounding of post or bar, or turned back within rounding of the line.</summary>
     public bool IsUndecided { get; private set; }
 
     /// <summary>The plane behind the mouth at which all of the ball is over the line, m.</summary>
@@ -114,6 +114,9 @@ internal sealed class GoalWatch(Goal goal, double radius)
         {
             Time = last > line ? Passes(in piece, from, to, line) : from;
         }
+
+        // It turned back at the line: whether it was over it for an instant is within rounding.
+        IsUndecided |= _isThrough && double.IsInfinity(Time) && now > last && last - line < Edge;
     }
 
     private void Pass(double aside, double height)

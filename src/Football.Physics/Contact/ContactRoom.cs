@@ -1,12 +1,15 @@
+using System.Collections.Concurrent;
+
 namespace FootballPhysics;
 
 /// <summary>
 /// Memory for contact sets of more contacts than a caller has room for on its stack. Stationary surfaces are never left out of a set, however many a ball touches. The
-/// memory is kept, so that a step with as many contacts as one before it allocates nothing. Each set that is in use at the same time requires its own.
+/// memory is kept, so that a step with as many contacts as one before it allocates nothing. Each set that is in use at the same time requires its own. Threads that
+/// share a simulator have a memory each.
 /// </summary>
 internal sealed class ContactRoom
 {
-    private Contact[] _contacts = [];
+    private readonly ConcurrentDictionary<int, Contact[]> _contacts = new();
 
     /// <summary>Room for a number of contacts.</summary>
     /// <param name="count">The number of contacts.</param>
@@ -19,12 +22,14 @@ internal sealed class ContactRoom
             return room;
         }
 
-        if (_contacts.Length < count)
+        int thread = Environment.CurrentManagedThreadId;
+        if (!_contacts.TryGetValue(thread, out Contact[]? contacts) || contacts.Length < count)
         {
-            Array.Resize(ref _contacts, Math.Max(count, 2 * _contacts.Length));
+            contacts = new Contact[Math.Max(count, 2 * (contacts?.Length ?? 0))];
+            _contacts[thread] = contacts;
         }
 
-        return _contacts;
+        return contacts;
     }
 
     /// <summary>Twice the room of a set that is full, with the same contacts.</summary>

@@ -47,10 +47,10 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces.
+            // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces. What stands still now does not come back.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
-            if (stays || (lingers && set[i].Moves && Math.Abs(rate) < world.MinimumBounceSpeed))
+            if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
             {
                 set[kept++] = set[i];
             }

@@ -173,6 +173,26 @@ internal sealed class World
         }
     }
 
+    /// <summary>True if anything moves now. An engine is not asked.</summary>
+    public bool IsMoving
+    {
+        get
+        {
+            foreach (int mover in Moving)
+            {
+                if (Colliders[mover].Velocity != Vector3d.Zero || Colliders[mover].Rotates)
+                {
+                    return true;
+                }
+            }
+
+            return false;
+        }
+    }
+
+    /// <summary>Changes whenever the game moves a body, or an impact pushes a body or an obstacle.</summary>
+    public long MotionVersion => (Bodies?.Version ?? 0) + Obstacles.Version;
+
     /// <summary>Bodies that the game moves; null where there are none.</summary>
     public KinematicBodies? Bodies { get; }
 

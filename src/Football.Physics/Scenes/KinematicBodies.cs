@@ -86,6 +86,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>At least how far any of them can have been put from where it was expected, m, since there is this number: it only grows.</summary>
     internal double Strayed => _before + _inTick;
 
+    /// <summary>Changes whenever one of them is moved, pushed or withdrawn; a call that leaves a body as it was changes nothing.</summary>
+    internal long Version { get; private set; }
+
     /// <summary>From now on they are as many as they are.</summary>
     internal void Use() => _inUse = true;
 
@@ -107,9 +110,12 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         return free;
     }
 
-    /// <summary>A body was added, moved or withdrawn: what a quick look needs is kept in one place.</summary>
-    internal void Update(KinematicBody body)
+    /// <summary>A body was moved, pushed or withdrawn: what a quick look needs is kept in one place.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="before">How it moved before.</param>
+    internal void Update(KinematicBody body, in RigidMotion before)
     {
+        Version += body.Placement.Motion.IsSame(in before) ? 0 : 1;
         if (body.IsWithdrawn)
         {
             _movers.Remove(body.Index);
@@ -245,7 +251,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         for (int i = 0; i < Count; i++)
         {
             string field = Check.Item("bodies", i);
-            Check.Within(field + ".shape.maximumConcaveCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
+            Check.Within(field + ".shape.hollowCurvature", _bodies[i].Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
             _bodies[i].Surface.Validate(field + ".surface", ball.MostDamping);
         }
     }

@@ -76,12 +76,13 @@ public sealed class KinematicBody
     public void Withdraw()
     {
         ref RigidMotion motion = ref Placement.Motion;
+        RigidMotion before = motion;
         motion.Velocity = Vector3d.Zero;
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
         // Nobody meets it sooner for that: it has strayed from nowhere.
-        _all.Update(this);
+        _all.Update(this, in before);
         _all.Told(this);
     }
 
@@ -106,6 +107,7 @@ public sealed class KinematicBody
 
         // How far any point of it may be from where it was expected.
         ref RigidMotion motion = ref Placement.Motion;
+        RigidMotion before = motion;
         double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
         Quaterniond expected = motion.Orientation;
         if (motion.Rotates)
@@ -145,7 +147,7 @@ public sealed class KinematicBody
 
         // Told last, when it is where it says: broad phase, and who records.
         _all.Moved(jump, time, again);
-        _all.Update(this);
+        _all.Update(this, in before);
         _all.Told(this, time);
     }
 
@@ -153,8 +155,9 @@ public sealed class KinematicBody
     internal void Push(in Vector3d velocity, double time)
     {
         _all.Moved(KinematicBodies.Foresight * (velocity - Velocity).Length, time, again: true);
+        RigidMotion before = Placement.Motion;
         Placement.GoOn(in velocity, time);
-        _all.Update(this);
+        _all.Update(this, in before);
     }
 
     /// <summary>Where it is and how it goes; set from what was read there, and what a quick look needs is kept.</summary>
@@ -166,6 +169,7 @@ public sealed class KinematicBody
             // As MoveTo, but with the largest jump that a turn can be.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
+            RigidMotion before = motion;
             bool turns = value.Orientation != motion.Orientation;
             bool rotatesElse = (motion.Rotates || value.Spin != Vector3d.Zero) && (value.Spin != motion.Spin || value.Time != motion.Time);
             _all.Moved(value.IsWithdrawn ? 0 : IsWithdrawn ? Anywhere : jump + (turns || rotatesElse ? 2.0 * Placement.Reach : 0), value.Time, again: true);
@@ -178,7 +182,7 @@ public sealed class KinematicBody
             // A motion that was read from a file does not say how fast that rotates the shape.
             motion.Rotate(Shape);
 
-            _all.Update(this);
+            _all.Update(this, in before);
         }
     }
 

@@ -42,6 +42,12 @@ internal struct RigidMotion
     /// <summary>The greatest speed of any part of it, m/s. For a shape without bounds, only its velocity counts.</summary>
     public readonly double GreatestSpeed => Velocity.Length + (double.IsInfinity(Swing) ? 0 : Swing);
 
+    /// <summary>True if the numbers of another motion have the same bits, whenever it has them.</summary>
+    public readonly bool IsSame(in RigidMotion other) =>
+        Same(in Origin, in other.Origin) && Same(in Velocity, in other.Velocity) && Same(in Spin, in other.Spin) && Same(in Pivot, in other.Pivot)
+        && Same(Orientation.X, other.Orientation.X) && Same(Orientation.Y, other.Orientation.Y) && Same(Orientation.Z, other.Orientation.Z) && Same(Orientation.W, other.Orientation.W)
+        && IsWithdrawn == other.IsWithdrawn;
+
     /// <summary>How far it has gone since it was at its origin, m.</summary>
     public readonly Vector3d GoneBy(double time) => Origin + ((time - Time) * Velocity);
 
@@ -134,4 +140,9 @@ internal struct RigidMotion
             Math.Abs(x.Y) + Math.Abs(y.Y) + Math.Abs(z.Y),
             Math.Abs(x.Z) + Math.Abs(y.Z) + Math.Abs(z.Z));
     }
+
+    private static bool Same(in Vector3d a, in Vector3d b) => Same(a.X, b.X) && Same(a.Y, b.Y) && Same(a.Z, b.Z);
+
+    // Unlike ==, 0 and −0 differ: a ball that rests on the object takes over its velocity, with the sign.
+    private static bool Same(double a, double b) => BitConverter.DoubleToInt64Bits(a) == BitConverter.DoubleToInt64Bits(b);
 }

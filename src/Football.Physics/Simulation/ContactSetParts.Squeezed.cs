@@ -8,6 +8,9 @@ internal sealed partial class ContactSetParts
     /// <summary>Rounds of the solver where the ball may have no room.</summary>
     private const int SqueezedRounds = 20;
 
+    /// <summary>A ball that was squeezed more often in a step stays squeezed up to the next one.</summary>
+    private const int MostSqueezes = 1;
+
     /// <summary>The greatest speed at which an overlap with moving objects is resolved, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
@@ -83,8 +86,8 @@ internal sealed partial class ContactSetParts
             ShowSqueezed(in before, in s, set, ref run);
         }
 
-        // It is free if no mover pressed it in the last part, or if some direction leads off all contacts.
-        if ((isFree || HasRoom(in s)) && !run.Log.Halted)
+        // It is free if no mover pressed it in the last part, or if some direction leads off all contacts. In a group, a step takes this several times.
+        if (run.Squeezes <= MostSqueezes && (isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
         }

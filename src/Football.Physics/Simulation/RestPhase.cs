@@ -29,10 +29,14 @@ internal sealed unsafe class RestPhase
         // In the published profile the air wakes no ball.
         _airMayWake = around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
         MayWake = _world.Moves || _airMayWake;
+        IsWokenByMotion = MayWake && !_airMayWake && _world.Engine is null;
     }
 
     /// <summary>True when a ball at rest may be woken without a kick: by what moves, by a force of the game's own, by wind that changes.</summary>
     public bool MayWake { get; }
+
+    /// <summary>True if only moving bodies and pushed obstacles may wake a ball at rest.</summary>
+    public bool IsWokenByMotion { get; }
 
     /// <summary>Up to the end of the step, or to what wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)

@@ -33,6 +33,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
+    private readonly KnownRests? _rests; // null if something may wake a ball although nothing moves, or if nothing wakes it
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
     private readonly Displacement _displacement;
@@ -68,6 +69,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         var set = new ContactSetPhase<TIntegrator>(around, in _pulled, jump, guard, _contact, _parts);
         _surface = new SurfacePhase<TIntegrator>(scene, settings, around, _pulled, jump, guard, _contact, set);
         _rest = new RestPhase(around, guard, _contact, jump);
+        _rests = _rest.IsWokenByMotion ? new KnownRests(world) : null;
         Pile = new PilePhase(around, in _pulled, _integrator, guard, _contact);
         _flight = new FlightPhase<TIntegrator>(around, this, Limit, jump, guard, _contact);
     }
@@ -199,7 +201,15 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     {
         if (!_air.Varies)
         {
-            TakeAll(ref s, dt, log, whole, in taken);
+            if (s.Motion == MotionState.Rest && _rests is not null)
+            {
+                TakeRest(ref s, dt, log);
+            }
+            else
+            {
+                TakeAll(ref s, dt, log, whole, in taken);
+            }
+
             return;
         }
 
@@ -217,6 +227,26 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             throw;
         }
     }
+
+    /// <summary>A step of a ball at rest: only its time goes on if an earlier step has found that nothing changes it, and nothing has moved since.</summary>
+    private void TakeRest(ref BallState s, double dt, StepLog log)
+    {
+        if (_rests!.Has(in s))
+        {
+            s.Time += dt;
+            return;
+        }
+
+        BallState before = s;
+        long reported = Reported(log);
+        TakeAll(ref s, dt, log, WholeFlight.NotTaken, default);
+        if (dt > 0 && Reported(log) == reported)
+        {
+            _rests.Learn(in before, in s);
+        }
+    }
+
+    private static long Reported(StepLog log) => log.Events.Count + log.Events.Dropped + log.UnreportedImpacts + log.StalledSteps;
 
     private void TakeAll(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
     {

@@ -39,6 +39,9 @@ internal struct StepBudget
     /// <summary>The number of times that the ball has begun to slip because its carrier could not hold it.</summary>
     public int Slips;
 
+    /// <summary>The number of times that moving objects have begun to squeeze the ball.</summary>
+    public int Squeezes;
+
     /// <summary>Hits by moving objects in quick succession.</summary>
     public int Hits;
 

@@ -87,6 +87,9 @@ internal ref struct StepRun
     /// <summary>How often the ball has begun to slip for want of grip.</summary>
     public int Slips;
 
+    /// <summary>How often moving objects have begun to squeeze the ball.</summary>
+    public int Squeezes;
+
     /// <summary>Impacts since time last went on.</summary>
     public int Impacts;
 
@@ -144,6 +147,7 @@ internal ref struct StepRun
                 Parts = Parts,
                 Named = Named,
                 Slips = Slips,
+                Squeezes = Squeezes,
                 Hits = _hits,
                 LastHit = _lastHit,
             };
@@ -258,6 +262,7 @@ internal ref struct StepRun
         Parts = spent.Parts;
         Named = spent.Named;
         Slips = spent.Slips;
+        Squeezes = spent.Squeezes;
         _hits = spent.Hits;
         _lastHit = spent.LastHit;
     }

@@ -34,6 +34,9 @@ internal sealed class SurfacePhase<TIntegrator>
     /// </summary>
     private const int MostSlips = 2;
 
+    /// <summary>After so many pieces, a step follows a slip that friction turns less closely: what pushes the ball has changed so often that no more is gained.</summary>
+    private const int ManyPieces = 32;
+
     /// <summary>Onto what it meets a ball is put so often at most, and until it is no farther off than this, m.</summary>
     private const int MostPuts = 16;
     private const double Closed = 1e-12;
@@ -195,6 +198,7 @@ internal sealed class SurfacePhase<TIntegrator>
             double turned = most * (rolls ? 1.0 : 1.0 + (1.0 / _alpha));
             h = TurnLimit.Follow(h, system.Direction, size, in rate, turned, out system.LocksDirection);
             h = most > 0 && (rolls || _endsSlipExactly) ? TurnLimit.Shorten(h, run.Length, system.Direction, size, in rate, on.Turning == Vector3d.Zero) : h;
+            h = run.Pieces > ManyPieces ? h : TurnLimit.ShortenStiff(h, run.Length, system.Direction, size, in rate, turned);
             rates = system.LocksDirection ? system.RatesUnder(in on, s.Time, in from) : rates;
         }
 

@@ -193,6 +193,7 @@ internal sealed class WorldContact
     /// <summary>Begins a squeeze: moving things leave the ball no room.</summary>
     public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
     {
+        run.Squeezes++;
         Vector3d spin = s.Spin;
         Vector3d normal = _world.Colliders[collider].At(s.Position, s.Time).Normal;
         s.Carrier = collider + _world.FirstCollider;

@@ -159,6 +159,14 @@ internal sealed class WorldGuard
                 break;
             }
 
+            // On its cubic a piece may close on the surface that a seam continues, and on the step itself not: it crosses the seam, and ends where it comes to the edge.
+            if (found.What == SeparationKind.Contact && !_world.IsPlaneAlone
+                && Flush.Passage(_world, found.Index, sweep.Position, sweep.Velocity, s.Time + sweep.Length, carrier, held) > 0)
+            {
+                met = default;
+                break;
+            }
+
             met = found;
             if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {

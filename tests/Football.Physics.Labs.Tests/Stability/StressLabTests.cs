@@ -39,11 +39,21 @@ public sealed class StressLabTests
     }
 
     /// <summary>The path of a pile that bodies press against a board leads nowhere into the board; and no step reports more events than it may.</summary>
-    [Fact]
-    public void The_path_of_a_pile_enters_no_board()
+    [Theory]
+    [InlineData(1, 220)]
+    [InlineData(2, 141)]
+    public void The_path_of_a_pile_enters_no_board(long seed, long match)
     {
-        MatchOutcome played = MatchPlay.Play(1, 220, 12);
+        MatchOutcome played = MatchPlay.Play(seed, match, 12);
         Assert.Equal((0, 0), (played.Broken(MatchClaim.Inside), played.Broken(MatchClaim.Events)));
+    }
+
+    /// <summary>Balls that are put apart at the end of a step: the path leads to where they are put.</summary>
+    [Fact]
+    public void The_path_of_a_pile_leads_to_where_its_balls_are_put()
+    {
+        MatchOutcome played = MatchPlay.Play(1, 116, 12);
+        Assert.Equal((0, 0), (played.Broken(MatchClaim.Path), played.Broken(MatchClaim.Inside)));
     }
 
     [Fact]
@@ -54,6 +64,17 @@ public sealed class StressLabTests
         FootballCommand refused = FootballCommand.Run("", "lab", "stress", "--looks", "--bytes");
         Assert.Equal(1, refused.ExitCode);
         Assert.EndsWith("--looks and --bytes are two runs. Give one of them.", refused.ErrorLine);
+    }
+
+    /// <summary>Matches in which a look-ahead made balls be played together that otherwise were not: the time until which the way ahead is free differed.</summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(33)]
+    public void Look_aheads_change_no_bit_of_balls_that_push_objects(long match)
+    {
+        var played = new LookMatch(1, match);
+        played.Play(4.5);
+        Assert.Equal("", played.FirstAt);
     }
 
     [Fact]

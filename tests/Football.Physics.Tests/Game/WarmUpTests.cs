@@ -30,6 +30,17 @@ public sealed class WarmUpTests
         Assert.InRange(JitInfo.GetCompiledMethodCount(currentThread: true) - before, 0, Few);
     }
 
+    [Theory]
+    [InlineData("press")]
+    [InlineData("press, mass")]
+    [InlineData("press, wind")]
+    [InlineData("press, corner, wind")]
+    [InlineData("press, group")]
+    [InlineData("press, gutter")]
+    [InlineData("press, published, corner")]
+    [InlineData("press, net")]
+    public void A_first_press_push_and_shot_into_a_net_compile_nothing(string kind) => Assert.InRange(FirstPlay.Compiles(kind), 0, Few);
+
     [Fact]
     public void Answers_are_the_same_warm_and_cold()
     {

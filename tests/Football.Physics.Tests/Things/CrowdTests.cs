@@ -132,6 +132,32 @@ public sealed class CrowdTests
         Assert.InRange((ball.State.Position - new Vector3d(0, Radius, 0)).Length, 0, 1e-9);
     }
 
+    /// <summary>Sets of more contacts than fit on the stack have memory in the simulator, which threads may share.</summary>
+    [Fact]
+    public void Threads_that_share_a_simulator_share_no_set()
+    {
+        const int Balls = 64;
+        Obstacle[] studs = [.. Studs(24, new Vector3d(0, Radius, 0), 0.02, 0.6)];
+        var simulator = new Simulator(new Scene { Obstacles = studs });
+        BallState Drop(int k)
+        {
+            BallState ball = simulator.Launch(new Vector3d(0, Radius, 0), new Vector3d(0, 0.1 + (0.01 * k), 0), new Vector3d(0, 0.2 * k, 0));
+            var log = new StepLog();
+            for (int tick = 0; tick < 60; tick++)
+            {
+                log.Clear();
+                simulator.Step(ref ball, Frame, log);
+            }
+
+            return ball;
+        }
+
+        BallState[] alone = [.. Enumerable.Range(0, Balls).Select(Drop)];
+        var together = new BallState[Balls];
+        Parallel.For(0, Balls, new ParallelOptions { MaxDegreeOfParallelism = 4 }, k => together[k] = Drop(k));
+        Assert.Equal(Snapshot.Hash(alone), Snapshot.Hash(together));
+    }
+
     /// <summary>Small spheres that a ball touches, in a ring about its lower half.</summary>
     private static IEnumerable<Obstacle> Studs(int count, Vector3d centre, double radius, double up)
     {

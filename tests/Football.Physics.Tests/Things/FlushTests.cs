@@ -56,6 +56,95 @@ public sealed class FlushTests
         Assert.InRange(s.Spin.X / (-1.5 / 0.11 * 0.5 * 9.81 * timeOver), 0.999, 1.001);
     }
 
+    /// <summary>A ball slides along a wall, and the wind stops pressing it there; the wall has a seam just where its load ends. It leaves the wall, and is not hit by it.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_seam_where_a_wall_stops_bearing_is_as_a_wall_without_one(bool bodies)
+    {
+        BallState alone = Along(null, bodies, out string events);
+        for (int i = 0; i < 200; i++)
+        {
+            BallState over = Along(-3.25702 - (5e-7 * i), bodies, out string told);
+            Assert.Equal(events, told);
+            Assert.InRange(Vector3d.Distance(over.Position, alone.Position), 0, 1e-9);
+        }
+    }
+
+    /// <summary>Wind presses a ball onto a wall of bodies that stand still. It has just hit the wall, and crosses a seam: the first body is behind it, and no contact any more.</summary>
+    [Fact]
+    public void A_standing_body_that_was_hit_is_left_at_the_seam()
+    {
+        BallState alone = Hit(null, out long evaluations);
+        for (int i = 0; i < 20; i++)
+        {
+            BallState over = Hit(-0.05 - (0.005 * i), out long spent);
+            Assert.Equal(0, Vector3d.Distance(over.Position, alone.Position), 1e-7);
+            Assert.InRange(spent, 1, 3 * evaluations);
+        }
+    }
+
+    private static BallState Hit(double? seam, out long evaluations)
+    {
+        const double Radius = 0.11;
+        const double Step = 0.01;
+        SurfaceMaterial material = SurfaceMaterial.DryTurf;
+        double end = seam ?? -40;
+        var bodies = new KinematicBodies();
+        bodies.Add("first", new BoxShape(new Vector3d(Radius + 0.25, 1, 0.5 * (20 + end)), new Vector3d(0.25, 1, 0.5 * (20 - end))), material);
+        bodies.Add("second", new BoxShape(new Vector3d(Radius + 0.25, 1, end - 20), new Vector3d(0.25, 1, 20)), material);
+        Scene scene = new() { Ball = BallProperties.Tunnel, Air = new Air { Wind = new Vector3d(8, 0, 0) }, Ground = Ground.Of(material), Bodies = bodies };
+        var simulator = new Simulator(scene);
+        BallState s = simulator.Launch(new Vector3d(-0.005, Radius, 0), new Vector3d(0.3, 0, -1), Vector3d.Cross(Vector3d.Up, new Vector3d(0.3, 0, -1)) / Radius);
+        var log = new StepLog();
+        for (int i = 0; i < 40; i++)
+        {
+            simulator.Step(ref s, Step, log);
+        }
+
+        evaluations = log.Evaluations;
+        return s;
+    }
+
+    private static BallState Along(double? seam, bool asBodies, out string events)
+    {
+        const double Radius = 0.08925614023727141;
+        SurfaceMaterial material = SurfaceMaterial.Concrete with
+        {
+            NormalRestitution = 0.77,
+            SlidingFriction = 0.8448745337326229,
+            RollingResistance = 0.16837158431216415,
+            RollingResistancePerSpeed = 0.001,
+            TorsionalPatchRadius = 0.006,
+        };
+        double end = seam ?? -40;
+        BoxShape[] walls =
+        [
+            new(new Vector3d(Radius + 0.25, 1, 0.5 * (20 + end)), new Vector3d(0.25, 1, 0.5 * (20 - end))),
+            new(new Vector3d(Radius + 0.25, 1, end - 20), new Vector3d(0.25, 1, 20)),
+        ];
+        var bodies = new KinematicBodies();
+        Scene scene = new()
+        {
+            Ball = BallProperties.Tunnel with { Radius = Radius, InertiaFactor = 0.4 },
+            Air = new Air { Wind = new Vector3d(3.9568399345388854, 0, -2.9499214557178837) },
+            Ground = Ground.Of(material),
+        };
+        foreach (BoxShape wall in asBodies ? walls : [])
+        {
+            bodies.Add("wall", wall, material);
+        }
+
+        scene = asBodies ? scene with { Bodies = bodies } : scene with { Obstacles = [.. walls.Select(wall => new Obstacle { Shape = wall, Surface = material })] };
+        var simulator = new Simulator(scene);
+        BallState s = simulator.Launch(
+            new Vector3d(0, Radius, -3.2558656445015814), new Vector3d(0, 0, -7.465530830835643), new Vector3d(-82.37242343276147, 0, 0.07694023929003722));
+        var log = new StepLog();
+        simulator.Step(ref s, 0.0079, log);
+        events = string.Join(' ', log.Events.Span.ToArray().Select(item => item.Kind));
+        return s;
+    }
+
     /// <summary>Rolls for five steps; the edge is so far from where the first one ends, m.</summary>
     private static BallState Rolled(double? beyond, bool engine, out int told)
     {

@@ -85,6 +85,9 @@ internal sealed partial class BallCluster
     /// <summary>True when a ball is in it.</summary>
     public bool Has(int ball) => _isIn[ball];
 
+    /// <summary>True when a ball of it has pushed something.</summary>
+    public bool HasPushed(int ball) => _current[ball].Pushed;
+
     /// <summary>Takes all balls out.</summary>
     public void Clear()
     {
@@ -205,7 +208,6 @@ internal sealed partial class BallCluster
         }
 
         // Nothing more happens: on to the end of the step, or up to what ended it.
-        bool pushed = false;
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -213,8 +215,6 @@ internal sealed partial class BallCluster
             {
                 Commit(states, i, ended ? last : end);
             }
-
-            pushed |= _current[i].Pushed;
         }
 
         for (int k = 0; k < _piles.Count; k++)
@@ -225,9 +225,7 @@ internal sealed partial class BallCluster
 
         for (int k = 0; k < _clusterCount; k++)
         {
-            // The space ahead of any ball was searched before something was pushed.
             int i = _cluster[k];
-            states[i].ClearUntil = pushed ? 0 : states[i].ClearUntil;
             _current[i].End(in states[i]);
         }
 

@@ -38,7 +38,7 @@ public sealed partial class BallGroup
         log.Pushes = true;
         log.HaltsAtPush = false;
         again = false;
-        int pushing = 0;
+        bool pushes = false;
         for (int i = 0; i < states.Length; i++)
         {
             ref BallState s = ref states[i];
@@ -87,7 +87,7 @@ public sealed partial class BallGroup
                 _cluster.Shares.Begin(i, in s, Fastest(first), dt);
             }
 
-            pushing += log.Pushed ? 1 : 0;
+            pushes |= log.Pushed;
 
             // If the ball exceeds the bounds of its sphere, at its ends or at an event, its reach must be measured.
             bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
@@ -96,15 +96,25 @@ public sealed partial class BallGroup
             again |= log.Pushed && !keeps;
         }
 
-        for (int i = 0; pushing > 0 && i < states.Length; i++)
-        {
-            // The space ahead of the other balls was searched before something was pushed.
-            states[i].ClearUntil = _pushes[i] && pushing == 1 ? states[i].ClearUntil : 0;
-        }
-
         _firstEvent[states.Length] = log.Events.Count;
         again |= log.Events.Dropped > 0;
-        return pushing > 0;
+        return pushes;
+    }
+
+    /// <summary>The space ahead of the other balls was searched before something was pushed. The outcome does not depend on which balls were played together.</summary>
+    private void ForgetSpaceAhead(BallState[] states)
+    {
+        int pushing = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            _pushes[i] = _cluster.Has(i) ? _cluster.HasPushed(i) : _pushes[i];
+            pushing += _pushes[i] ? 1 : 0;
+        }
+
+        for (int i = 0; pushing > 0 && i < Count; i++)
+        {
+            states[i].ClearUntil = _pushes[i] && pushing == 1 ? states[i].ClearUntil : 0;
+        }
     }
 
     /// <summary>The greatest speed at the events of the last ball, m/s.</summary>

@@ -223,6 +223,10 @@ public sealed partial class BallGroup
 
             FindCluster(all: again || stopAt == StopAt.Impact || watched is not null, pushes, dt);
             ended = _cluster.Count > 0 && _cluster.Play(states, dt, stopAt, watched, _motions);
+            if (world.MayGiveWay)
+            {
+                ForgetSpaceAhead(states);
+            }
         }
         catch
         {

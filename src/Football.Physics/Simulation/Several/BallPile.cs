@@ -54,6 +54,7 @@ internal sealed partial class BallPile
     private int _lastCount;
     private double _length;
     private double _longest;
+    private double _end;
     private int _plans;
     private int _wholes;
 
@@ -188,6 +189,7 @@ internal sealed partial class BallPile
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
         _plans++;
+        _end = end;
         double left = end - Time;
         bool mayBeWhole = (IsWhole || !(_length > 0)) && _wholes++ < MostWholes;
         IsWhole = mayBeWhole && _whole.Try(states, Time, left, Part, logs);
@@ -314,11 +316,15 @@ internal sealed partial class BallPile
         Time = time;
         _overlaps.PutApart(states, duration);
 
-        // The path leads to where there is room for the ball, not into the objects that it was put out of.
+        // The path leads to where there is room for the ball, not into the objects that it was put out of. Only End knows where the step ends.
         for (int i = 0; i < Count; i++)
         {
-            ref readonly PileMember member = ref _solver.Members[i];
-            Show(in member.From, in states[member.Ball], logs[member.Ball]);
+            ref PileMember member = ref _solver.Members[i];
+            member.IsUnshown = time == _end;
+            if (!member.IsUnshown)
+            {
+                Show(in member.From, in states[member.Ball], logs[member.Ball]);
+            }
         }
     }
 
@@ -351,9 +357,19 @@ internal sealed partial class BallPile
             _overlaps.PutApart(states, 0);
         }
 
-        for (int i = 0; rests && i < Count; i++)
+        for (int i = 0; i < Count; i++)
         {
-            SetKey(i, states);
+            ref PileMember member = ref _solver.Members[i];
+            if (member.IsUnshown)
+            {
+                member.IsUnshown = false;
+                Show(in member.From, in states[member.Ball], logs[member.Ball]);
+            }
+
+            if (rests)
+            {
+                SetKey(i, states);
+            }
         }
     }
 

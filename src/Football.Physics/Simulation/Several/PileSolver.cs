@@ -322,6 +322,9 @@ internal struct PileMember
     /// <summary>The ball at the start of the part.</summary>
     public BallState From;
 
+    /// <summary>True if the observer has not seen its last part, at the end of which the ball may still be put apart from others.</summary>
+    public bool IsUnshown;
+
     /// <summary>Its contacts with all but balls: the first of them, and how many there are.</summary>
     public int FirstContact;
     public int OwnContacts;

@@ -1,0 +1,57 @@
+namespace FootballPhysics;
+
+/// <summary>
+/// The states of balls that a step has left at rest, and unchanged, while nothing in the scene moved. The next step from such a state changes only the time,
+/// until the game moves a body or an impact pushes an object.
+/// </summary>
+internal sealed unsafe class KnownRests
+{
+    /// <summary>Several balls can share a stepper: each state has one of so many slots, a power of two.</summary>
+    private const int Slots = 16;
+
+    private readonly World _world;
+    private readonly BallState[] _states = new BallState[Slots];
+    private readonly long[] _versions = new long[Slots];
+
+    public KnownRests(World world)
+    {
+        _world = world;
+        Array.Fill(_versions, -1);
+    }
+
+    /// <summary>True if a step from this state changes only the time.</summary>
+    public bool Has(in BallState s)
+    {
+        int slot = SlotOf(in s);
+        return _versions[slot] == _world.MotionVersion && AreSame(in _states[slot], in s);
+    }
+
+    /// <summary>Keeps the state of a ball that a step has left unchanged, if nothing moves.</summary>
+    /// <param name="before">The ball before the step, at rest.</param>
+    /// <param name="after">The ball after the step.</param>
+    public void Learn(in BallState before, in BallState after)
+    {
+        if (AreSame(in before, in after) && !_world.IsMoving)
+        {
+            int slot = SlotOf(in after);
+            _states[slot] = after;
+            _versions[slot] = _world.MotionVersion;
+        }
+    }
+
+    private static int SlotOf(in BallState s)
+    {
+        long bits = BitConverter.DoubleToInt64Bits(s.Position.X) ^ (BitConverter.DoubleToInt64Bits(s.Position.Z) << 1) ^ BitConverter.DoubleToInt64Bits(s.Position.Y);
+        return (int)(((ulong)bits * 0x9E3779B97F4A7C15UL) >> 60) & (Slots - 1);
+    }
+
+    /// <summary>True if two states differ in nothing but their times. A state has no padding, and its time comes first.</summary>
+    private static bool AreSame(in BallState a, in BallState b)
+    {
+        fixed (BallState* first = &a, second = &b)
+        {
+            int rest = sizeof(BallState) - sizeof(double);
+            return new Span<byte>((double*)first + 1, rest).SequenceEqual(new Span<byte>((double*)second + 1, rest));
+        }
+    }
+}
