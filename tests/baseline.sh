@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes tests/Baseline anew: the public surface of the last version of each package, as reference assemblies, which packing compares with.
-# To be run when a version is released, not when a break is found: that goes into the upgrade table of docs/changelog.md first.
+# To be run when a version is released, not when a break is found: that goes into docs/changelog.md first.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 work=$(mktemp -d)
