@@ -197,7 +197,7 @@ public sealed class BundleTests : IDisposable
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
         Scene own = Scene.Default with { Forces = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
-        Assert.StartsWith("scene: forces.custom[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
+        Assert.StartsWith("scene: forces.customForces[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
         var runner = new FixedStepRunner();
         Recording segment = runner.Record();
         Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator(Scene.Published)));
