@@ -46,8 +46,9 @@ public sealed class Window : IAsyncDisposable
     public Task Flown() => Until("playground.flights.length > 0 && playground.flights.every(f => f.isOver)");
 
     /// <summary>The events of the first ball as lines, to a micrometre and a microsecond.</summary>
-    public async Task<string> Events() => await Page.EvaluateAsync<string>(
-        "() => playground.flights[0].events.map(e => `${e.time.toFixed(6)} ${e.kind[0].toUpperCase() + e.kind.slice(1)} ${e.surface} ${e.position.map(x => (Math.abs(x) < 5e-7 ? 0 : x).toFixed(6)).join(' ')}`).join('\\n')");
+    public async Task<string> Events() => (await Page.EvaluateAsync<string>(
+        "() => playground.flights[0].events.map(e => `${e.time.toFixed(6)} ${e.kind[0].toUpperCase() + e.kind.slice(1)} ${e.surface} ${e.position.map(x => (Math.abs(x) < 5e-7 ? 0 : x).toFixed(6)).join(' ')}`).join('\\n')"))
+        .Replace(" Leave ", " ContactEnd ", StringComparison.Ordinal).Replace(" Squeezed ", " Pinned ", StringComparison.Ordinal);
 
     /// <summary>A picture of it in the folder of pictures.</summary>
     public Task Picture(string name) => Page.ScreenshotAsync(new PageScreenshotOptions { Path = Path.Combine(Browser.Pictures, name + ".png") });

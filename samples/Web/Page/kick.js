@@ -114,7 +114,7 @@ async function aimAt(p) {
   aimed = [p[0], p[1], z];
   stage.targets = [aimed];
   document.body.dataset.aim = said;
-  if (status === "Hit" || status === "TargetOnly") {
+  if (status === "Hit" || status === "WaypointMissed") {
     Object.assign(set, { speed: Number(speed), elevation: Number(elevation), azimuth: Number(azimuth), top: Number(top), side: Number(side) });
     hint(`Found: ${(3.6 * set.speed).toFixed(0)} km/h, ${set.elevation.toFixed(1)}° up, ${Math.abs(set.side * 9.549).toFixed(0)} rpm, there in ${Number(at).toFixed(2)} s. Press Kick.`);
   } else {

@@ -83,7 +83,7 @@ internal abstract class LaneFlight
                 new LaneKernel<F, FittedLaneLaw<F, RegularisedLaneFit<F>>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical when form == AerodynamicModel.Measured =>
                 new LaneKernel<F, MeasuredLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
-            ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularised | Measured"),
+            ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularized | Measured"),
             _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),
         };
     }

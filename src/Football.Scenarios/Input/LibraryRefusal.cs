@@ -31,7 +31,7 @@ public static class LibraryRefusal
             _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver.").Replace("aim.waypoint", "aim.through"),
         };
         int value = message.IndexOf(" is ", StringComparison.Ordinal) + 4;
-        string[] allowed = message[(marker + Marker.Length)..end].Split(" | ");
+        string[] allowed = message[(marker + Marker.Length)..end].Replace("Regularized", "Regularised").Split(" | ");
         return new RefusedException(
             field,
             input.Text(field) ?? message[value..marker],

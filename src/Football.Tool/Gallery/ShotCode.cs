@@ -29,7 +29,7 @@ internal static class ShotCode
             {
                 ball.Step({{Of(scenario.TimeStep)}});
                 foreach (BallEvent happened in ball.Events)
-                    Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.Simulator.NameOf(happened.Thing)} at {happened.Position:F6}");
+                    Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} at {happened.Position:F6}");
             }
 
             """;

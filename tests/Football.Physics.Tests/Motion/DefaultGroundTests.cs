@@ -68,7 +68,7 @@ public sealed class DefaultGroundTests
         var normal = new Vector3d(Math.Sin(0.06), Math.Cos(0.06), 0);
         Scene scene = Pushed(share * 9.81 * normal.Y * normal, Vector3d.Zero, s_airless.Ground with { Normal = normal });
         Flight.Play(scene, Flight.With(Integrator.Rk4), 0.01, 0.5, StopAt.Time, Radius / normal.Y * Vector3d.Up, Vector3d.Zero, Vector3d.Zero, out StepLog log);
-        Assert.Equal(leaves, Flight.Kinds(log).Contains("Leave", StringComparison.Ordinal) || log.Events.Count == 0);
+        Assert.Equal(leaves, Flight.Kinds(log).Contains("ContactEnd", StringComparison.Ordinal) || log.Events.Count == 0);
     }
 
     [Fact]
