@@ -350,6 +350,9 @@ internal struct PileContact
     /// <summary>True when that moves.</summary>
     public bool Moves;
 
+    /// <summary>True for a ball, and for what stands still in this step: balls can rest on it.</summary>
+    public bool Stands;
+
     /// <summary>True when friction holds it.</summary>
     public bool Sticks;
 
