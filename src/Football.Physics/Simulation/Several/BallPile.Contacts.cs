@@ -50,7 +50,7 @@ internal sealed partial class BallPile
             Second = -1,
             Collider = near.Collider,
             Moves = near.Moves,
-            Stands = BallRests.Bears(in near, collider),
+            MovesNow = !BallRests.Bears(in near, collider),
             Normal = near.Normal,
 
             // On a surface that turns: the velocity where the part ends. With the one at its start, a ball that grips would slip by |Ω × v| h.
@@ -77,7 +77,6 @@ internal sealed partial class BallPile
             First = first,
             Second = second,
             Collider = -1,
-            Stands = true,
             Normal = distance > 0 ? apart / distance : Vector3d.Up,
             Gap = Math.Max(0, distance - a.Radius - b.Radius),
             NormalMass = 1.0 / perMass,

@@ -54,7 +54,7 @@ internal sealed partial class BallPile
         for (int i = 0; i < _solver.ContactCount; i++)
         {
             _solver.Contacts[i].Gap = 0;
-            if (!_solver.Contacts[i].Stands)
+            if (_solver.Contacts[i].MovesNow)
             {
                 return false;
             }
@@ -81,7 +81,7 @@ internal sealed partial class BallPile
         bool borne = false;
         for (int i = 0; i < _solver.ContactCount; i++)
         {
-            borne |= _solver.Contacts[i].Second < 0 && _solver.Contacts[i].Stands && _solver.Contacts[i].Load > 0;
+            borne |= _solver.Contacts[i].Second < 0 && !_solver.Contacts[i].MovesNow && _solver.Contacts[i].Load > 0;
         }
 
         if (!borne)
