@@ -65,7 +65,7 @@ internal sealed partial class BallCluster
         }
 
         double[] radii = [.. simulators.Select(simulator => simulator.Scene.Ball.Radius)];
-        _rests = new BallRests(radii);
+        _rests = new BallRests(simulators, radii);
         _meets = new BallMeetings(_trials, radii);
 
         _cluster = new int[count];

@@ -50,6 +50,7 @@ internal sealed partial class BallPile
             Second = -1,
             Collider = near.Collider,
             Moves = near.Moves,
+            MovesNow = !BallRests.Bears(in near, collider),
             Normal = near.Normal,
 
             // On a surface that turns: the velocity where the part ends. With the one at its start, a ball that grips would slip by |Ω × v| h.

@@ -18,12 +18,12 @@ internal sealed partial class BallPile
         }
     }
 
-    /// <summary>A ball at rest keeps a key of those that it touches.</summary>
+    /// <summary>A ball at rest keeps a key of the balls that it touches, and of what stands still but may move.</summary>
     private void SetKey(int index, BallState[] states)
     {
         ref readonly PileMember member = ref _solver.Members[index];
         ref BallState s = ref states[member.Ball];
-        ulong key = BallRests.FirstKey;
+        ulong key = BallRests.FirstKey + BallRests.KeyOfMovers(_simulators[member.Ball].World, in s);
         for (int j = 0; j < Count; j++)
         {
             ref readonly PileMember other = ref _solver.Members[j];
@@ -34,7 +34,7 @@ internal sealed partial class BallPile
         s.ClearIn = key;
     }
 
-    /// <summary>True when the contacts hold the balls as they lie, without speed; on what moves nothing rests.</summary>
+    /// <summary>True when the contacts hold the balls as they lie, without speed; nothing rests on what moves in this step.</summary>
     private bool Holds(BallState[] states)
     {
         double pull = 0;
@@ -54,7 +54,7 @@ internal sealed partial class BallPile
         for (int i = 0; i < _solver.ContactCount; i++)
         {
             _solver.Contacts[i].Gap = 0;
-            if (_solver.Contacts[i].Moves)
+            if (_solver.Contacts[i].MovesNow)
             {
                 return false;
             }
@@ -81,7 +81,7 @@ internal sealed partial class BallPile
         bool borne = false;
         for (int i = 0; i < _solver.ContactCount; i++)
         {
-            borne |= _solver.Contacts[i].Second < 0 && !_solver.Contacts[i].Moves && _solver.Contacts[i].Load > 0;
+            borne |= _solver.Contacts[i].Second < 0 && !_solver.Contacts[i].MovesNow && _solver.Contacts[i].Load > 0;
         }
 
         if (!borne)

@@ -1,19 +1,24 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics;
 
 /// <summary>
 /// Which balls lie on each other before a step. Those that touch and move are a pile. Those that came to rest in one lie still as long as all are there that they touched: each
-/// keeps a key of them in its state, so that nothing has to be remembered beside the states.
+/// keeps a key of them in its state, so that nothing has to be remembered beside the states. The key holds also what they touched that a game, an engine or an impact may move.
 /// </summary>
 internal sealed class BallRests
 {
+    private readonly Simulator[] _simulators;
     private readonly double[] _radii;
     private readonly int[] _root;
     private readonly bool[] _isPile;
     private readonly ulong[] _keys;
 
+    /// <param name="simulators">The scenes of all balls.</param>
     /// <param name="radii">The radii of all balls, m.</param>
-    public BallRests(double[] radii)
+    public BallRests(Simulator[] simulators, double[] radii)
     {
+        _simulators = simulators;
         _radii = radii;
         _root = new int[radii.Length];
         _isPile = new bool[radii.Length];
@@ -45,7 +50,7 @@ internal sealed class BallRests
         {
             _root[i] = i;
             _isPile[i] = false;
-            _keys[i] = RestsInPile(in states[i]) ? FirstKey : 0;
+            _keys[i] = RestsInPile(in states[i]) ? FirstKey + MoversNow(i, in states[i]) : 0;
         }
 
         for (int k = 0; k < neighbours.Count; k++)
@@ -56,7 +61,7 @@ internal sealed class BallRests
 
         for (int i = 0; i < states.Length; i++)
         {
-            // One of those that it touched is not there any more, or not at rest: all that lie with it may move.
+            // A ball that it touched is not there any more, or not at rest, or an object there has moved: all that lie with it may move.
             if (_keys[i] != 0 && _keys[i] != states[i].ClearIn)
             {
                 _isPile[RootOf(i)] = true;
@@ -115,12 +120,43 @@ internal sealed class BallRests
     /// <summary>A key of nothing; to it those of all balls are added that one touches. Even, and not 0: those of scenes are odd.</summary>
     public const ulong FirstKey = 1UL << 63;
 
-    /// <summary>A key of a ball at rest.</summary>
+    /// <summary>A key of a ball at rest, by its place, or of an object, by its normal.</summary>
     public static ulong KeyOf(in Vector3d position)
     {
         var key = default(ClearKey);
         key.Add(in position);
         return key.Value << 1;
+    }
+
+    /// <summary>True if balls can rest on a surface: it stands still in this step, and the ball is not in it (contacts.md, Rest).</summary>
+    /// <param name="contact">The surface beside the ball.</param>
+    /// <param name="collider">Its object.</param>
+    public static bool Bears(in Contact contact, Collider collider) =>
+        !contact.Moves || (collider.Velocity == Vector3d.Zero && collider.Spin == Vector3d.Zero && contact.Gap >= -BallPile.Leaning);
+
+    /// <summary>A key of the objects that a ball touches and that stand still in this step, but may move in another one.</summary>
+    [SkipLocalsInit]
+    public static ulong KeyOfMovers(World world, in BallState s)
+    {
+        ulong key = 0;
+        if (world.Moves)
+        {
+            Span<Contact> room = stackalloc Contact[ContactSet.Room];
+            foreach (ref readonly Contact contact in ContactSet.Near(world, in s, BallPile.Leaning, room, world.Room))
+            {
+                key += contact.Moves && Bears(in contact, world.Colliders[contact.Collider]) ? KeyOf(in contact.Normal) : 0;
+            }
+        }
+
+        return key;
+    }
+
+    /// <summary>The key of these objects at the start of a step. An engine may have moved its own since the last one.</summary>
+    private ulong MoversNow(int ball, in BallState s)
+    {
+        World world = _simulators[ball].World;
+        world.Engine?.Forget();
+        return KeyOfMovers(world, in s);
     }
 
     /// <summary>True of a ball that came to rest in a pile.</summary>

@@ -350,6 +350,9 @@ internal struct PileContact
     /// <summary>True when that moves.</summary>
     public bool Moves;
 
+    /// <summary>True when no ball can rest on it: it moves in this step, or a ball is in it.</summary>
+    public bool MovesNow;
+
     /// <summary>True when friction holds it.</summary>
     public bool Sticks;
 
