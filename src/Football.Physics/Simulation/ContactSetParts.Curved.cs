@@ -15,7 +15,7 @@ internal sealed partial class ContactSetParts
     private const double Entered = 1e-7;
 
     /// <summary>A piece of the path is halved so often at most.</summary>
-    private const int MostHalved = 6;
+    private const int MostHalved = 8;
 
     /// <summary>Where in a piece its depth is measured: at so many equal parts of it.</summary>
     private const int Samples = 4;
@@ -99,6 +99,11 @@ internal sealed partial class ContactSetParts
             bool touches = !contact.Moves && at.Distance - _around.Radius <= ContactSearch.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
         }
+
+        // Put out of a surface, it goes round that: so far, in the same time.
+        double speed = middle.Velocity.Length;
+        double round = ((middle.Position - start.Position).Length + (end.Position - middle.Position).Length) / h;
+        middle.Velocity = speed > 0 ? round / speed * middle.Velocity : middle.Velocity;
 
         ShowOutside(in start, in middle, set, log, halves - 1);
         if (!log.Halted)
