@@ -31,6 +31,7 @@ internal sealed partial class ContactSetParts
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
     private readonly NetGuard _nets;
+    private readonly ShownPath _shown;
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
 
@@ -43,6 +44,7 @@ internal sealed partial class ContactSetParts
         _displacement = displacement;
         _contact = contact;
         _nets = new NetGuard(_world);
+        _shown = new ShownPath(_world);
     }
 
     /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
@@ -69,7 +71,7 @@ internal sealed partial class ContactSetParts
             // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
-            bool turns = ShortenForTurning(in s, set, ref run, ref h);
+            bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);
 
             // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -149,7 +151,7 @@ internal sealed partial class ContactSetParts
             Vector3d moved = s.Position;
             Hold(ref s, set);
             _displacement.Follow(ref s, in moved, ref run);
-            Show(in at0, in s, at0.Velocity, s.Velocity, set, ref run);
+            _shown.Show(in at0, in s, at0.Velocity, s.Velocity, set, ref run);
             Name(ref s, set, ref named, ref run);
             last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);

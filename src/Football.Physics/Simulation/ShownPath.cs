@@ -1,16 +1,8 @@
-using System.Runtime.CompilerServices;
-
 namespace FootballPhysics;
 
-/// <summary>A ball on curved surfaces, in parts of a step: the parts are short where a normal turns, and the path that observers see stays outside what stands still.</summary>
-internal sealed partial class ContactSetParts
+/// <summary>The path that observers see of a ball that several contacts bear: it stays outside what stands still.</summary>
+internal sealed class ShownPath(World world)
 {
-    /// <summary>A normal turns by no more than this in a part, rad ...</summary>
-    private const double LargestTurn = 0.1;
-
-    /// <summary>... as long as a step has had fewer parts that were shortened for that.</summary>
-    private const int MostTurns = 64;
-
     /// <summary>A shown path is no deeper in what stands still than this, m.</summary>
     private const double Entered = 1e-7;
 
@@ -20,42 +12,11 @@ internal sealed partial class ContactSetParts
     /// <summary>Where in a piece its depth is measured: at so many equal parts of it.</summary>
     private const int Samples = 4;
 
-    /// <summary>Shortens a part in which a normal would turn too far: the straight way of a part leads off a curved surface.</summary>
-    /// <returns>True if it has shortened the part.</returns>
-    [SkipLocalsInit]
-    private bool ShortenForTurning(in BallState s, scoped Span<Contact> set, ref StepRun run, ref double h)
-    {
-        if (run.Turns >= MostTurns)
-        {
-            return false;
-        }
-
-        double turning = 0;
-        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        foreach (ref readonly Contact contact in set)
-        {
-            if (!contact.IsFlat)
-            {
-                Collider collider = _world.Colliders[contact.Collider];
-                ShapePoint at = collider.At(s.Position, s.Time);
-                Unsafe.SkipInit(out SurfaceForces on);
-                SurfaceSystem.Describe(collider, _around.Radius, in at, s.Time, in from, ref on);
-                turning = Math.Max(turning, on.Turning.Length);
-            }
-        }
-
-        // If the parts that remain cannot cover the rest of the step with turns so small, they are longer.
-        double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Turns)));
-        bool shortens = turning * h > longest;
-        h = shortens ? longest / turning : h;
-        return shortens;
-    }
-
     /// <summary>
     /// Shows a piece to the observer, if there is one: from place to place with the velocities at its ends. Between two places on a curved surface that path may enter
     /// it. Then the observer gets the piece in parts, between which the ball is on the surface.
     /// </summary>
-    private void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, scoped Span<Contact> set, ref StepRun run)
+    public void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, scoped Span<Contact> set, ref StepRun run)
     {
         if (!run.Log.IsWatched || !(after.Time > before.Time))
         {
@@ -91,12 +52,12 @@ internal sealed partial class ContactSetParts
         middle.SpinAxis = 0.5 * (start.Spin + end.Spin);
         middle.BaseOrientation = start.BaseOrientation.Turned((0.5 * half) * (start.Spin + middle.SpinAxis));
         middle.AirDistance = 0.5 * (start.AirDistance + end.AirDistance);
-        ContactSet.KeepOut(_world, ref middle, set);
+        ContactSet.KeepOut(world, ref middle, set);
         foreach (ref readonly Contact contact in set)
         {
             // Where the ball is on a surface the path is along it.
-            ShapePoint at = _world.Colliders[contact.Collider].At(middle.Position, middle.Time);
-            bool touches = !contact.Moves && at.Distance - _around.Radius <= ContactSearch.Touching;
+            ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
+            bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactSearch.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
         }
 
@@ -120,7 +81,7 @@ internal sealed partial class ContactSetParts
             for (int i = 1; i < Samples && !contact.Moves; i++)
             {
                 double t = path.Length * i / Samples;
-                if (_world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - _around.Radius < -Entered)
+                if (world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -Entered)
                 {
                     return true;
                 }
