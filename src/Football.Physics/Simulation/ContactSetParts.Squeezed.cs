@@ -117,7 +117,7 @@ internal sealed partial class ContactSetParts
             }
         }
 
-        Show(in before, in after, in v, in w, ref run);
+        _shown.Show(in before, in after, in v, in w, set, ref run);
     }
 
     /// <summary>The speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>

@@ -31,6 +31,7 @@ internal sealed partial class ContactSetParts
     private readonly WorldContact _contact;
     private readonly Displacement _displacement;
     private readonly NetGuard _nets;
+    private readonly ShownPath _shown;
     private readonly ContactRoom _more = new();
     private readonly ContactRoom _moreBefore = new();
 
@@ -43,6 +44,7 @@ internal sealed partial class ContactSetParts
         _displacement = displacement;
         _contact = contact;
         _nets = new NetGuard(_world);
+        _shown = new ShownPath(_world);
     }
 
     /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
@@ -69,6 +71,7 @@ internal sealed partial class ContactSetParts
             // Warm start: a contact that was there in the part before begins with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
+            bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);
 
             // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -127,8 +130,9 @@ internal sealed partial class ContactSetParts
             bool meets = at <= h;
             double length = meets ? at : h;
 
-            // An impact that cuts a part short is counted as an impact: the parts that remain must cover the rest of the step.
-            run.Parts += meets ? 0 : 1;
+            // An impact that cuts a part short is counted as an impact, and a turn as a turn: the parts that remain must cover the rest of the step.
+            run.Parts += meets || turns ? 0 : 1;
+            run.Turns += turns ? 1 : 0;
             double share = length / h;
 
             // v and ω are linear in a part, so also where it is cut short.
@@ -147,7 +151,7 @@ internal sealed partial class ContactSetParts
             Vector3d moved = s.Position;
             Hold(ref s, set);
             _displacement.Follow(ref s, in moved, ref run);
-            Show(in at0, in s, at0.Velocity, s.Velocity, ref run);
+            _shown.Show(in at0, in s, at0.Velocity, s.Velocity, set, ref run);
             Name(ref s, set, ref named, ref run);
             last = _moreBefore.Of(set.Length, last);
             set.CopyTo(last);
@@ -269,23 +273,6 @@ internal sealed partial class ContactSetParts
         s.AirDistance += h * free.AirSpeed;
         run.Advance(ref s, h);
         s.Time = run.Left > 0 ? s.Time : run.End;
-    }
-
-    /// <summary>Shows a piece to the observer, if there is one: from place to place with the velocities at its ends, or straight on.</summary>
-    private static void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, ref StepRun run)
-    {
-        double h = after.Time - before.Time;
-        if (!run.Log.IsWatched || !(h > 0))
-        {
-            return;
-        }
-
-        BallState start = before;
-        BallState end = after;
-        start.Velocity = v;
-        end.Velocity = w;
-        Vector3d acceleration = (w - v) / h;
-        run.Log.Show(in start, in end, in acceleration, in acceleration, 4);
     }
 
     /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>

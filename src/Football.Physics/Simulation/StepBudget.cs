@@ -33,6 +33,9 @@ internal struct StepBudget
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
+    /// <summary>Parts so far that are shorter because a normal turns.</summary>
+    public int Turns;
+
     /// <summary>The number of times that a ball on several surfaces was reported to slide or roll.</summary>
     public int Named;
 

@@ -69,6 +69,9 @@ internal ref struct StepRun
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
+    /// <summary>Parts so far that are shorter because a normal turns.</summary>
+    public int Turns;
+
     /// <summary>The number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
     public int Grips;
 
@@ -145,6 +148,7 @@ internal ref struct StepRun
                 SetChanges = SetChanges,
                 SetPieces = SetPieces,
                 Parts = Parts,
+                Turns = Turns,
                 Named = Named,
                 Slips = Slips,
                 Squeezes = Squeezes,
@@ -260,6 +264,7 @@ internal ref struct StepRun
         SetChanges = spent.SetChanges;
         SetPieces = spent.SetPieces;
         Parts = spent.Parts;
+        Turns = spent.Turns;
         Named = spent.Named;
         Slips = spent.Slips;
         Squeezes = spent.Squeezes;

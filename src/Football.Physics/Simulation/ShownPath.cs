@@ -1,0 +1,93 @@
+namespace FootballPhysics;
+
+/// <summary>The path that observers see of a ball that several contacts bear: it stays outside what stands still.</summary>
+internal sealed class ShownPath(World world)
+{
+    /// <summary>A shown path is no deeper in what stands still than this, m.</summary>
+    private const double Entered = 1e-7;
+
+    /// <summary>A piece of the path is halved so often at most.</summary>
+    private const int MostHalved = 8;
+
+    /// <summary>Where in a piece its depth is measured: at so many equal parts of it.</summary>
+    private const int Samples = 4;
+
+    /// <summary>
+    /// Shows a piece to the observer, if there is one: from place to place with the velocities at its ends. Between two places on a curved surface that path may enter
+    /// it. Then the observer gets the piece in parts, between which the ball is on the surface.
+    /// </summary>
+    public void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, scoped Span<Contact> set, ref StepRun run)
+    {
+        if (!run.Log.IsWatched || !(after.Time > before.Time))
+        {
+            return;
+        }
+
+        BallState start = before;
+        BallState end = after;
+        start.Velocity = v;
+        end.Velocity = w;
+        bool halted = run.Log.Halted;
+        run.Log.Halted = false;
+        ShowOutside(in start, in end, set, run.Log, MostHalved);
+        run.Log.Halted |= halted;
+    }
+
+    private void ShowOutside(in BallState start, in BallState end, scoped Span<Contact> set, StepLog log, int halves)
+    {
+        double h = end.Time - start.Time;
+        double half = 0.5 * h;
+        var path = PathCubic.Between(start.Position, start.Velocity, end.Position, end.Velocity, h);
+        if (halves == 0 || !(half > 0) || !Enters(in path, set, start.Time))
+        {
+            Vector3d acceleration = (end.Velocity - start.Velocity) / h;
+            log.Show(in start, in end, in acceleration, in acceleration, 4);
+            return;
+        }
+
+        BallState middle = start;
+        middle.Time = start.Time + half;
+        middle.Position = path.At(half);
+        middle.Velocity = path.VelocityAt(half);
+        middle.SpinAxis = 0.5 * (start.Spin + end.Spin);
+        middle.BaseOrientation = start.BaseOrientation.Turned((0.5 * half) * (start.Spin + middle.SpinAxis));
+        middle.AirDistance = 0.5 * (start.AirDistance + end.AirDistance);
+        ContactSet.KeepOut(world, ref middle, set);
+        foreach (ref readonly Contact contact in set)
+        {
+            // Where the ball is on a surface the path is along it.
+            ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
+            bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactSearch.Touching;
+            middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
+        }
+
+        // Put out of a surface, it goes round that: so far, in the same time.
+        double speed = middle.Velocity.Length;
+        double round = ((middle.Position - start.Position).Length + (end.Position - middle.Position).Length) / h;
+        middle.Velocity = speed > 0 ? round / speed * middle.Velocity : middle.Velocity;
+
+        ShowOutside(in start, in middle, set, log, halves - 1);
+        if (!log.Halted)
+        {
+            ShowOutside(in middle, in end, set, log, halves - 1);
+        }
+    }
+
+    /// <summary>True if a path enters what stands still.</summary>
+    private bool Enters(in PathCubic path, scoped Span<Contact> set, double time)
+    {
+        foreach (ref readonly Contact contact in set)
+        {
+            for (int i = 1; i < Samples && !contact.Moves; i++)
+            {
+                double t = path.Length * i / Samples;
+                if (world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -Entered)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+}

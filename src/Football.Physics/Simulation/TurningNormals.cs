@@ -1,0 +1,49 @@
+using System.Runtime.CompilerServices;
+
+namespace FootballPhysics;
+
+/// <summary>Keeps the parts of a step short in which the normal of a curved surface turns.</summary>
+internal static class TurningNormals
+{
+    /// <summary>A normal turns by no more than this in a part, rad ...</summary>
+    private const double LargestTurn = 0.1;
+
+    /// <summary>... as long as a step has had fewer parts that were shortened for that.</summary>
+    private const int MostTurns = 64;
+
+    /// <summary>Shortens a part in which a normal would turn too far: the straight way of a part leads off a curved surface.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball at the start of the part.</param>
+    /// <param name="set">The contacts.</param>
+    /// <param name="run">The step.</param>
+    /// <param name="h">The length of the part, s.</param>
+    /// <returns>True if it has shortened the part.</returns>
+    [SkipLocalsInit]
+    public static bool Shorten(World world, in BallState s, scoped Span<Contact> set, ref StepRun run, ref double h)
+    {
+        if (run.Turns >= MostTurns)
+        {
+            return false;
+        }
+
+        double turning = 0;
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        foreach (ref readonly Contact contact in set)
+        {
+            if (!contact.IsFlat)
+            {
+                Collider collider = world.Colliders[contact.Collider];
+                ShapePoint at = collider.At(s.Position, s.Time);
+                Unsafe.SkipInit(out SurfaceForces on);
+                SurfaceSystem.Describe(collider, world.Ball.Radius, in at, s.Time, in from, ref on);
+                turning = Math.Max(turning, on.Turning.Length);
+            }
+        }
+
+        // If the parts that remain cannot cover the rest of the step with turns so small, they are longer.
+        double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Turns)));
+        bool shortens = turning * h > longest;
+        h = shortens ? longest / turning : h;
+        return shortens;
+    }
+}
