@@ -91,7 +91,7 @@ internal sealed record Setting(
         code.Append(CultureInfo.InvariantCulture, $"var ball = new Ball({(Keeper > 0 ? "scene with { Bodies = keeper.Bodies }" : "scene")});\n")
             .Append(CultureInfo.InvariantCulture, $"ball.Kick(velocity: {Of(velocity)}, spin: {Of(spin)});\n")
             .Append(CultureInfo.InvariantCulture, $"while (ball.Time < {Flight.Longest} && ball.Motion != MotionState.Rest)\n{{\n{(Keeper > 0 ? "    keeper.MoveTo(ball.Time);\n" : "")}    ball.Step({TimeStep});\n")
-            .Append("    foreach (BallEvent happened in ball.Events)\n        Console.WriteLine(FormattableString.Invariant($\"{happened.Time:F6} {happened.Kind} {ball.Simulator.NameOf(happened.Thing)} {happened.Position.X:F6} {happened.Position.Y:F6} {happened.Position.Z:F6}\"));\n}\n");
+            .Append("    foreach (BallEvent happened in ball.Events)\n        Console.WriteLine(FormattableString.Invariant($\"{happened.Time:F6} {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} {happened.Position.X:F6} {happened.Position.Y:F6} {happened.Position.Z:F6}\"));\n}\n");
         if (Keeper > 0)
         {
             code.Append('\n').Append(KeeperSource());

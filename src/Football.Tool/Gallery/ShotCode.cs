@@ -25,7 +25,7 @@ internal static class ShotCode
             {{(scenario.Scene.Obstacles.Count > 0 ? "using FootballPhysics.Shapes;\n" : "")}}
             var ball = new Ball({{built}});
             {{place}}ball.Kick(velocity: {{Of(scenario.Velocity)}}, spin: {{Of(scenario.Spin)}});
-            while (ball.Motion != MotionState.Stopped)
+            while (ball.Motion != MotionState.Rest)
             {
                 ball.Step({{Of(scenario.TimeStep)}});
                 foreach (BallEvent happened in ball.Events)

@@ -58,7 +58,7 @@ internal sealed class WholeRun
         string wanted = string.Join(' ', events.Select(item => item.GetProperty("kind").GetString() + "@" + SurfaceOf(item)));
         BallEvent[] happenings = [.. outcome.Events.Where(item => item.Kind != BallEventKind.Goal || !s_goalsUnseen.Contains(run.Name))];
         string got = string.Join(' ', happenings.Select((item, i) =>
-            item.Kind.ToString().ToLowerInvariant() + "@" + (i < events.Length && SurfaceOf(events[i]) is null ? null : item.ColliderIndex < 0 ? null : outcome.NameOf(item.ColliderIndex))));
+            Words.Of(item.Kind).ToLowerInvariant() + "@" + (i < events.Length && SurfaceOf(events[i]) is null ? null : item.ColliderIndex < 0 ? null : outcome.NameOf(item.ColliderIndex))));
         if (wanted != got)
         {
             run._wrongEvents = $"{run.Name}: expected {wanted}, got {got}";
