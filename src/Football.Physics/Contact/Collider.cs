@@ -93,6 +93,9 @@ internal sealed class Collider
     /// </summary>
     public bool Rotates => Motion.Rotates;
 
+    /// <summary>True if it has no velocity and no spin in this step: a ball may rest on it.</summary>
+    public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
+
     /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
 

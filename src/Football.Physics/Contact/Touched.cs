@@ -72,7 +72,7 @@ internal readonly unsafe struct Touched
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;
-            bool isStill = collider.Velocity == Vector3d.Zero && collider.Spin == Vector3d.Zero;
+            bool isStill = collider.StandsStill;
             if (isStill && gap > reach)
             {
                 continue;

@@ -180,7 +180,7 @@ internal sealed class World
         {
             foreach (int mover in Moving)
             {
-                if (Colliders[mover].Velocity != Vector3d.Zero || Colliders[mover].Rotates)
+                if (!Colliders[mover].StandsStill)
                 {
                     return true;
                 }

@@ -132,7 +132,7 @@ internal sealed class BallRests
     /// <param name="contact">The surface beside the ball.</param>
     /// <param name="collider">Its object.</param>
     public static bool Bears(in Contact contact, Collider collider) =>
-        !contact.Moves || (collider.Velocity == Vector3d.Zero && collider.Spin == Vector3d.Zero && contact.Gap >= -BallPile.Leaning);
+        !contact.Moves || (collider.StandsStill && contact.Gap >= -BallPile.Leaning);
 
     /// <summary>A key of the objects that a ball touches and that stand still in this step, but may move in another one.</summary>
     [SkipLocalsInit]
