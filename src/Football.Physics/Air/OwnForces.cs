@@ -23,7 +23,7 @@ internal sealed class OwnForces
         if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
         {
             throw new InvalidOperationException(
-                "forces.custom took the ball beyond what a number can hold; allowed: forces that the length of the step can follow.");
+                "forces.customForces took the ball beyond what a number can hold; allowed: forces that the length of the step can follow.");
         }
     }
 
