@@ -51,7 +51,7 @@ internal static class OwnForceSteps
             if (!(difference <= Lost))
             {
                 throw new InvalidOperationException(FormattableString.Invariant(
-                    $"forces.custom is too stiff to look ahead through at {state.Time} s; allowed: forces that steps of {shortest} s can follow, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is taken as it is."));
+                    $"forces.customForces is too stiff to look ahead through at {state.Time} s; allowed: forces that steps of {shortest} s can follow, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is taken as it is."));
             }
 
             simulator.Advance(ref state, length, log);

@@ -65,7 +65,7 @@ public sealed record ForceSet
         {
             if (force is null)
             {
-                throw new ArgumentNullException("forces.customForces", "forces.custom holds null; allowed: forces.");
+                throw new ArgumentNullException("forces.customForces", "forces.customForces holds null; allowed: forces.");
             }
         }
     }
