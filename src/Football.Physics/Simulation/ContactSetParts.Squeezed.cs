@@ -82,6 +82,7 @@ internal sealed partial class ContactSetParts
             Vector3d moved = s.Position;
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             _displacement.Follow(ref s, in moved, ref run);
+            Halt(ref s, set, before.Position, h * free.Acceleration.Length);
             isFree = IsFree(in s, set);
             ShowSqueezed(in before, in s, set, ref run);
         }
@@ -91,6 +92,26 @@ internal sealed partial class ContactSetParts
         {
             _contact.EndSqueeze(ref s, ref run);
         }
+    }
+
+    /// <summary>Stops a ball that stationary contacts hold in place: it keeps no speed that the forces of one part explain.</summary>
+    private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
+    {
+        if ((s.Position - from).Length > Still || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)
+        {
+            return;
+        }
+
+        foreach (ref readonly Contact contact in set)
+        {
+            if (contact.Velocity != Vector3d.Zero)
+            {
+                return;
+            }
+        }
+
+        s.Velocity = Vector3d.Zero;
+        s.SetGroundSpin(Vector3d.Zero);
     }
 
     /// <summary>Shows a piece of a squeezed ball to the observer: a straight path, except next to stationary surfaces such as a post, which the path must not enter.</summary>
