@@ -186,4 +186,36 @@ public sealed class SqueezeTests
         // Shut in by two who stand, it lies still.
         Assert.InRange(state.Velocity.Length, 0, 1e-6);
     }
+
+    /// <summary>A player who stands still overlaps a ball in a corner, which wind pushes: the ball is still, and keeps no speed of the last part of a step.</summary>
+    [Fact]
+    public void A_ball_that_a_standing_player_overlaps_in_a_corner_is_still()
+    {
+        var bodies = new KinematicBodies();
+        KinematicBody player = bodies.Add("player", BodyKind.Player.Shape, SurfaceMaterial.Boot, 75);
+        player.MoveTo(new Vector3d(0.2567, 0, 0.1411), Vector3d.Zero, 0);
+        var thick = new Vector3d(0.05, 1, 1);
+        var scene = new Scene
+        {
+            Air = new Air { Wind = new Vector3d(-0.54, 0, 1.53) },
+            Bodies = bodies,
+            Obstacles =
+            [
+                new Obstacle { Name = "left", Shape = new BoxShape(new Vector3d(-0.05, 1, 0), thick) },
+                new Obstacle { Name = "back", Shape = new BoxShape(new Vector3d(0, 1, -0.05), new Vector3d(1, 1, 0.05)) },
+            ],
+        };
+        var simulator = new Simulator(scene);
+        BallState ball = simulator.Launch(new Vector3d(0.11, 0.11, 0.11), Vector3d.Zero, Vector3d.Zero);
+        var log = new StepLog();
+        for (int i = 0; i < 120; i++)
+        {
+            simulator.Step(ref ball, 1 / 30.0, log);
+        }
+
+        Assert.Equal(MotionState.Pinned, ball.Motion);
+        Assert.Equal(new Vector3d(0.11, 0.11, 0.11), ball.Position);
+        Assert.Equal(Vector3d.Zero, ball.Velocity);
+        Assert.Equal(Vector3d.Zero, ball.Spin);
+    }
 }
