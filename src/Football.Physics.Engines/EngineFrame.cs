@@ -4,8 +4,8 @@ namespace FootballPhysics.Engines;
 /// <remarks>
 /// The library is right-handed: x right, y up, −z forward. A left-handed engine with y up and z forward (Unity) shows the same world mirrored in the
 /// xy plane. Positions and velocities are polar vectors: the mirror negates z. Spins and the vector part of a rotation are axial vectors: the mirror
-/// negates x and y. Each conversion is its own inverse and exact, except that a negated component is never −0: an engine's 0 and the library's 0 are
-/// the same kick.
+/// negates x and y. Each conversion is its own inverse and exact, except that a negated component is never −0. So an engine's 0 and the library's 0
+/// are the same kick.
 /// </remarks>
 public readonly struct EngineFrame : IEquatable<EngineFrame>
 {
@@ -20,12 +20,12 @@ public readonly struct EngineFrame : IEquatable<EngineFrame>
     /// <summary>The left-handed frame with y up and z forward, used by Unity.</summary>
     public static EngineFrame LeftHanded => new(true);
 
-    /// <summary>Returns true if two frames are equal.</summary>
+    /// <summary>True if two frames are equal.</summary>
     /// <param name="a">The first frame.</param>
     /// <param name="b">The second frame.</param>
     public static bool operator ==(EngineFrame a, EngineFrame b) => a.Equals(b);
 
-    /// <summary>Returns true if two frames differ.</summary>
+    /// <summary>True if two frames differ.</summary>
     /// <param name="a">The first frame.</param>
     /// <param name="b">The second frame.</param>
     public static bool operator !=(EngineFrame a, EngineFrame b) => !a.Equals(b);

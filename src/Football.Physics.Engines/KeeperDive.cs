@@ -82,8 +82,8 @@ public sealed class KeeperDive
         Surface = SurfaceMaterial.Glove,
     };
 
-    /// <summary>The abilities of a good keeper: reaction 0.2 s, 8 m/s², at most 5 m/s, reach 1.9 m, height 2.6 m.</summary>
-    /// <remarks>The reach is that of a dive. Evidence: guess.</remarks>
+    /// <summary>The abilities of a good goalkeeper.</summary>
+    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. Evidence: guess.</remarks>
     public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
 
     /// <summary>His goal.</summary>

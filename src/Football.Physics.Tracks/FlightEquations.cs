@@ -12,8 +12,8 @@ internal sealed class FlightEquations
     /// <summary>The distance, in standard deviations, beyond which points are down-weighted (Huber).</summary>
     private const double Huber = 4;
 
-    /// <summary>The error of heights at the ground, in m, which falls to 0 at the second height, in m: crowned pitches, and cameras with a ball in
-    /// the grass.</summary>
+    /// <summary>The error of heights at the ground, in m, and the height above the ground at which it has fallen to 0, in m.</summary>
+    /// <remarks>The causes are crowned pitches, and cameras with a ball in the grass.</remarks>
     private const double NearGround = 0.05;
     private const double Low = 0.5;
 

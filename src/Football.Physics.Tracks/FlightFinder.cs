@@ -9,8 +9,8 @@ internal sealed class FlightFinder
     /// <summary>The error of a cubic as an approximation of a hop, in m.</summary>
     private const double HopError = 0.006;
 
-    /// <summary>The cost of a segment, in squared standard deviations; lower for hops, which are only sought where no flight was found and must fall
-    /// like a ball.</summary>
+    /// <summary>The cost of a segment, in squared standard deviations, and that of a hop.</summary>
+    /// <remarks>Hops cost less: they are sought only where no flight was found, and must fall like a ball.</remarks>
     private const double Price = 40;
     private const double HopPrice = 30;
 
@@ -44,8 +44,8 @@ internal sealed class FlightFinder
     private const double MostRms = 0.15;
     private const double MostRmsShare = 4;
 
-    /// <summary>The factors of drag and critical Reynolds number to try; a flight with any of these balls is also one with the ball to be
-    /// found.</summary>
+    /// <summary>The factors of drag and of the critical Reynolds number that define the trial balls.</summary>
+    /// <remarks>A segment that is one flight with any of them is also one with the ball to be found.</remarks>
     private static readonly (double Drag, double Crisis)[] Balls = [(1, 1), (1, 0.6), (0.5, 1)];
 
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };

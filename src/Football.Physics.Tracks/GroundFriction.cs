@@ -11,8 +11,10 @@ internal sealed class GroundFriction
     private const double SlideScatter = 0.02;
     private const double RollScatter = 0.01;
 
-    /// <summary>The factor from median absolute deviation to standard deviation; the standard error of a median relative to a mean; the Huber
-    /// threshold, in standard deviations.</summary>
+    /// <summary>Constants of robust statistics: two factors of the median, and the Huber threshold in standard deviations.</summary>
+    /// <remarks>
+    /// The factors convert a median absolute deviation to a standard deviation, and the standard error of a mean to that of a median.
+    /// </remarks>
     private const double Mad = 1.4826;
     private const double MedianLoss = 1.2533;
     private const double Huber = 1.5;

@@ -2,8 +2,8 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Fits a complete match track: flights, impacts, touches and ground, with a common wind, ball and surface.</summary>
 /// <remarks>
-/// Dynamic programming divides the track. All flights found in it are fitted simultaneously by least squares (damped Gauss–Newton), each with its own
-/// launch and spin, and with one wind and one drag. The impacts determine the surface. A track error or a touch affects only its own piece. The
+/// Dynamic programming divides the track. All flights found in it are fitted simultaneously by least squares (damped Gauss–Newton). Each flight has
+/// its own launch and spin; wind and drag are common. The impacts determine the surface. A track error or a touch affects only its own piece. The
 /// result is deterministic. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class MatchFit

@@ -19,21 +19,25 @@ public sealed class MatchFitResult
     public IReadOnlyList<MatchPiece> Pieces { get; }
 
     /// <summary>The names of the estimated parameters.</summary>
-    /// <remarks>They are wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor), groundHeight (m), restitution,
-    /// restitutionRise, friction (of impacts), slidingFriction, rollingFriction and rollingFrictionBySpeed (s/m). The last three are present only if
-    /// the ball slid or rolled untouched.</remarks>
+    /// <remarks>
+    /// Wind and ball: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor). Ground: groundHeight (m), restitution,
+    /// restitutionRise, friction (of impacts), slidingFriction, rollingFriction, rollingFrictionBySpeed (s/m). The last three are present only if the
+    /// ball slid or rolled untouched.
+    /// </remarks>
     public IReadOnlyList<string> Names { get; }
 
     /// <summary>The scene with all estimated parameters.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The root mean square of the residuals in flights of 0.3 s or longer, in m; 0 if there are none.</summary>
+    /// <summary>The root mean square of the residuals in flights of 0.3 s or longer, in m.</summary>
+    /// <remarks>0 if there are no such flights.</remarks>
     public double Rms { get; internal init; }
 
     /// <summary>The number of flights of 0.3 s or longer.</summary>
     public int Flights { get; internal init; }
 
-    /// <summary>The share of the points above 0.5 m that belong to flights of 0.3 s or longer; 1 if there are none.</summary>
+    /// <summary>The share of the points above 0.5 m that belong to flights of 0.3 s or longer.</summary>
+    /// <remarks>1 if there are no such points.</remarks>
     public double Covered { get; internal init; }
 
     /// <summary>The standard deviation of the track's coordinates from one point to the next, in m.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A piece of a match track: a flight, an impact, a touch, a phase on the ground, or an unexplained part.</summary>
+/// <summary>A piece of a match track: a flight, an impact, a touch, ground contact, or an unexplained part.</summary>
 /// <remarks>The frame has y up; SI units.</remarks>
 public sealed record MatchPiece
 {

@@ -19,8 +19,10 @@ internal sealed class MatchPieces
     /// <summary>The change of velocity on the ground that counts as a touch, in m/s.</summary>
     private const double TouchVelocity = 1.2;
 
-    /// <summary>The limits of an impact on any pitch: restitution, ratio of tangential to normal impulse, its tolerance in m/s, and the speed gained
-    /// from spin, in m/s.</summary>
+    /// <summary>The limits of an impact on any pitch.</summary>
+    /// <remarks>
+    /// They are the restitution, the ratio of tangential to normal impulse with its tolerance in m/s, and the speed gained from spin, in m/s.
+    /// </remarks>
     private const double MostRestitution = 1.05;
     private const double MostFriction = 0.9;
     private const double UnsureTurn = 0.5;

@@ -7,8 +7,8 @@ internal sealed class TrackRuns
     private const double GapShare = 3.5;
     private const double LeastGap = 0.1;
 
-    /// <summary>The distance from the cubic through four neighbours at which a point is a spike, in m and in standard deviations; no impact bends a
-    /// path that far.</summary>
+    /// <summary>The distance of a spike from the cubic through its four neighbours, in m and in standard deviations.</summary>
+    /// <remarks>No impact bends a path that far.</remarks>
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
 

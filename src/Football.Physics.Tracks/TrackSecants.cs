@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The normal equations N = JᵀJ + prior, g = Jᵀr + …, with secants as wide as the uncertainty as Jacobian.</summary>
+/// <summary>The normal equations N = JᵀJ + prior, g = Jᵀr + …; the Jacobian consists of secants as wide as the uncertainty.</summary>
 /// <remarks>
 /// Paths have kinks where a ball just stops slipping in an impact, or just bounces once more; derivatives there are valid in a tiny range only.
 /// </remarks>
@@ -54,8 +54,8 @@ internal sealed class TrackSecants
         }
     }
 
-    /// <summary>The vectors lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: parameter j by its deviation, with later parameters held and earlier ones following. The scene's
-    /// factors come last, as the softest.</summary>
+    /// <summary>The vectors lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: parameter j moved by its deviation.</summary>
+    /// <remarks>Later parameters are held, and earlier ones follow. The scene's factors come last, as the softest.</remarks>
     public double[][] Axes { get; }
 
     /// <summary>Evaluates J and N with the axes of the last N, and then updates the axes.</summary>

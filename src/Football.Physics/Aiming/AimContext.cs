@@ -187,8 +187,11 @@ internal readonly struct AimSteps
         AreShort = areShort;
     }
 
-    /// <summary>Steps for RK4, with errors of 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed one.</summary>
-    /// <remarks>The hit's error assumes that the jump of the drag law is located.</remarks>
+    /// <summary>The long steps for RK4.</summary>
+    /// <remarks>
+    /// The errors are 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed one. That of a hit assumes that the
+    /// jump of the drag law is located.
+    /// </remarks>
     public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, areShort: false);
 
     /// <summary>Steps for a kick that grazes the jump of the drag law, where longer steps are inaccurate.</summary>

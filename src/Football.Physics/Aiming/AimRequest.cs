@@ -69,7 +69,7 @@ public sealed record AimRequest
     public bool SpinIsFree { get; init; }
 
     /// <summary>The time of the kick on the clock of the scene's bodies, in s; within ±1e12, default 0.</summary>
-    /// <remarks>It affects nothing else.</remarks>
+    /// <remarks>Only the positions of moving bodies depend on it.</remarks>
     public double KickTime { get; init; }
 
     /// <summary>Throws if a number is out of range.</summary>

@@ -45,8 +45,10 @@ internal sealed class LeastSquares
     private const int MostIterations = 25;
     private const int MostTries = 5;
 
-    /// <summary>The initial and the minimum damping. An initial value of 1e-5 loses four kicks with a waypoint instead of two (<c>football lab
-    /// answers --only known --count 1000</c>).</summary>
+    /// <summary>The initial and the minimum damping.</summary>
+    /// <remarks>
+    /// An initial value of 1e-5 loses four kicks with a waypoint instead of two (<c>football lab answers --only known --count 1000</c>).
+    /// </remarks>
     private const double FirstDamping = 1e-3;
     private const double LeastDamping = 1e-9;
 

@@ -88,7 +88,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes represent it exactly.</summary>
-    /// <remarks>States are exact at the ticks of <see cref="QuantizationInterval"/>.</remarks>
+    /// <remarks>The state is exact at the ticks of <see cref="QuantizationInterval"/>.</remarks>
     /// <param name="state">The state: <see cref="State"/>, or one stored by a <see cref="Rollback"/>.</param>
     /// <param name="destination">The destination; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
     /// <param name="ball">The index of the ball; default 0.</param>

@@ -2,12 +2,11 @@ namespace FootballPhysics;
 
 /// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>
 /// <remarks>
-/// All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. Bodies are independent of the
-/// frame rate only if <see cref="MoveBodies"/> positions them for every step; a game that moves bodies once per frame moves them at different times
-/// at another frame rate. Games with their own fixed update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call
-/// <see cref="Advance"/> once per frame and draw <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps the last states
-/// and resimulates them, with the kicks in <see cref="Kicks"/>, when a kick arrives late. Steps and drawing do not allocate; a recording and the two
-/// logs grow.
+/// All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. For bodies, this is true only if
+/// <see cref="MoveBodies"/> positions them for every step. A game that moves bodies once per frame gets other times at another frame rate. Games with
+/// their own fixed update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw
+/// <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps the last states. When a kick arrives late, it resimulates
+/// them with the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.
 /// </remarks>
 public sealed partial class FixedStepRunner
 {
@@ -154,11 +153,11 @@ public sealed partial class FixedStepRunner
     /// <summary>Gets or sets the interval, in ticks, at which the state is quantized. 0 … 1e6; default 0: never.</summary>
     /// <remarks>
     /// The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="TryWriteQuantized"/> is
-    /// lossless at these ticks. Every machine in the match rounds alike, also during rollback and replay. Position changes by at most 0.5 mm per
-    /// component (just above the ground by 1 mm, upwards), velocity by 1 mm/s, spin by less than 0.125 rad/s and rotation by 2.5°. Spin is rounded up
-    /// or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded: one in a net, on ground that is
-    /// not level, squeezed between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s. Of several balls all are rounded, or none. A
-    /// look-ahead does not round. Setting a different value ends a recording.
+    /// lossless at these ticks. Every machine in the match rounds alike, also during rollback and replay. Each component changes by at most 0.5 mm in
+    /// position (just above the ground by 1 mm, upwards) and by 1 mm/s in velocity. Spin changes by less than 0.125 rad/s and rotation by at most
+    /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded. This is
+    /// the case in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
+    /// Of several balls all are rounded, or none. A look-ahead does not round. Setting a different value ends a recording.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public int QuantizationInterval
@@ -220,7 +219,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The total time dropped from all frames so far, in s.</summary>
     public double TotalDroppedTime { get; private set; }
 
-    /// <summary>The fraction of the next step that the frame time has reached, 0 … 1.</summary>
+    /// <summary>The interpolation fraction between the start of the last step and its end, 0 … 1.</summary>
     public double Fraction => _left / TimeStep;
 
     /// <summary>The pose at which to draw the ball after <see cref="Advance"/>; at most one step behind the state.</summary>

@@ -23,12 +23,14 @@ public sealed record Foot
     public double TangentialRestitution { get; init; }
 
     /// <summary>The friction coefficient μ. Not negative; default 0.9.</summary>
-    /// <remarks>Leather measures 0.37 … 0.63. The default adds 0.5 for the deformation of the ball, a guess, so that spin depends weakly on friction,
-    /// as measured by Asai et al. 2002.</remarks>
+    /// <remarks>
+    /// Leather measures 0.37 … 0.63. The default adds 0.5 for the deformation of the ball (guess). Spin then depends weakly on friction, as measured
+    /// by Asai et al. 2002.
+    /// </remarks>
     public double Friction { get; init; } = 0.9;
 
     /// <summary>The maximum speed of the foot, in m/s. At least 0.01; default infinite: no limit.</summary>
-    /// <remarks><see cref="StrikeFor"/> respects it; <see cref="Strike"/> ignores it.</remarks>
+    /// <remarks><see cref="StrikeFor"/> respects this limit; <see cref="Strike"/> ignores it.</remarks>
     public double MaximumSpeed { get; init; } = double.PositiveInfinity;
 
     /// <summary>Computes the velocities of ball and foot, and the spin of the ball, after a strike.</summary>
@@ -64,9 +66,9 @@ public sealed record Foot
     /// <remarks>
     /// The velocity is reached if the foot is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest: see
     /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/>; <see cref="FootStrike.Spin"/> is the resulting spin. If
-    /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed, with a
-    /// proportionally smaller change of spin. If no such speed exists, the foot makes the same swing at its maximum speed.
-    /// <see cref="FootStrike.FastEnough"/> is then false.
+    /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed. Its change of
+    /// spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
+    /// <see cref="FootStrike.FastEnough"/> is false in both cases.
     /// </remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">The velocity v of the ball before the strike, in m/s.</param>

@@ -5,7 +5,8 @@ namespace FootballPhysics.Netcode;
 /// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
 /// Kicks are sorted by tick, then player, then ball, independent of the order in which they arrive. It allocates only to grow. Serialized, a kick
-/// takes about 28 bytes if its numbers are single-precision values, about 52 otherwise, and fewer if some are 0; a 4-byte checksum follows all kicks.
+/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take none. A 4-byte checksum follows
+/// all kicks.
 /// </remarks>
 public sealed class KickLog
 {

@@ -8,9 +8,9 @@ namespace FootballPhysics.Netcode;
 /// <summary>A recorded segment of a match that can be stored, sent and replayed.</summary>
 /// <remarks>
 /// It contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per
-/// step, by a complete state every <see cref="KeyframeTicks"/> ticks (from which <see cref="Seek"/> continues), and by about 30 to 100 bytes for each
-/// moved body. The scene is not included, only its hash: replay it with the same scene; a different scene throws <see cref="ArgumentException"/>. An
-/// engine's colliders are not included either; the replay must position them.
+/// step, and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks it adds a complete state, from which
+/// <see cref="Seek"/> continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws
+/// <see cref="ArgumentException"/>. An engine's colliders are not included either; the replay must position them.
 /// </remarks>
 public sealed class Recording
 {
@@ -75,7 +75,7 @@ public sealed class Recording
     public int QuantizationInterval { get; private set; }
 
     /// <summary>True if an engine's colliders moved during the recording.</summary>
-    /// <remarks>Their positions are not recorded.</remarks>
+    /// <remarks>The positions of these colliders are not recorded.</remarks>
     public bool HasMovingColliders { get; private set; }
 
     /// <summary>The kicks; those before <see cref="StartTick"/>, or from <see cref="EndTick"/> on, are ignored.</summary>
@@ -178,7 +178,7 @@ public sealed class Recording
 
         var writer = new ByteWriter();
 
-        // Header: format, library version, scene hash, step, first tick, quantization, and if an engine moved colliders.
+        // Header: format, library version, scene hash, step, first tick, quantization, and whether an engine moved colliders.
         writer.Bits(Format, 5);
         writer.Integer((ulong)Version.Length);
         foreach (char letter in Version)

@@ -164,7 +164,7 @@ public sealed class Rollback
     }
 
     /// <summary>Resimulates from a tick after changes to <see cref="FixedStepRunner.Kicks"/> or <see cref="FixedStepRunner.MoveBodies"/>.</summary>
-    /// <remarks>Call it once for any number of changes.</remarks>
+    /// <remarks>A single call handles any number of changes since that tick.</remarks>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not stored; nothing has changed.</exception>
@@ -179,8 +179,8 @@ public sealed class Rollback
 
     /// <summary>Resimulates the last ticks from a stored state, and compares the results.</summary>
     /// <remarks>
-    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state: a custom force or a body
-    /// that depends on more than time, or an engine's collider that moved.
+    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Examples are a custom
+    /// force or a body that depends on more than time, and an engine's collider that moved.
     /// </remarks>
     /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. Fewer are resimulated if fewer are stored.</param>
     /// <returns>The first tick, ball and field that differ; null if all are bit-identical.</returns>

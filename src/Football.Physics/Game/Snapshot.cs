@@ -103,10 +103,8 @@ public static class Snapshot
     /// <summary>Reads a state written by <see cref="Write"/>.</summary>
     /// <param name="source">At least <see cref="Size"/> bytes; more are ignored.</param>
     /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
-    /// <exception cref="FormatException">
-    /// The bytes are not a valid state; the message states the reason: a wrong checksum, an unknown enum value, or a number that is not finite or
-    /// exceeds 1e45 m, 1e30 m/s, 1e35 rad/s or 1e15 s.
-    /// </exception>
+    /// <exception cref="FormatException">The bytes are not a valid state; the message states the reason. The checksum is wrong, an enum value is
+    /// unknown, or a number is not finite or exceeds 1e45 m, 1e30 m/s, 1e35 rad/s or 1e15 s.</exception>
     public static BallState Read(ReadOnlySpan<byte> source)
     {
         if (source.Length < Size)

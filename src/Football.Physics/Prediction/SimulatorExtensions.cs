@@ -102,8 +102,8 @@ public static class SimulatorExtensions
     /// <remarks>
     /// It simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
     /// look-ahead cost milliseconds each. Call it while a level loads; it has no visible effect, but it calls custom forces. A runtime optimizes
-    /// frequently called code only after about a tenth of a second: a second call at the end of loading makes the first roll and look-ahead several
-    /// times faster.
+    /// frequently called code only after about a tenth of a second. A second call at the end of loading therefore makes the first roll and look-ahead
+    /// several times faster.
     /// </remarks>
     /// <param name="simulator">The scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>

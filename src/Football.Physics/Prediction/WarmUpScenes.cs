@@ -44,8 +44,8 @@ internal static class WarmUpScenes
         }
     }
 
-    /// <summary>A player walks at a ball in front of a board until it is squeezed; a movable player turns and is pushed away. Then the ball is kicked
-    /// at a movable box.</summary>
+    /// <summary>A player walks at a ball in front of a board until it is squeezed; then the ball is kicked at a movable box.</summary>
+    /// <remarks>A player of finite mass turns, and is pushed away.</remarks>
     private static void Walk(Scene scene, SolverSettings settings, double mass, int count, StepLog log)
     {
         var bodies = new KinematicBodies();

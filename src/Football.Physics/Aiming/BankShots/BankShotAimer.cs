@@ -59,7 +59,8 @@ public sealed class BankShotAimer
     /// <see cref="AimRequest.MaximumIterations"/> limits the iterations from each of many starts.
     /// </param>
     /// <param name="after">The names of the objects to hit first, in order, such as "ground", "left post" or "crossbar"; at least one. If several
-    /// objects share a name, "left post[0]" is the first and "left post[1]" the second, in the order of the obstacles and goals in the scene.</param>
+    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. They are ordered as the obstacles and goals of the
+    /// scene.</param>
     /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is not converged:
     /// other kicks are not excluded.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>

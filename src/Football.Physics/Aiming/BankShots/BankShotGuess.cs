@@ -162,7 +162,7 @@ internal sealed class BankShotGuess
         }
     }
 
-    /// <summary>Raises a path by the fall of the ball, ½ g t²; t is that of a throw at a speed, flat or as a lob.</summary>
+    /// <summary>Raises a path by the fall of the ball, ½ g t², where t is the time of a throw, flat or as a lob.</summary>
     private Vector3d Raised(in Vector3d way, double speed, bool lob)
     {
         // |w + ½ a t²| = v t:  ¼ a² t⁴ − (v² − a w_y) t² + w² = 0

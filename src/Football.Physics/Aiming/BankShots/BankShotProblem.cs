@@ -20,8 +20,8 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <summary>The minimum speed of a leg in the guess of its duration, as a share of the ball's speed.</summary>
     private const double LeastShare = 0.3;
 
-    /// <summary>The maximum changes per iteration: of the kick and of a contact's normal, in rad; of a contact, as a share of its leg; of a time, in
-    /// s.</summary>
+    /// <summary>The maximum changes per iteration.</summary>
+    /// <remarks>They limit the angles of the kick and the normal of a contact, in rad; a contact, as a share of its leg; and a time, in s.</remarks>
     private const double LargestTurn = 1;
     private const double LargestBend = 1.2;
     private const double LargestShare = 2;

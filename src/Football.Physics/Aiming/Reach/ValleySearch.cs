@@ -100,7 +100,7 @@ internal sealed class WaveSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
-    /// <summary>The depth that a step in the miss may hide, in m or as a share of the miss, and the number of bisections towards the step.</summary>
+    /// <summary>The depth that a step in the miss may hide, in m or as a share of the miss; and the number of bisections.</summary>
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 

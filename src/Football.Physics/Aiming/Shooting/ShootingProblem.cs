@@ -7,8 +7,9 @@ namespace FootballPhysics.Aiming;
 /// </remarks>
 internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
-    /// <summary>The unknowns: two angles, the logarithm of the speed, two spins, the logarithm of the time to the target, and the waypoint's share of
-    /// that time.</summary>
+    /// <summary>
+    /// The indices of the unknowns: two angles, log speed, two spins, log time to the target, and the waypoint's share of that time.
+    /// </summary>
     public const int Elevation = 0;
     public const int Azimuth = 1;
     public const int LogSpeed = 2;
@@ -395,7 +396,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 /// <summary>A flight or a roll to a given time.</summary>
 internal sealed class TimedFlight : KickObserver
 {
-    /// <summary>The step of a roll, in s; that of a roll fast enough for the jump of the drag law; and the speed of the latter, in m/s.</summary>
+    /// <summary>The step of a roll, in s; the step of a fast roll, in s; and the minimum speed of a fast roll, in m/s.</summary>
+    /// <remarks>A fast roll can reach the jump of the drag law.</remarks>
     private const double RollStep = 0.1;
     private const double FastRollStep = 0.02;
     private const double FastRoll = 11;

@@ -2,9 +2,9 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Finds the players who can meet the ball on a predicted path, and when.</summary>
 /// <remarks>
-/// Create one and reuse it: a query allocates only to grow. The results are exact for the dense path: bounds on the speeds and accelerations of ball
-/// and player ensure that no window or gap of a microsecond or more is lost, and interval ends are accurate to a nanosecond. The look-ahead
-/// determines how far the path differs from the game's own steps.
+/// Create one and reuse it: a query allocates only to grow. The results are exact for the dense path: no window or gap of a microsecond or more is
+/// lost. Bounds on the speeds and accelerations of ball and player ensure this. Interval ends are accurate to a nanosecond. The look-ahead determines
+/// how far the path differs from the game's own steps.
 /// </remarks>
 public sealed class Interception
 {

@@ -69,9 +69,11 @@ internal readonly struct KeeperSearch
     }
 
     /// <summary>Returns the latest reaction time with which he still meets the ball.</summary>
-    /// <remarks>A player who keeps running may come closer, so success is not monotone in the reaction. But a change by Δ changes the distance by at
-    /// most (v + |v₀|) Δ: if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and the later half is searched
-    /// first.</remarks>
+    /// <remarks>
+    /// A player who keeps running may come closer, so a later reaction may succeed where an earlier one fails. But a change by Δ changes the distance
+    /// by at most (v + |v₀|) Δ. So if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and the later half is
+    /// searched first.
+    /// </remarks>
     private double Latest(in Player keeper, double now, double begin, double end)
     {
         double low = keeper.Reaction;

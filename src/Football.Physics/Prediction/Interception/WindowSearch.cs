@@ -40,8 +40,8 @@ internal struct WindowSearch
     /// <param name="until">The end of the search, in s.</param>
     public void Run(double from, double until) => Run(from, until, double.PositiveInfinity);
 
-    /// <summary>Adds the windows between two times that begin by a third; the third does not affect the subdivision, so the results stay
-    /// bit-identical.</summary>
+    /// <summary>Adds the windows between two times that begin by a third time.</summary>
+    /// <remarks>The third time does not affect the subdivision, so the results are bit-identical with any value.</remarks>
     /// <param name="from">The start of the search, in s.</param>
     /// <param name="until">The end of the search, in s.</param>
     /// <param name="latest">The latest start of a window, in s; later ones may be skipped.</param>
