@@ -124,6 +124,7 @@ public sealed class KeeperDive
         Put(_now);
     }
 
+    /// <summary>Evaluates the predicted path, and starts a dive if the ball crosses the goal at a new point.</summary>
     private void Decide(double now)
     {
         Pose present = At(now);
@@ -206,6 +207,7 @@ public sealed class KeeperDive
         return Along(in _to, in _home, (time - _end - Stays) / Returns);
     }
 
+    /// <summary>Moves the body to its pose at a time; the velocities are difference quotients.</summary>
     private void Put(double time)
     {
         Pose now = At(time);

@@ -66,6 +66,7 @@ internal sealed class GroundFriction
     /// <summary>The standard deviation of c₀ + c₁ v at this speed.</summary>
     public double RollingDeviation { get; private set; }
 
+    /// <summary>Estimates sliding friction as the weighted median of the slides.</summary>
     private void FindSliding(List<GroundWindow> slides)
     {
         double[] values = [.. slides.Select(w => w.Resistance)];
@@ -99,6 +100,7 @@ internal sealed class GroundFriction
         Ground = Ground with { Material = Ground.Material with { SlidingFriction = median } };
     }
 
+    /// <summary>Estimates c₀ and c₁ by iteratively reweighted least squares, with priors.</summary>
     private void FindRolling(List<GroundWindow> rolls)
     {
         // 1. Start with the prior c₁ and the median c₀. 2. Reweighted least squares for both. 3. Clamp negative values to zero.

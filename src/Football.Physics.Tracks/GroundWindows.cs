@@ -107,6 +107,7 @@ internal sealed class GroundWindows
         return windows;
     }
 
+    /// <summary>Divides a piece on the ground into parabolas, and adds those that are clean rolls or slides.</summary>
     private void Divide(TrackPoint[] track, List<GroundWindow> windows)
     {
         // 1. Fit parabolas seen from above, because heights near the ground are inaccurate. 2. Measure each as a roll. 3. Measure the others as

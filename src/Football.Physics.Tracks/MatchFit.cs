@@ -119,6 +119,7 @@ public sealed class MatchFit
             : (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + _scene.Ball.Radius;
     }
 
+    /// <summary>Assembles the result: pieces, shared parameters, surface and statistics.</summary>
     private MatchFitResult Result(
         MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit,
         double contact, double heightDeviation)

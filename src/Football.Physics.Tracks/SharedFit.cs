@@ -57,7 +57,7 @@ internal sealed class SharedFit
     /// <summary>The final cost.</summary>
     public double Cost { get; private set; }
 
-    /// <summary>Minimizes the cost.</summary>
+    /// <summary>Minimises the cost.</summary>
     /// <param name="flights">The flights; their launches are both start and result.</param>
     /// <param name="shares">The weight of each flight in the shared parameters.</param>
     /// <param name="cancellation">Cancels the search.</param>

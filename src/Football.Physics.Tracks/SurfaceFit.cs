@@ -62,6 +62,7 @@ internal sealed class SurfaceFit
     /// <summary>The standard deviations of the parameters.</summary>
     public double[] Deviations { get; private set; } = [];
 
+    /// <summary>Estimates the parameters and their standard deviations.</summary>
     private void Find()
     {
         // 1. Reweighted least squares. 2. The remaining scatter, and the uncertainty from it.

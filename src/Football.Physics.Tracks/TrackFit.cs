@@ -44,7 +44,7 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
-        // 1. Start from the first points; minimize over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
+        // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
         // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
         request ??= new TrackFitRequest();
         Validate(track, request);
@@ -153,7 +153,7 @@ public sealed class TrackFit
         return all;
     }
 
-    /// <summary>Minimizes over the launch only, and then over the factors too.</summary>
+    /// <summary>Minimises over the launch only, and then over the factors too.</summary>
     private TrackSearch Descend(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
     {
         var search = new TrackSearch(track, launch, new TrackModel(_scene, launch));

@@ -15,6 +15,7 @@ internal readonly struct TrackPolynomial
     /// <summary>The acceleration at the midpoint, in m/s².</summary>
     public Vector3d Acceleration => 2 * _coefficients[2];
 
+    /// <summary>Fits a polynomial to points, in time scaled to −1 … 1 for conditioning.</summary>
     public static TrackPolynomial Of(TrackPoint[] track, int first, int end, int degree)
     {
         int size = Math.Min(degree, end - first - 1) + 1;

@@ -94,7 +94,7 @@ internal sealed class TrackSearch
         return false;
     }
 
-    /// <summary>Minimizes the cost by the Gauss–Newton method with secants.</summary>
+    /// <summary>Minimises the cost by the Gauss–Newton method with secants.</summary>
     public bool Descend(double[] values)
     {
         _isFound = false;

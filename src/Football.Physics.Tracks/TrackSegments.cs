@@ -2,7 +2,7 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Divides a track into segments that a polynomial in time describes, with kicks, bounces and track errors between them.</summary>
 /// <remarks>
-/// The division is optimal (dynamic programming): it minimizes Σ (|observed − polynomial|²/σ² + cost of a segment). A cubic, the default, describes a
+/// The division is optimal (dynamic programming): it minimises Σ (|observed − polynomial|²/σ² + cost of a segment). A cubic, the default, describes a
 /// flight of one second to within centimetres. Longer flights are divided, and joined again by the laws of flight.
 /// </remarks>
 internal sealed class TrackSegments

@@ -30,6 +30,7 @@ internal sealed class ArrivalTimes
 
     public ArrivalTimes(Aimer aimer) => _aimer = aimer;
 
+    /// <summary>Scans the times of flight, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
     public AimResult Find(AimRequest request, double speed)
     {
         _request = request;

@@ -150,7 +150,7 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>Gets or sets the interval, in ticks, at which the state is quantized. 0 … 1e6; default 0: never.</summary>
+    /// <summary>Gets or sets the interval, in ticks, at which the state is quantised. 0 … 1e6; default 0: never.</summary>
     /// <remarks>
     /// The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="TryWriteQuantized"/> is
     /// lossless at these ticks. Every machine in the match rounds alike, also during rollback and replay. Each component changes by at most 0.5 mm in
@@ -422,6 +422,7 @@ public sealed partial class FixedStepRunner
         TotalDroppedTime += dropped;
     }
 
+    /// <summary>Makes one step: positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
     private void StepOnce()
     {
         // Save everything that a step changes, including its kicks, so that a failed step changes nothing.
@@ -465,7 +466,7 @@ public sealed partial class FixedStepRunner
             throw;
         }
 
-        // Quantize within the step, so that hashes, recording and rollback all see the quantized state.
+        // Quantise within the step, so that hashes, recording and rollback all see the quantised state.
         Tick++;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
         {

@@ -4,7 +4,7 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Kicks are sorted by tick, then player, then ball, independent of the order in which they arrive. It allocates only to grow. Serialized, a kick
+/// Kicks are sorted by tick, then player, then ball, independent of the order in which they arrive. It allocates only to grow. Serialised, a kick
 /// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take none. A 4-byte checksum follows
 /// all kicks.
 /// </remarks>
@@ -87,7 +87,7 @@ public sealed class KickLog
     /// <summary>Removes all kicks, but keeps the capacity.</summary>
     public void Clear() => _kicks.Clear();
 
-    /// <summary>Serializes the log; the bytes are the same on every machine.</summary>
+    /// <summary>Serialises the log; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
         var writer = new ByteWriter();

@@ -80,6 +80,7 @@ internal sealed class KickTree(int capacity)
 
     private int HeightOf(int node) => node == None ? 0 : _nodes[node].Height;
 
+    /// <summary>Adds or replaces a kick in a subtree, and returns its new root.</summary>
     private int Put(int node, in KickInput kick)
     {
         if (node == None)
@@ -109,6 +110,7 @@ internal sealed class KickTree(int capacity)
         return Balance(node);
     }
 
+    /// <summary>Removes a kick from a subtree, and returns its new root.</summary>
     private int Remove(int node, long tick, int player, int ball)
     {
         if (node == None)

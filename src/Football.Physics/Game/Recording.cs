@@ -166,7 +166,7 @@ public sealed class Recording
         return steps;
     }
 
-    /// <summary>Serializes the segment; the bytes are the same on every machine.</summary>
+    /// <summary>Serialises the segment; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
         // The runner may have kicks outside the segment; write only those inside it.
@@ -178,7 +178,7 @@ public sealed class Recording
 
         var writer = new ByteWriter();
 
-        // Header: format, library version, scene hash, step, first tick, quantization, and whether an engine moved colliders.
+        // Header: format, library version, scene hash, step, first tick, quantisation, and whether an engine moved colliders.
         writer.Bits(Format, 5);
         writer.Integer((ulong)Version.Length);
         foreach (char letter in Version)
@@ -497,6 +497,7 @@ public sealed class Recording
         return null;
     }
 
+    /// <summary>Sets a runner to the start of the segment, with its kicks and body positions, after checking its scene.</summary>
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
         // Reject a different scene or different settings now, instead of a divergence without explanation later.

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>Operations on a <see cref="BallState"/> for rollback and lockstep: bitwise equality, hash and serialization.</summary>
+/// <summary>Operations on a <see cref="BallState"/> for rollback and lockstep: bitwise equality, hash and serialisation.</summary>
 /// <remarks>Copy the struct to take a snapshot. Hash and bytes are the same on every runtime, including byte order.</remarks>
 public static class Snapshot
 {
@@ -156,7 +156,7 @@ public static class Snapshot
         {
             get
             {
-                // The finalizer of MurmurHash3: every input bit affects every output bit.
+                // The finaliser of MurmurHash3: every input bit affects every output bit.
                 ulong h = Hash;
                 h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
                 h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;

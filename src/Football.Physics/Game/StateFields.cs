@@ -13,7 +13,7 @@ internal interface IFieldVisitor
     void Bits(ref ulong value);
 }
 
-/// <summary>The single list of the fields of a <see cref="BallState"/>, used by hash, comparison and serialization.</summary>
+/// <summary>The single list of the fields of a <see cref="BallState"/>, used by hash, comparison and serialisation.</summary>
 internal static class StateFields
 {
     /// <summary>The number of scalars; a test compares it with the struct.</summary>

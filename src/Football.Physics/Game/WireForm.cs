@@ -36,7 +36,7 @@ internal static class WireForm
     {
         BallState[] states = runner.States;
 
-        // Round every clock, even of a ball that is not quantized: bodies follow it, and it must agree after a mispredicted kick.
+        // Round every clock, even of a ball that is not quantised: bodies follow it, and it must agree after a mispredicted kick.
         for (int i = 0; i < states.Length; i++)
         {
             double tick = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
@@ -146,6 +146,7 @@ internal static class WireForm
         return false;
     }
 
+    /// <summary>Encodes a state in rounded numbers; returns false if the format cannot represent it.</summary>
     private static bool TryEncode(Simulator simulator, double timeStep, in BallState s, ref WireBits bits)
     {
         bool flies = s.Motion == MotionState.Airborne;
@@ -186,6 +187,7 @@ internal static class WireForm
         return holds;
     }
 
+    /// <summary>Decodes a state, and derives the numbers that are not stored; returns false for invalid bits.</summary>
     private static bool TryDecode(Simulator simulator, double timeStep, in WireBits written, out BallState s)
     {
         WireBits bits = written.FromStart();

@@ -101,7 +101,7 @@ public static class SimulatorExtensions
     /// <summary>Compiles the code and builds the tables in advance, so that no frame of a game has to.</summary>
     /// <remarks>
     /// It simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
-    /// look-ahead cost milliseconds each. Call it while a level loads; it has no visible effect, but it calls custom forces. A runtime optimizes
+    /// look-ahead cost milliseconds each. Call it while a level loads; it has no visible effect, but it calls custom forces. A runtime optimises
     /// frequently called code only after about a tenth of a second. A second call at the end of loading therefore makes the first roll and look-ahead
     /// several times faster.
     /// </remarks>
@@ -143,6 +143,7 @@ public static class SimulatorExtensions
         WarmUpScenes.Group(simulator.Settings, log);
     }
 
+    /// <summary>Runs a look-ahead: in fixed steps if bodies move, in adaptive steps if custom forces meet a long step, otherwise as requested.</summary>
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
         into.Begin(simulator, in from, request, endsWhenFull);

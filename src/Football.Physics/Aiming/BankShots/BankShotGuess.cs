@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Guesses the contacts of a bank shot; <see cref="BankShotProblem"/> refines them.</summary>
 /// <remarks>
-/// Hops on the ground get shorter by a ratio. Other contacts minimize the path length between the points before and after, as in a mirror (Fermat's
+/// Hops on the ground get shorter by a ratio. Other contacts minimise the path length between the points before and after, as in a mirror (Fermat's
 /// principle).
 /// </remarks>
 internal sealed class BankShotGuess
@@ -112,7 +112,7 @@ internal sealed class BankShotGuess
         return place.Place;
     }
 
-    /// <summary>Moves a contact to minimize the path length |A − c| + |c − B|, with both ends raised by the fall of the ball on the path.</summary>
+    /// <summary>Moves a contact to minimise the path length |A − c| + |c − B|, with both ends raised by the fall of the ball on the path.</summary>
     private void Mirror(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
     {
         ref BankShotContact c = ref legs.Contacts[index];

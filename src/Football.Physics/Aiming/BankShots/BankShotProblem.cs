@@ -134,6 +134,7 @@ internal sealed class BankShotProblem : ILeastSquares
         return squares <= Closed * Closed * _request.Tolerance * _request.Tolerance;
     }
 
+    /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Fly(double[] x, double[] r)
     {
         // Per leg: 1. Project its end onto the surface, from the tangent plane at the guess. 2. Fly for its duration, and store the gap. 3. Apply the

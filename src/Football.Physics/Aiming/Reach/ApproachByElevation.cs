@@ -99,6 +99,7 @@ internal sealed class ApproachByElevation
         return At(elevation);
     }
 
+    /// <summary>Returns the closest approach of an elevation over all azimuths; starts with the last azimuth.</summary>
     private Approach At(double elevation, double step)
     {
         // In still air one flight yields the azimuth too. In wind, turn the kick until the target lies in the direction of the path.

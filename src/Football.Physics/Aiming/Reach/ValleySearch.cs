@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Minimizes the miss around three elevations by successive parabolas; at a bound, through the two nearest kicks.</summary>
+/// <summary>Minimises the miss around three elevations by successive parabolas; at a bound, through the two nearest kicks.</summary>
 internal sealed class ValleySearch
 {
     /// <summary>The maximum number of flights for one valley.</summary>

@@ -367,7 +367,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>Returns the closest approach within a step, treated as straight.</summary>
     private static double Closest(in BallState before, in BallState after, in Vector3d point, in Vector3d velocity, out double time)
     {
-        // Relative to the point, which may move: minimize |start + part · way|².
+        // Relative to the point, which may move: minimise |start + part · way|².
         Vector3d start = before.Position - point - (before.Time * velocity);
         Vector3d way = after.Position - point - (after.Time * velocity) - start;
         double squared = way.LengthSquared;

@@ -131,6 +131,7 @@ public sealed class Interception
         return new KeeperSearch(_path, _firsts).Run(path, in keeper, goal, start);
     }
 
+    /// <summary>Validates a query, loads the path and the motions, and returns the start of the search.</summary>
     private double Begin(Trajectory path, Player[] runners, double? now, double? until)
     {
         Check.Given(nameof(path), path);
