@@ -1,12 +1,12 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The coefficients that the air of a scene has, by speed and spin: for showing them beside a preset's numbers.</summary>
+/// <summary>The air coefficients of a scene by speed and spin, to show next to the numbers of a preset.</summary>
 public static class AirCurve
 {
-    /// <summary>Calculates the drag coefficient C_D, from what the air takes of the ball's speed.</summary>
+    /// <summary>Calculates the drag coefficient C_D from the drag on the ball.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="speed">Speed through the air, m/s; above 0, at most 1000.</param>
-    /// <param name="spin">Spin across the way, rad/s; 0 … 10 000; default 0.</param>
+    /// <param name="speed">The airspeed, in m/s; above 0, at most 1000.</param>
+    /// <param name="spin">The spin perpendicular to the velocity, in rad/s; 0 … 10 000; default 0.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     public static double Drag(Simulator simulator, double speed, double spin = 0)
@@ -17,10 +17,10 @@ public static class AirCurve
         return drag * PerFactor(simulator) / speed;
     }
 
-    /// <summary>Calculates the lift coefficient C_L, from what the air bends the ball's way.</summary>
+    /// <summary>Calculates the lift coefficient C_L from the lift on the ball.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="speed">Speed through the air, m/s; above 0, at most 1000.</param>
-    /// <param name="spin">Spin across the way, rad/s; 0 … 10 000.</param>
+    /// <param name="speed">The airspeed, in m/s; above 0, at most 1000.</param>
+    /// <param name="spin">The spin perpendicular to the velocity, in rad/s; 0 … 10 000.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     public static double Lift(Simulator simulator, double speed, double spin)
@@ -39,7 +39,7 @@ public static class AirCurve
         simulator.AirFactors(speed, spin, out drag, out lift);
     }
 
-    /// <summary>2 m/(ρ A); 0 where there is no air.</summary>
+    /// <summary>Returns 2 m/(ρ A); 0 if there is no air.</summary>
     private static double PerFactor(Simulator simulator)
     {
         double area = Math.PI * simulator.Scene.Ball.Radius * simulator.Scene.Ball.Radius;

@@ -1,18 +1,18 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The classic pattern of a ball, twelve dark pentagons among twenty light hexagons: a texture by which one sees it turn.</summary>
+/// <summary>The classic pattern of a ball, 12 dark pentagons and 20 light hexagons, as a texture that shows its rotation.</summary>
 public static class BallPattern
 {
-    /// <summary>Brightness of a hexagon, 0 … 1.</summary>
+    /// <summary>The brightness of a hexagon, 0 … 1.</summary>
     public const double Light = 0.97;
 
-    /// <summary>Brightness of a pentagon, 0 … 1.</summary>
+    /// <summary>The brightness of a pentagon, 0 … 1.</summary>
     public const double Dark = 0.1;
 
-    /// <summary>Brightness of a seam, 0 … 1.</summary>
+    /// <summary>The brightness of a seam, 0 … 1.</summary>
     public const double Seam = 0.55;
 
-    /// <summary>How far the faces of a truncated icosahedron of edge 1 are from its middle.</summary>
+    /// <summary>The distances of the faces of a truncated icosahedron of edge 1 from its centre.</summary>
     private const double PentagonDistance = 2.3274384;
     private const double HexagonDistance = 2.2672839;
 
@@ -22,14 +22,14 @@ public static class BallPattern
     private static readonly Vector3d[] s_pentagons = Corners();
     private static readonly Vector3d[] s_hexagons = Faces(s_pentagons);
 
-    /// <summary>How bright a point of the ball is: <see cref="Light"/>, <see cref="Dark"/> or <see cref="Seam"/>.</summary>
-    /// <param name="direction">Where, from the ball's middle; any length but 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="direction"/> has no length, or is not finite.</exception>
+    /// <summary>Returns the brightness of a point on the ball: <see cref="Light"/>, <see cref="Dark"/> or <see cref="Seam"/>.</summary>
+    /// <param name="direction">The direction from the ball's centre; any length except zero.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="direction"/> is zero or not finite.</exception>
     public static double At(Vector3d direction)
     {
         Vector3d unit = Check.Direction(nameof(direction), direction);
 
-        // The face that a ray leaves through is the one whose plane it comes to first.
+        // A ray from the centre leaves through the face whose plane it meets first.
         double first = 0;
         double second = 0;
         bool isDark = false;
@@ -43,13 +43,14 @@ public static class BallPattern
             Take(Vector3d.Dot(in unit, in face) / HexagonDistance, false, ref first, ref second, ref isDark);
         }
 
-        // Near an edge two faces are all but as near.
+        // Near an edge, two faces are almost equally close.
         return (first - second) * HexagonDistance < HalfSeam ? Seam : isDark ? Dark : Light;
     }
 
-    /// <summary>The pattern as a picture of the whole sphere: longitude from left to right, latitude from the top (y up) to the bottom; brightness 0 … 255, row by row.</summary>
-    /// <param name="width">Pixels across; 4 … 4096.</param>
-    /// <param name="height">Pixels down; 2 … 4096.</param>
+    /// <summary>Returns the pattern as an image of the whole sphere, with brightness 0 … 255, row by row.</summary>
+    /// <remarks>Longitude runs from left to right, latitude from top (y up) to bottom.</remarks>
+    /// <param name="width">The width in pixels; 4 … 4096.</param>
+    /// <param name="height">The height in pixels; 2 … 4096.</param>
     /// <exception cref="ArgumentOutOfRangeException">A size is out of range.</exception>
     public static byte[] Picture(int width = 256, int height = 128)
     {
@@ -67,9 +68,9 @@ public static class BallPattern
         return pixels;
     }
 
-    /// <summary>The direction in which a place of the picture lies.</summary>
-    /// <param name="u">From the left, 0 … 1: once around y, from z on towards x.</param>
-    /// <param name="v">From the top, 0 … 1: from y down to −y.</param>
+    /// <summary>Returns the direction of a point in the image.</summary>
+    /// <param name="u">The horizontal coordinate, 0 … 1: one turn around y, from z towards x.</param>
+    /// <param name="v">The vertical coordinate, 0 … 1: from y down to −y.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
     public static Vector3d Direction(double u, double v)
     {
@@ -94,7 +95,7 @@ public static class BallPattern
         }
     }
 
-    /// <summary>The corners of an icosahedron, of length 1: where the pentagons are.</summary>
+    /// <summary>Returns the corners of an icosahedron as unit vectors, which are the centres of the pentagons.</summary>
     private static Vector3d[] Corners()
     {
         double golden = 0.5 * (1 + Math.Sqrt(5));
@@ -112,10 +113,10 @@ public static class BallPattern
         return [.. corners];
     }
 
-    /// <summary>The middles of its faces, of length 1: where the hexagons are.</summary>
+    /// <summary>Returns the centres of the icosahedron's faces as unit vectors, which are the centres of the hexagons.</summary>
     private static Vector3d[] Faces(Vector3d[] corners)
     {
-        // Two corners have an edge between them where they are this near.
+        // Two corners share an edge if they are closer than this.
         const double Edge = 1.06;
         var faces = new List<Vector3d>();
         for (int i = 0; i < corners.Length; i++)

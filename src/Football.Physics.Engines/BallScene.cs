@@ -1,9 +1,10 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The scene of one ball in a game engine, put together from what stands in the engine's scene: goals, boards, walls, keepers, colliders.</summary>
+/// <summary>The scene of one ball in a game engine, built from the objects in the engine's scene.</summary>
 /// <remarks>
-/// A component of the engine adds what it is to the stage; <see cref="Compile"/> then makes the scene that is played, and the one that is looked ahead in, without what reacts to the ball.
-/// Between, before and after each step the stage moves its keepers and its nets. When anything of it changes, the engine makes a new one and goes on in that.
+/// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene that is played, and the
+/// scene for predictions, without objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move
+/// the keepers and the nets. To change the objects, create a new stage and continue in it.
 /// </remarks>
 public sealed class BallScene
 {
@@ -16,29 +17,30 @@ public sealed class BallScene
     private Simulator? _ahead;
     private NetBulges? _bulges;
 
-    /// <summary>Makes a stage with nothing on it.</summary>
-    /// <param name="scene">Ball, air, forces and ground; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
+    /// <summary>Creates an empty stage.</summary>
+    /// <param name="scene">The ball, air, forces and ground; default <see cref="Scene.Default"/>.</param>
+    /// <param name="settings">The solver settings; default <see cref="SolverSettings.Default"/>.</param>
     public BallScene(Scene? scene = null, SolverSettings? settings = null)
     {
         Scene = scene ?? Scene.Default;
         _settings = settings;
     }
 
-    /// <summary>The scene without what stands on it: another one may be set before <see cref="Compile"/>.</summary>
+    /// <summary>Gets or sets the scene without the added objects; set it before <see cref="Compile"/>.</summary>
     public Scene Scene { get; set; }
 
-    /// <summary>Colliders of the engine that the ball hits. Default none.</summary>
+    /// <summary>Gets or sets the engine's colliders that the ball hits. Default none.</summary>
     public IEngineColliders? Colliders { get; set; }
 
-    /// <summary>The same colliders for looking ahead: others than <see cref="Colliders"/>, for a look ahead must push nothing. Default none.</summary>
+    /// <summary>Gets or sets the engine's colliders for predictions. Default none.</summary>
+    /// <remarks>Use a different object from <see cref="Colliders"/>, because a prediction must not push anything.</remarks>
     public IEngineColliders? PredictionColliders { get; set; }
 
-    /// <summary>The scene that is played, compiled.</summary>
+    /// <summary>The compiled scene that is played.</summary>
     /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
     public Simulator Game => _game ?? throw NotYet();
 
-    /// <summary>The scene that is looked ahead in: without keepers, who would not stay where they are.</summary>
+    /// <summary>The compiled scene for predictions, without keepers, because they react to the ball.</summary>
     /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
     public Simulator Ahead => _ahead ?? throw NotYet();
 
@@ -49,14 +51,14 @@ public sealed class BallScene
     /// <summary>The goals, in the order in which they were added.</summary>
     public IReadOnlyList<Goal> Goals => _goals;
 
-    /// <summary>The keepers, in the order in which they were added; none before <see cref="Compile"/>.</summary>
+    /// <summary>The keepers, in the order in which they were added; empty before <see cref="Compile"/>.</summary>
     public IReadOnlyList<KeeperDive> Keepers => _keepers;
 
     /// <summary>Adds a goal.</summary>
     /// <param name="goal">The goal.</param>
-    /// <returns>Its index among the goals.</returns>
+    /// <returns>The index of the goal.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="goal"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already.</exception>
+    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
     public int Add(Goal goal)
     {
         Check.Given(nameof(goal), goal);
@@ -65,9 +67,9 @@ public sealed class BallScene
         return _goals.Count - 1;
     }
 
-    /// <summary>The goal whose middle is nearest to a place.</summary>
-    /// <param name="place">The place, m.</param>
-    /// <returns>Its index among the goals, the lowest of those that are as near; −1 where there is none.</returns>
+    /// <summary>Returns the index of the goal whose centre is nearest to a position.</summary>
+    /// <param name="place">The position, in m.</param>
+    /// <returns>The index of the goal, the lowest of several at the same distance; −1 if there are none.</returns>
     public int NearestGoal(Vector3d place)
     {
         int nearest = _goals.Count - 1;
@@ -79,10 +81,10 @@ public sealed class BallScene
         return nearest;
     }
 
-    /// <summary>Adds a thing that stands still: a board, a player of a wall.</summary>
-    /// <param name="obstacle">The thing.</param>
+    /// <summary>Adds a static obstacle, such as a board or a player of a wall.</summary>
+    /// <param name="obstacle">The obstacle.</param>
     /// <exception cref="ArgumentNullException"><paramref name="obstacle"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already.</exception>
+    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
     public void Add(Obstacle obstacle)
     {
         Check.Given(nameof(obstacle), obstacle);
@@ -90,11 +92,11 @@ public sealed class BallScene
         _obstacles.Add(obstacle);
     }
 
-    /// <summary>Adds a player who stands still, as <see cref="BodyKind.Player"/> is.</summary>
-    /// <param name="name">His name, for events.</param>
-    /// <param name="feet">Where he stands, m.</param>
+    /// <summary>Adds a player who stands still, with the shape of <see cref="BodyKind.Player"/>.</summary>
+    /// <param name="name">The name of the player, for events.</param>
+    /// <param name="feet">The position of his feet, in m.</param>
     /// <exception cref="ArgumentNullException"><paramref name="name"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already.</exception>
+    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
     public void AddPlayer(string name, Vector3d feet)
     {
         Check.Given(nameof(name), name);
@@ -102,13 +104,13 @@ public sealed class BallScene
         Add(new Obstacle { Name = name, Shape = new CapsuleShape(shape.From + feet, shape.To + feet, shape.Radius), Surface = BodyKind.Player.Surface });
     }
 
-    /// <summary>Adds a keeper who dives.</summary>
-    /// <param name="goal">Index of the goal that he guards.</param>
-    /// <param name="feet">Where he stands, m.</param>
-    /// <param name="abilities">What he can; default null: <see cref="KeeperDive.Typical"/>.</param>
-    /// <returns>His index among the keepers.</returns>
+    /// <summary>Adds a diving goalkeeper.</summary>
+    /// <param name="goal">The index of his goal.</param>
+    /// <param name="feet">The position of his feet, in m.</param>
+    /// <param name="abilities">His abilities; default null: <see cref="KeeperDive.Typical"/>.</param>
+    /// <returns>The index of the keeper.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such goal.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already.</exception>
+    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
     public int AddKeeper(int goal, Vector3d feet, Player? abilities = null)
     {
         Check.Index(nameof(goal), goal, _goals.Count);
@@ -117,9 +119,9 @@ public sealed class BallScene
         return _planned.Count - 1;
     }
 
-    /// <summary>Checks all of it and compiles both scenes.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="InvalidOperationException">The stage is compiled already, or it has keepers and its scene has bodies.</exception>
+    /// <summary>Validates the stage, and compiles both scenes.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
+    /// <exception cref="InvalidOperationException">The stage is already compiled, or it has keepers and its scene has bodies.</exception>
     public void Compile()
     {
         RequireOpen();
@@ -149,15 +151,16 @@ public sealed class BallScene
         _bulges = new NetBulges(_game);
     }
 
-    /// <summary>Gives the ball as it is in <see cref="Ahead"/>, to be looked ahead from: one that lies on a keeper, or on an engine's collider, is in the air there.</summary>
-    /// <param name="ball">The ball in <see cref="Game"/>.</param>
+    /// <summary>Converts the state of the ball from <see cref="Game"/> to <see cref="Ahead"/>, as the start of a prediction.</summary>
+    /// <remarks>A ball that rests on a keeper or an engine's collider is in the air there.</remarks>
+    /// <param name="ball">The state of the ball in <see cref="Game"/>.</param>
     public BallState PredictionState(in BallState ball)
     {
         bool isElsewhere = !ReferenceEquals(_game, _ahead) && ball.Carrier >= PartsBefore(Game.World, Game.Scene.Goals.Count);
         return isElsewhere ? Ahead.Continue(Game, in ball) : ball;
     }
 
-    /// <summary>Moves the keepers to where they are when a step begins. Allocates nothing.</summary>
+    /// <summary>Moves the keepers to their positions at the start of a step. Does not allocate.</summary>
     /// <param name="ball">The ball before the step.</param>
     public void BeforeStep(in BallState ball)
     {
@@ -171,13 +174,13 @@ public sealed class BallScene
         }
     }
 
-    /// <summary>Lets the nets bulge as they do after a step. Allocates nothing.</summary>
+    /// <summary>Updates the bulges of the nets after a step. Does not allocate.</summary>
     /// <param name="ball">The ball after the step.</param>
     public void AfterStep(in BallState ball) => Bulges.Follow(in ball);
 
-    /// <summary>Tells which of the goals an event belongs to: a goal, one of its nets, posts or bar.</summary>
+    /// <summary>Returns the goal that an event belongs to: its opening, a net, a post or the bar.</summary>
     /// <param name="happened">An event of <see cref="Game"/>.</param>
-    /// <returns>Its index; −1 for none that was added here.</returns>
+    /// <returns>The index of the goal; −1 if no goal of this stage is involved.</returns>
     public int GoalOf(in BallEvent happened)
     {
         World world = Game.World;
@@ -196,8 +199,8 @@ public sealed class BallScene
         return -1;
     }
 
-    /// <summary>The index of a goal's first net among <see cref="Bulges"/>: back, roof, left, right.</summary>
-    /// <param name="goal">Index of the goal.</param>
+    /// <summary>Returns the index of a goal's first net in <see cref="Bulges"/>; the order is back, roof, left, right.</summary>
+    /// <param name="goal">The index of the goal.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such goal.</exception>
     public int FirstNetOf(int goal)
     {
@@ -205,7 +208,7 @@ public sealed class BallScene
         return FirstNet(Scene.Goals.Count + goal);
     }
 
-    /// <summary>The engine's collider that an event tells of; null where it is none.</summary>
+    /// <summary>Returns the engine's collider that an event reports; null if it is not one.</summary>
     /// <param name="happened">An event of the last step of <see cref="Game"/>.</param>
     public EngineCollider? ColliderOf(in BallEvent happened)
     {
@@ -215,7 +218,7 @@ public sealed class BallScene
 
     private static InvalidOperationException NotYet() => new("stage: it is not compiled yet; call Compile first.");
 
-    /// <summary>Index among the things of the first post of a goal of the scene: after the ground and the obstacles.</summary>
+    /// <summary>Returns the collider index of the first post of a goal: after the ground and the obstacles.</summary>
     private int PartsBefore(World world, int goal) => world.FirstCollider + (world.Ground is null ? 0 : 1) + Game.Scene.Obstacles.Count + (3 * goal);
 
     private int FirstNet(int goal)

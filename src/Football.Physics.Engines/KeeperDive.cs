@@ -1,35 +1,36 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>A goalkeeper as a body of the scene: he stands before his goal, and dives for what comes at it where <see cref="Interception.FindSave"/> says that he can meet it.</summary>
+/// <summary>A goalkeeper as a body of the scene: he stands in front of his goal and dives for shots.</summary>
 /// <remarks>
-/// He is told of a kick when the ball leaves the path that he expects, reacts, and brings his hands to the ball when it is there; what he cannot reach he dives for as far
-/// as he gets. Then he goes back. He looks at the ball alone: no memory of the match. Follows allocate nothing.
+/// <see cref="Interception.FindSave"/> decides if and where he can meet the ball. He notices a kick when the ball leaves its predicted path, reacts,
+/// and moves his hands to the ball. If he cannot reach the ball, he dives as far as he can. Then he returns. He only watches the ball and has no
+/// memory of the match. <see cref="Follow"/> does not allocate.
 /// </remarks>
 public sealed class KeeperDive
 {
-    /// <summary>How far ahead he looks, s.</summary>
+    /// <summary>The duration of his prediction, in s.</summary>
     private const double LooksAhead = 2.5;
 
-    /// <summary>How long he stays where he has dived, and how long he takes to go back, s.</summary>
+    /// <summary>The time that he stays down after a dive, and the time that he takes to return, in s.</summary>
     private const double Stays = 0.7;
     private const double Returns = 1.4;
 
-    /// <summary>Half the length of his axis, m: with the radius, from feet to hands 1.96 m.</summary>
+    /// <summary>Half the length of his axis, in m; with the radius, 1.96 m from feet to hands.</summary>
     private const double HalfAxis = 0.78;
     private const double Radius = 0.2;
 
-    /// <summary>What he reaches for lies this far within his hands, m.</summary>
+    /// <summary>The distance of the ball from the tips of his hands, in m.</summary>
     private const double Hands = 0.1;
 
-    /// <summary>A shot no further aside than this he stands up to, m.</summary>
+    /// <summary>The lateral distance below which he stays upright, in m.</summary>
     private const double StandsUpTo = 0.3;
 
     private const double Difference = 1e-4;
 
-    /// <summary>A ball that is no further off the way that he expects, m, and no more than a hundred times that by the second, is no new shot.</summary>
+    /// <summary>The deviation from the predicted path that counts as a new shot, in m; a hundred times that, in m/s, for the velocity.</summary>
     private const double Notices = 0.01;
 
-    /// <summary>A shot that goes to within this of where he dives to, m, needs no new dive.</summary>
+    /// <summary>The distance from the target of his dive within which a new shot needs no new dive, in m.</summary>
     private const double SamePlace = 0.2;
 
     private readonly KinematicBody _body;
@@ -45,14 +46,15 @@ public sealed class KeeperDive
     private double _now = double.NaN;
     private Vector3d _target;
 
-    /// <summary>Makes him, standing before his goal.</summary>
-    /// <param name="body">His body, of kind <see cref="Kind"/>: one of the scene that is played in.</param>
-    /// <param name="goal">The goal that he guards.</param>
-    /// <param name="ahead">The scene as he expects it, which he is no part of.</param>
-    /// <param name="feet">Where he stands, m.</param>
-    /// <param name="abilities">How fast he reacts and moves, how far he reaches, and from and to which height over his feet; his place and velocity do not count. Default null: <see cref="Typical"/>.</param>
+    /// <summary>Creates a keeper who stands in front of his goal.</summary>
+    /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene that is played.</param>
+    /// <param name="goal">His goal.</param>
+    /// <param name="ahead">The scene for predictions, without him.</param>
+    /// <param name="feet">The position of his feet, in m.</param>
+    /// <param name="abilities">His reaction, acceleration, speed, reach and height limits above his feet; position and velocity are ignored. Default
+    /// null: <see cref="Typical"/>.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public KeeperDive(KinematicBody body, Goal goal, Simulator ahead, Vector3d feet, Player? abilities = null)
     {
         Check.Given(nameof(body), body);
@@ -72,42 +74,44 @@ public sealed class KeeperDive
         Put(0);
     }
 
-    /// <summary>Shape and surface of a keeper: 1.96 m from his feet to his hands, about his middle; gloves all over, which take most of a ball's speed. Evidence: guess.</summary>
+    /// <summary>The shape and surface of a keeper: 1.96 m from feet to hands, about his centre.</summary>
+    /// <remarks>The surface is that of gloves everywhere, which take most of a ball's speed. Evidence: guess.</remarks>
     public static BodyKind Kind { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, -HalfAxis, 0), new Vector3d(0, HalfAxis, 0), Radius),
         Surface = SurfaceMaterial.Glove,
     };
 
-    /// <summary>Abilities of a good keeper: reaction 0.2 s, 8 m/s², at most 5 m/s, 1.9 m of reach in a dive, up to 2.6 m. Evidence: guess.</summary>
+    /// <summary>The abilities of a good goalkeeper.</summary>
+    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. Evidence: guess.</remarks>
     public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
 
-    /// <summary>The goal that he guards.</summary>
+    /// <summary>His goal.</summary>
     public Goal Goal { get; }
 
-    /// <summary>His answer to the last shot that he has seen.</summary>
+    /// <summary>His response to the last shot that he noticed.</summary>
     public KeeperResult Answer { get; private set; }
 
-    /// <summary>True from the moment at which he dives until he is back.</summary>
+    /// <summary>True from the start of a dive until he is back.</summary>
     public bool Dives => _now >= _start && _now < _end + Stays + Returns;
 
-    /// <summary>How many shots he has dived for.</summary>
+    /// <summary>The number of shots that he has dived for.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Where his body is, and how it is turned: for drawing.</summary>
+    /// <summary>The position and orientation of his body, for drawing.</summary>
     public BallPose BodyPose => new(_body.Position, _body.Orientation);
 
-    /// <summary>Watches the ball, and puts the body where he is: before every step.</summary>
+    /// <summary>Watches the ball and moves his body; call it before every step.</summary>
     /// <param name="ball">The ball before the step.</param>
     public void Follow(in BallState ball)
     {
         if (!(ball.Time >= _now))
         {
-            // It was placed: a new start.
+            // The clock went back, so the ball was placed: start again.
             (_from, _to, _end) = (_home, _home, double.NegativeInfinity);
             _start = double.PositiveInfinity;
 
-            // He has not decided anything about this path yet, though it may be the one that is kept.
+            // Recompute the path even if it matches: he has made no decision about it.
             _path.Invalidate();
         }
 
@@ -120,6 +124,7 @@ public sealed class KeeperDive
         Put(_now);
     }
 
+    /// <summary>Evaluates the predicted path, and starts a dive if the ball crosses the goal at a new point.</summary>
     private void Decide(double now)
     {
         Pose present = At(now);
@@ -146,7 +151,7 @@ public sealed class KeeperDive
         Count++;
     }
 
-    /// <summary>He as the search has him: at his feet, without motion; its heights are those of the world.</summary>
+    /// <summary>Returns the keeper for the search: at his feet, without motion, and with heights in world coordinates.</summary>
     private Player Standing(in Vector3d feet) => new()
     {
         Position = feet,
@@ -158,13 +163,13 @@ public sealed class KeeperDive
         MaximumHeight = _feet.Y + _abilities.MaximumHeight,
     };
 
-    /// <summary>How he lies when his hands are where the ball will be, or as near to it as he comes.</summary>
+    /// <summary>Returns his pose with the hands at the ball, or as close to it as he gets.</summary>
     private Pose Reaching(in Vector3d feet, Vector3d ball, double left)
     {
         Vector3d aside = (ball - feet).Horizontal;
         double distance = aside.Length;
 
-        // D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a); and his reach.
+        // D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a); plus his reach.
         double speeding = _abilities.Speed / _abilities.Acceleration;
         double run = left <= speeding ? 0.5 * _abilities.Acceleration * left * left : _abilities.Speed * (left - (0.5 * speeding));
         double share = Math.Min(1, (run + _abilities.Reach) / Math.Max(distance, 1e-9));
@@ -178,7 +183,7 @@ public sealed class KeeperDive
             return new Pose(feet + (share * aside) + new Vector3d(0, HalfAxis + Radius + lift, 0), Quaterniond.Identity);
         }
 
-        // His feet stay on the ground, unless the ball is higher than he is long.
+        // His feet stay on the ground, unless the ball is higher than his length.
         double up = Math.Min(hands.Y - feet.Y, 0.98 * length);
         double along = Math.Sqrt((length * length) - (up * up));
         double gone = share * distance;
@@ -191,7 +196,7 @@ public sealed class KeeperDive
         return new Pose(in middle, Between(Vector3d.Up, in axis));
     }
 
-    /// <summary>Where he is at a time: smoothly from one pose to the other, then still, then back.</summary>
+    /// <summary>Returns his pose at a time: a smooth transition to the dive, a pause, and the return.</summary>
     private Pose At(double time)
     {
         if (time < _end + Stays)
@@ -202,6 +207,7 @@ public sealed class KeeperDive
         return Along(in _to, in _home, (time - _end - Stays) / Returns);
     }
 
+    /// <summary>Moves the body to its pose at a time; the velocities are difference quotients.</summary>
     private void Put(double time)
     {
         Pose now = At(time);
@@ -223,14 +229,14 @@ public sealed class KeeperDive
         return new Pose(Vector3d.Lerp(from.Middle, to.Middle, smooth), Slerp.Between(from.Turn, to.Turn, smooth));
     }
 
-    /// <summary>The place on the ground that he dives from.</summary>
+    /// <summary>Returns the point on the ground from which he dives.</summary>
     private Vector3d Feet(in Pose pose)
     {
         Vector3d end = pose.Middle - (HalfAxis * pose.Turn.Rotate(Vector3d.Up));
         return new Vector3d(end.X, _feet.Y, end.Z);
     }
 
-    /// <summary>The shortest rotation from one direction to another, both of length 1.</summary>
+    /// <summary>Returns the shortest rotation between two unit vectors.</summary>
     private static Quaterniond Between(in Vector3d from, in Vector3d to)
     {
         Vector3d axis = Vector3d.Cross(in from, in to);

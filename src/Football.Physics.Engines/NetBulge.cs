@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>How a net bulges, for drawing it.</summary>
+/// <summary>The bulge of a net, for drawing.</summary>
 public readonly struct NetBulge
 {
     internal NetBulge(in Vector3d position, in Vector3d direction, double depth)
@@ -10,13 +10,13 @@ public readonly struct NetBulge
         Depth = depth;
     }
 
-    /// <summary>The deepest point of the bulge, m.</summary>
+    /// <summary>The deepest point of the bulge, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>Where it bulges to: off the net's plane, of length 1.</summary>
+    /// <summary>The unit direction of the bulge, perpendicular to the net's plane.</summary>
     public Vector3d Direction { get; }
 
-    /// <summary>How deep it is, m; 0 where the net hangs as it was made.</summary>
+    /// <summary>The depth of the bulge, in m; 0 if the net hangs flat.</summary>
     public double Depth { get; }
 
     /// <inheritdoc/>

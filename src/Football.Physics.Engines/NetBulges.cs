@@ -1,17 +1,17 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>
-/// The bulges of a scene's nets, for drawing. A bulge is as deep as the ball is in the net; once the ball leaves faster than the net, or has left it, the
-/// net flattens at its own rate of return, that of <see cref="Net.Damping"/>.
-/// </summary>
-/// <remarks>For one ball. The simulation knows nothing of it: it may be asked or not, after every step or now and then.</remarks>
+/// <summary>The bulges of a scene's nets for one ball, for drawing.</summary>
+/// <remarks>
+/// A bulge is as deep as the ball is in the net. When the ball recedes faster than the net, or has left it, the net flattens at its own rate, which
+/// follows from <see cref="Net.Damping"/>. The simulation does not depend on this object: update it after every step, or less often.
+/// </remarks>
 public sealed class NetBulges
 {
     private readonly World _world;
     private readonly NetBulge[] _bulges;
     private double _time = double.NaN;
 
-    /// <summary>For a ball of a scene.</summary>
+    /// <summary>Creates the bulges for a ball of a scene.</summary>
     /// <param name="simulator">The scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public NetBulges(Simulator simulator)
@@ -21,11 +21,11 @@ public sealed class NetBulges
         _bulges = new NetBulge[_world.Nets.Length];
     }
 
-    /// <summary>How many nets there are: those of the scene, then those of each goal: back, roof, left, right.</summary>
+    /// <summary>The number of nets: those of the scene, then back, roof, left and right of each goal.</summary>
     public int Count => _bulges.Length;
 
-    /// <summary>The bulge of a net.</summary>
-    /// <param name="net">0 … <see cref="Count"/> − 1.</param>
+    /// <summary>Gets the bulge of a net.</summary>
+    /// <param name="net">The index of the net, 0 … <see cref="Count"/> − 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
     public NetBulge this[int net]
     {
@@ -36,8 +36,8 @@ public sealed class NetBulges
         }
     }
 
-    /// <summary>The name of a net, as events have it.</summary>
-    /// <param name="net">0 … <see cref="Count"/> − 1.</param>
+    /// <summary>Returns the name of a net, as used in events.</summary>
+    /// <param name="net">The index of the net, 0 … <see cref="Count"/> − 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such net.</exception>
     public string NameOf(int net)
     {
@@ -45,8 +45,8 @@ public sealed class NetBulges
         return _world.Nets[net].Name;
     }
 
-    /// <summary>Follows the ball. Allocates nothing.</summary>
-    /// <param name="state">The ball now. Where its time has gone back, nets that it is not in hang still.</param>
+    /// <summary>Updates the bulges to the state of the ball. Does not allocate.</summary>
+    /// <param name="state">The current state of the ball. If its time has gone back, nets without the ball hang flat.</param>
     public void Follow(in BallState state)
     {
         double passed = state.Time >= _time ? state.Time - _time : double.PositiveInfinity;
@@ -56,7 +56,7 @@ public sealed class NetBulges
             NetSheet net = _world.Nets[i];
             NetBulge before = _bulges[i];
 
-            // F = 0 where δ̇ < −1/b: the sheet comes back more slowly than the ball.
+            // F = 0 if δ̇ < −1/b: the net returns more slowly than the ball.
             double left = before.Depth > 0 && net.ReturnSpeed * passed < before.Depth ? before.Depth - (net.ReturnSpeed * passed) : 0;
             double side = World.SideOf(state.NetSides, i);
             double depth = (state.Nets >> i & 1) != 0 ? Math.Max(0, net.Depth(state.Position, side)) : 0;

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>A net as points and threads, for drawing: it hangs flat, and bulges where a ball is in it.</summary>
+/// <summary>A net as points and threads, for drawing; it hangs flat, and bulges at a ball.</summary>
 public sealed class NetMesh
 {
-    /// <summary>How wide a bulge is, m: at this distance from its middle it is 1/e as deep.</summary>
+    /// <summary>The width of a bulge, in m: at this distance from its centre, the depth is 1/e.</summary>
     private const double BulgeWidth = 0.75;
 
-    /// <summary>Points along a side at most.</summary>
+    /// <summary>The maximum number of meshes along a side.</summary>
     private const int Most = 120;
 
     private readonly Vector3d[] _flat;
@@ -14,11 +14,12 @@ public sealed class NetMesh
     private readonly int[] _threads;
     private bool _bulges;
 
-    /// <summary>Makes a net that hangs flat.</summary>
+    /// <summary>Creates a net that hangs flat.</summary>
     /// <param name="net">The net.</param>
-    /// <param name="mesh">Width of its meshes, m; above 0, at most 10; default 0.12. Wider where it would have more than 120 along a side.</param>
+    /// <param name="mesh">The width of a mesh, in m; above 0, at most 10; default 0.12. It is increased if a side would have more than 120
+    /// meshes.</param>
     /// <exception cref="ArgumentNullException"><paramref name="net"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public NetMesh(Net net, double mesh = 0.12)
     {
         Check.Given(nameof(net), net);
@@ -54,15 +55,15 @@ public sealed class NetMesh
         _points = (Vector3d[])_flat.Clone();
     }
 
-    /// <summary>Its knots as they are now, m.</summary>
+    /// <summary>The current positions of the knots, in m.</summary>
     public ReadOnlySpan<Vector3d> Points => _points;
 
-    /// <summary>Its threads: indices of two points each.</summary>
+    /// <summary>The threads, as pairs of point indices.</summary>
     public ReadOnlySpan<int> Threads => _threads;
 
-    /// <summary>Bends the net as it bulges: by a bell of the depth of the bulge, 0.75 m wide. Allocates nothing.</summary>
+    /// <summary>Deforms the net to a bulge, with a bell curve of 0.75 m width. Does not allocate.</summary>
     /// <param name="bulge">The bulge.</param>
-    /// <returns>True when any point has moved: what is drawn is to be drawn again.</returns>
+    /// <returns>True if any point has moved, so that the net must be drawn again.</returns>
     public bool Follow(in NetBulge bulge)
     {
         bool before = _bulges;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>Draws the lines of a pitch by Law 1 of the game, or of futsal where its goals are narrower than 5 m.</summary>
+/// <summary>Draws the lines of a pitch by Law 1 of the game, or by futsal rules if its goals are narrower than 5 m.</summary>
 internal sealed class PitchMarkings
 {
-    /// <summary>Radius of the centre circle and of the arcs before the penalty areas, m.</summary>
+    /// <summary>The radius of the centre circle and of the penalty arcs, in m.</summary>
     private const double CircleRadius = 9.15;
 
     private const int Parts = 64;
@@ -12,7 +12,7 @@ internal sealed class PitchMarkings
     private readonly List<int> _triangles = [];
     private readonly double _half;
 
-    /// <summary>Draws all lines, with the middle of the pitch at the origin.</summary>
+    /// <summary>Draws all lines, with the centre of the pitch at the origin.</summary>
     public PitchMarkings(Pitch pitch, double lineWidth)
     {
         _half = 0.5 * lineWidth;
@@ -27,7 +27,7 @@ internal sealed class PitchMarkings
         {
             foreach (double side in new[] { -1.0, 1.0 })
             {
-                // A quarter of a circle in each corner, within the pitch.
+                // A quarter circle in each corner, inside the pitch.
                 Arc(side * x, end * z, futsal ? 0.25 : 1, Turn(-side, -end) - 0.125, Turn(-side, -end) + 0.125);
             }
 
@@ -42,10 +42,10 @@ internal sealed class PitchMarkings
         }
     }
 
-    /// <summary>Corners of the triangles, m.</summary>
+    /// <summary>The corners of the triangles, in m.</summary>
     public Vector3d[] Points => [.. _points];
 
-    /// <summary>Indices of three points each, clockwise seen from above.</summary>
+    /// <summary>The triangles: three point indices each, clockwise seen from above.</summary>
     public int[] Triangles => [.. _triangles];
 
     private void Areas(Pitch pitch, double end, double z)
@@ -55,7 +55,7 @@ internal sealed class PitchMarkings
         Area(post + 5.5, 5.5, end, z);
         Spot(0, end * (z - 11));
 
-        // The part of the circle around the penalty mark that is outside the area: cos φ = 5.5/9.15.
+        // The part of the circle around the penalty mark outside the area: cos φ = 5.5/9.15.
         const double HalfArc = 0.1474;
         double inwards = Turn(0, -end);
         Arc(0, end * (z - 11), CircleRadius, inwards - HalfArc, inwards + HalfArc);
@@ -92,7 +92,7 @@ internal sealed class PitchMarkings
         Line(x1, z0, x1, z1);
     }
 
-    /// <summary>A straight line, with its corners filled.</summary>
+    /// <summary>Adds a straight line, including its end caps.</summary>
     private void Line(double x0, double z0, double x1, double z1)
     {
         bool alongX = z0 == z1;
@@ -109,7 +109,7 @@ internal sealed class PitchMarkings
 
     private void Arc(double x, double z, double radius, double from, double to) => Ring(x, z, radius - _half, radius + _half, from, to);
 
-    /// <summary>A part of a ring; angles in turns from x towards z.</summary>
+    /// <summary>Adds a part of a ring; angles are in turns from x towards z.</summary>
     private void Ring(double x, double z, double inner, double outer, double from, double to)
     {
         for (int i = 0; i < Parts; i++)
@@ -121,7 +121,7 @@ internal sealed class PitchMarkings
         }
     }
 
-    /// <summary>Four corners, in the order from x to z: clockwise seen from above, where x goes to the right and z comes down the page.</summary>
+    /// <summary>Adds a quadrilateral whose corners run from x to z: clockwise seen from above, with x to the right and z down the page.</summary>
     private void Quad(Vector3d a, Vector3d b, Vector3d c, Vector3d d)
     {
         int first = _points.Count;
@@ -131,7 +131,7 @@ internal sealed class PitchMarkings
 
     private static Vector3d Around(double turns) => Quaterniond.FromAxisAngle(Vector3d.Up, -2.0 * Math.PI * turns).Rotate(new Vector3d(1, 0, 0));
 
-    /// <summary>The direction of signs (x, z) in turns.</summary>
+    /// <summary>Returns the direction of two signs (x, z), in turns.</summary>
     private static double Turn(double x, double z) => (Math.Sign(x), Math.Sign(z)) switch
     {
         (1, 0) => 0,

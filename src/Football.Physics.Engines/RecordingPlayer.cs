@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>Plays a recorded stretch of a match in a window: forwards in time, and to any tick.</summary>
+/// <summary>Plays back a recording, forwards in time or from any tick.</summary>
 public sealed class RecordingPlayer
 {
     private readonly Simulator _simulator;
@@ -8,13 +8,13 @@ public sealed class RecordingPlayer
     private FixedStepRunner _runner;
     private double _ahead;
 
-    /// <summary>Begins at the start of a segment.</summary>
-    /// <param name="segment">The segment, of one ball.</param>
-    /// <param name="simulator">The scene of the match, with its settings.</param>
-    /// <param name="bodiesAt">Puts an engine's colliders to where they were at a time, s; default none.</param>
-    /// <exception cref="ArgumentNullException">Segment or scene is null.</exception>
-    /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
-    /// <exception cref="InvalidOperationException">An engine's colliders moved, and nothing says where they were.</exception>
+    /// <summary>Starts at the beginning of a recording.</summary>
+    /// <param name="segment">The recording, of one ball.</param>
+    /// <param name="simulator">The scene of the match, with the same settings.</param>
+    /// <param name="bodiesAt">Positions an engine's colliders for a time, in s; default none.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="segment"/> or <paramref name="simulator"/> is null.</exception>
+    /// <exception cref="ArgumentException">The scene or its settings differ from those of the recording.</exception>
+    /// <exception cref="InvalidOperationException">An engine's colliders moved, and <paramref name="bodiesAt"/> is null.</exception>
     public RecordingPlayer(Recording segment, Simulator simulator, Action<double>? bodiesAt = null)
     {
         Check.Given(nameof(segment), segment);
@@ -25,32 +25,32 @@ public sealed class RecordingPlayer
         _runner = segment.Replay(simulator, bodiesAt);
     }
 
-    /// <summary>The segment.</summary>
+    /// <summary>The recording.</summary>
     public Recording Segment { get; }
 
-    /// <summary>The tick that is shown.</summary>
+    /// <summary>The tick shown.</summary>
     public long Tick => _runner.Tick;
 
-    /// <summary>How long the segment is, s.</summary>
+    /// <summary>The duration of the recording, in s.</summary>
     public double Duration => (Segment.EndTick - Segment.StartTick) * Segment.TimeStep;
 
-    /// <summary>How far it has got, s.</summary>
+    /// <summary>The current playback time, in s from the start.</summary>
     public double Time => ((Tick - Segment.StartTick) * Segment.TimeStep) + _ahead;
 
-    /// <summary>True when there is nothing left to play.</summary>
+    /// <summary>True if the playback has reached the end.</summary>
     public bool IsOver => Tick >= Segment.EndTick;
 
-    /// <summary>The ball at the shown tick.</summary>
+    /// <summary>The state of the ball at the tick shown.</summary>
     public BallState State => _runner.State;
 
-    /// <summary>Where to draw the ball.</summary>
+    /// <summary>The pose at which to draw the ball.</summary>
     public BallPose Pose => _runner.PoseAt(_ahead / Segment.TimeStep);
 
-    /// <summary>True where the ball at the shown tick is the recorded one to the last bit.</summary>
+    /// <summary>True if the ball at the tick shown is bit-identical to the recording.</summary>
     public bool IsTrue => Snapshot.Hash(_runner.State) == Segment.HashAt(Tick);
 
-    /// <summary>Plays on.</summary>
-    /// <param name="seconds">How long, s; not negative.</param>
+    /// <summary>Advances the playback.</summary>
+    /// <param name="seconds">The time to advance, in s; not negative.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="seconds"/> is negative or not finite.</exception>
     public void Advance(double seconds)
     {
@@ -65,17 +65,17 @@ public sealed class RecordingPlayer
         _ahead = IsOver ? 0 : _ahead;
     }
 
-    /// <summary>Goes to a tick.</summary>
-    /// <param name="tick">From the segment's first to its last.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the segment.</exception>
+    /// <summary>Moves the playback to a tick.</summary>
+    /// <param name="tick">From the first tick of the recording to the last.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the recording.</exception>
     public void Seek(long tick)
     {
         Segment.Seek(_runner, tick);
         _ahead = 0;
     }
 
-    /// <summary>Plays all of it again and compares.</summary>
-    /// <returns>The first tick whose state is not the recorded one to the last bit; null when all are.</returns>
+    /// <summary>Replays the whole recording and compares every state with the recorded one.</summary>
+    /// <returns>The first tick whose state differs; null if all are bit-identical.</returns>
     public long? FindDivergence()
     {
         long shown = Tick;

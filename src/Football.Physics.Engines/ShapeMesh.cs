@@ -1,12 +1,13 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>A surface of triangles for drawing what a ball meets: posts and players, boards, a ball, the lines of a pitch. In the library's frame.</summary>
+/// <summary>A triangle mesh for drawing the objects of a scene, in the library's frame.</summary>
+/// <remarks>It can represent posts and players, boards, a ball, and the lines or the ground of a pitch.</remarks>
 public sealed class ShapeMesh
 {
-    /// <summary>Parts of a circle.</summary>
+    /// <summary>The number of segments around a circle.</summary>
     private const int Around = 24;
 
-    /// <summary>Parts from pole to pole of a ball.</summary>
+    /// <summary>The number of segments from pole to pole of a sphere.</summary>
     private const int Down = 16;
 
     private readonly Vector3d[] _points;
@@ -22,20 +23,22 @@ public sealed class ShapeMesh
         _triangles = triangles;
     }
 
-    /// <summary>Corners of the triangles, m.</summary>
+    /// <summary>The corners of the triangles, in m.</summary>
     public ReadOnlySpan<Vector3d> Points => _points;
 
-    /// <summary>Normals of the surface at the corners, outwards, of length 1.</summary>
+    /// <summary>The outward unit normals at the corners.</summary>
     public ReadOnlySpan<Vector3d> Normals => _normals;
 
-    /// <summary>Place of each corner in a picture, from the left and from the top, 0 … 1, two numbers each: that of <see cref="BallPattern"/> on a ball; none where there is no picture.</summary>
+    /// <summary>The texture coordinates of each corner, from the left and from the top, 0 … 1; two numbers each.</summary>
+    /// <remarks>A ball uses the image of <see cref="BallPattern"/>. Empty if there is no texture.</remarks>
     public ReadOnlySpan<double> TextureCoordinates => _picture;
 
-    /// <summary>The triangles: indices of three points each, clockwise seen from outside. A mirrored frame keeps that, for it is seen mirrored too.</summary>
+    /// <summary>The triangles: three point indices each, clockwise seen from outside.</summary>
+    /// <remarks>A mirrored frame keeps this order, because it also mirrors the view.</remarks>
     public ReadOnlySpan<int> Triangles => _triangles;
 
-    /// <summary>Makes the surface of a ball, with the picture of <see cref="BallPattern"/>.</summary>
-    /// <param name="radius">Radius, m; above 0.</param>
+    /// <summary>Creates the mesh of a ball, with the texture coordinates of <see cref="BallPattern"/>.</summary>
+    /// <param name="radius">The radius, in m; above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="radius"/> is not above 0.</exception>
     public static ShapeMesh OfBall(double radius)
     {
@@ -43,7 +46,7 @@ public sealed class ShapeMesh
         return Round(new Vector3d(0, 0, 0), new Vector3d(0, 0, 0), radius, 2 * Around, Down);
     }
 
-    /// <summary>Makes the surface of a capsule: a post, a bar, a player.</summary>
+    /// <summary>Creates the mesh of a capsule, such as a post, a bar or a player.</summary>
     /// <param name="shape">The capsule.</param>
     /// <exception cref="ArgumentNullException"><paramref name="shape"/> is null.</exception>
     public static ShapeMesh Of(CapsuleShape shape)
@@ -52,7 +55,7 @@ public sealed class ShapeMesh
         return Round(shape.To, shape.From, shape.Radius, Around, Down);
     }
 
-    /// <summary>Makes the surface of a box.</summary>
+    /// <summary>Creates the mesh of a box.</summary>
     /// <param name="shape">The box.</param>
     /// <exception cref="ArgumentNullException"><paramref name="shape"/> is null.</exception>
     public static ShapeMesh Of(BoxShape shape)
@@ -77,7 +80,7 @@ public sealed class ShapeMesh
                     normals.Add(shape.Rotation.Rotate(normal));
                 }
 
-                // Up and then to the right, seen from outside where up = normal × right: clockwise.
+                // Up and then right, which is clockwise seen from outside because up = normal × right.
                 triangles.AddRange([first, first + 1, first + 2, first, first + 2, first + 3]);
             }
         }
@@ -85,9 +88,10 @@ public sealed class ShapeMesh
         return new ShapeMesh([.. points], [.. normals], [], [.. triangles]);
     }
 
-    /// <summary>Makes the lines of a pitch: by Law 1, or by that of futsal where its goals are narrower than 5 m. Its middle is the origin, and they lie at y = 0.</summary>
+    /// <summary>Creates the mesh of a pitch's lines, centred at the origin at y = 0.</summary>
+    /// <remarks>The lines follow Law 1, or the futsal rules if the goals are narrower than 5 m.</remarks>
     /// <param name="pitch">The pitch.</param>
-    /// <param name="lineWidth">Width of the lines, m; above 0, at most 1; default 0.12, the most that the Laws allow.</param>
+    /// <param name="lineWidth">The width of the lines, in m; above 0, at most 1; default 0.12, the maximum that the Laws allow.</param>
     /// <exception cref="ArgumentNullException"><paramref name="pitch"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="lineWidth"/> is out of range.</exception>
     public static ShapeMesh LinesOf(Pitch pitch, double lineWidth = 0.12)
@@ -98,9 +102,9 @@ public sealed class ShapeMesh
         return Level(lines.Points, lines.Triangles);
     }
 
-    /// <summary>Makes the ground of a pitch and a margin around it, at y = 0.</summary>
+    /// <summary>Creates the mesh of a pitch's ground with a margin around it, at y = 0.</summary>
     /// <param name="pitch">The pitch.</param>
-    /// <param name="margin">How far it goes beyond the lines, m; not negative; default 5.</param>
+    /// <param name="margin">The width of the margin beyond the lines, in m; not negative; default 5.</param>
     /// <exception cref="ArgumentNullException"><paramref name="pitch"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="margin"/> is negative.</exception>
     public static ShapeMesh GroundOf(Pitch pitch, double margin = 5)
@@ -119,7 +123,7 @@ public sealed class ShapeMesh
         return new ShapeMesh(points, normals, [], triangles);
     }
 
-    /// <summary>Two half balls about two points, the first of which is on top, and what is between them.</summary>
+    /// <summary>Creates two hemispheres around two points, the first on top, and the surface between them.</summary>
     private static ShapeMesh Round(Vector3d top, Vector3d bottom, double radius, int around, int down)
     {
         Vector3d axis = top == bottom ? Vector3d.Up : (top - bottom).Normalized();
@@ -128,7 +132,7 @@ public sealed class ShapeMesh
             ? new Quaterniond(1, 0, 0, 0)
             : new Quaterniond(cross.X, cross.Y, cross.Z, 1.0 + axis.Y).Normalized();
 
-        // The middle row twice, once at either end.
+        // The middle row appears twice, once at each end.
         int rows = down + 2;
         int columns = around + 1;
         var points = new Vector3d[rows * columns];
@@ -148,7 +152,7 @@ public sealed class ShapeMesh
                 picture[(2 * at) + 1] = v;
                 if (row + 1 < rows && column < around)
                 {
-                    // From z on towards x is to the right, seen from outside: down is the next row.
+                    // Seen from outside, z towards x runs to the right, and the next row is below.
                     triangles.AddRange([at, at + 1, at + columns + 1, at, at + columns + 1, at + columns]);
                 }
             }

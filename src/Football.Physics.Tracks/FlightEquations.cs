@@ -1,22 +1,23 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The least squares of flights: what the points of one tell of its launch, and of the numbers that all share.</summary>
+/// <summary>The least-squares equations of flights, for each launch and for the parameters that all flights share.</summary>
 internal sealed class FlightEquations
 {
     private const int Launch = FlightPath.Launch;
 
-    /// <summary>Differences for derivatives by a launch's velocity, m/s, and spin, rad/s.</summary>
+    /// <summary>The differences for derivatives with respect to a launch's velocity, in m/s, and spin, in rad/s.</summary>
     private const double VelocityStep = 0.02;
     private const double SpinStep = 1;
 
-    /// <summary>Points farther off than this many deviations count less and less (Huber).</summary>
+    /// <summary>The distance, in standard deviations, beyond which points are down-weighted (Huber).</summary>
     private const double Huber = 4;
 
-    /// <summary>Heights are wrong by so much at the ground, m, and by less up to so far over it, m: a crowned pitch, and what cameras think of a ball in the grass.</summary>
+    /// <summary>The error of heights at the ground, in m, and the height above the ground at which it has fallen to 0, in m.</summary>
+    /// <remarks>The causes are crowned pitches, and cameras with a ball in the grass.</remarks>
     private const double NearGround = 0.05;
     private const double Low = 0.5;
 
-    /// <summary>The longest step, s.</summary>
+    /// <summary>The longest step, in s.</summary>
     private const double LongestStep = 0.04;
 
     private readonly TrackPoint[] _track;
@@ -29,8 +30,8 @@ internal sealed class FlightEquations
 
     /// <summary>Prepares for the flights of a track.</summary>
     /// <param name="track">The track.</param>
-    /// <param name="deviation">How far a coordinate may be off, m: noise, and what the laws do not know.</param>
-    /// <param name="spinDeviation">Standard deviation of a component of a spin before the track was seen, rad/s.</param>
+    /// <param name="deviation">The standard deviation of a coordinate, in m: noise and model error.</param>
+    /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
     public FlightEquations(TrackPoint[] track, double deviation, double spinDeviation)
     {
         _track = track;
@@ -38,15 +39,15 @@ internal sealed class FlightEquations
         _spinDeviation = spinDeviation;
     }
 
-    /// <summary>Height of the ball's centre on the ground, m, once that is known: near it heights are wrong by more than their noise.</summary>
+    /// <summary>The height of the ball's centre on the ground, in m, once known; heights near the ground have an additional error.</summary>
     public double Contact { get; set; } = double.NegativeInfinity;
 
-    /// <summary>Follows a flight from its launch.</summary>
+    /// <summary>Simulates a flight from its launch.</summary>
     /// <param name="simulator">The scene.</param>
     /// <param name="flight">The flight.</param>
-    /// <param name="values">Its launch.</param>
-    /// <param name="path">Receives where the ball is at each point.</param>
-    /// <returns>The ball at the last point.</returns>
+    /// <param name="values">The launch.</param>
+    /// <param name="path">Receives the position at each point.</param>
+    /// <returns>The state of the ball at the last point.</returns>
     public BallState Follow(Simulator simulator, FlightPath flight, double[] values, Vector3d[] path)
     {
         BallState ball = simulator.LaunchAt(
@@ -68,7 +69,7 @@ internal sealed class FlightEquations
         return ball;
     }
 
-    /// <summary>The cost of a flight: squares of its distances in deviations, far ones linearly, and of its spin.</summary>
+    /// <summary>Returns the cost of a flight: squared residuals in standard deviations, linear for outliers, plus the prior of the spin.</summary>
     public double Cost(Simulator simulator, FlightPath flight, double[] values)
     {
         Reserve(flight.Count);
@@ -76,7 +77,7 @@ internal sealed class FlightEquations
         return Cost(flight, values, _path);
     }
 
-    /// <summary>Measures how a flight fits.</summary>
+    /// <summary>Computes the residual statistics of a flight.</summary>
     public void Measure(Simulator simulator, FlightPath flight)
     {
         Reserve(flight.Count);
@@ -94,7 +95,7 @@ internal sealed class FlightEquations
         flight.Worst = Math.Sqrt(worst);
     }
 
-    /// <summary>Distances of a flight's points, m.</summary>
+    /// <summary>Returns the residuals of a flight's points, in m.</summary>
     public Vector3d[] Misses(Simulator simulator, FlightPath flight)
     {
         Reserve(flight.Count);
@@ -108,17 +109,17 @@ internal sealed class FlightEquations
         return misses;
     }
 
-    /// <summary>Adds up the normal equations of a flight.</summary>
+    /// <summary>Assembles the normal equations of a flight.</summary>
     /// <param name="at">The scene.</param>
-    /// <param name="shared">The scenes with each shared number changed; none for the launch alone.</param>
-    /// <param name="differences">By how much.</param>
+    /// <param name="shared">The scenes with each shared parameter changed; empty for the launch only.</param>
+    /// <param name="differences">The changes.</param>
     /// <param name="flight">The flight.</param>
-    /// <param name="normal">Receives JᵀWJ of launch and shared numbers, row by row.</param>
+    /// <param name="normal">Receives JᵀWJ for launch and shared parameters, row by row.</param>
     /// <param name="gradient">Receives JᵀWr.</param>
     /// <returns>The cost.</returns>
     public double Normal(Simulator at, Simulator[] shared, double[] differences, FlightPath flight, double[] normal, double[] gradient)
     {
-        // 1. The path, and one for each number changed; the place of the launch only moves a path. 2. Rows of J, weighted. 3. What was known of the spin.
+        // 1. The path, and one per changed parameter; the launch position only shifts the path. 2. The weighted rows of J. 3. The prior of the spin.
         int size = Launch + shared.Length;
         int count = flight.Count;
         Reserve(count);
@@ -188,13 +189,13 @@ internal sealed class FlightEquations
         return Cost(flight, flight.Values, _path);
     }
 
-    /// <summary>A point of the track.</summary>
+    /// <summary>Returns a point of the track.</summary>
     public ref readonly TrackPoint Point(int index) => ref _track[index];
 
-    /// <summary>How far a coordinate of a point may be off, m.</summary>
+    /// <summary>Returns the standard deviation of a point's coordinates, in m.</summary>
     public double Deviation(in TrackPoint point) => Math.Max(_deviation, point.Noise);
 
-    /// <summary>How far a height may be off, m.</summary>
+    /// <summary>Returns the standard deviation of a point's height, in m.</summary>
     private double HeightDeviation(in TrackPoint point)
     {
         double deviation = Deviation(in point);
@@ -202,14 +203,14 @@ internal sealed class FlightEquations
         return Math.Sqrt((deviation * deviation) + (wrong * wrong));
     }
 
-    /// <summary>How far a height may be off because it is near the ground, m: all of them the same way.</summary>
+    /// <summary>Returns the error of a height near the ground, in m, which is common to all points.</summary>
     private double Wrong(in TrackPoint point)
     {
         double over = Math.Max(0, point.Position.Y - Contact);
         return over < Low ? NearGround * (1 - (over / Low)) : 0;
     }
 
-    /// <summary>What was known of each component of a flight's spin before it was seen, 1/σ².</summary>
+    /// <summary>Returns the prior precision of each component of a flight's spin, 1/σ².</summary>
     public Vector3d PerSpin(FlightPath flight)
     {
         Vector3d deviation = flight.LikelySpinDeviation;

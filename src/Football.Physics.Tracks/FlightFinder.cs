@@ -1,49 +1,51 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds the flights of a track: pieces of a division that fall as a ball in flight does, put together where the laws of flight describe both at once.</summary>
+/// <summary>Finds the flights of a track: segments that fall like a ball in flight, joined if one flight explains both.</summary>
 internal sealed class FlightFinder
 {
-    /// <summary>Error of a cubic as a flight, m.</summary>
+    /// <summary>The error of a cubic as an approximation of a flight, in m.</summary>
     private const double CubicError = 0.02;
 
-    /// <summary>Error of a cubic as a hop, m.</summary>
+    /// <summary>The error of a cubic as an approximation of a hop, in m.</summary>
     private const double HopError = 0.006;
 
-    /// <summary>Price of a piece of the division, in squares of a deviation; less of a hop, which is looked for where nothing else was found, and must fall as a ball does.</summary>
+    /// <summary>The cost of a segment, in squared standard deviations, and that of a hop.</summary>
+    /// <remarks>Hops cost less: they are sought only where no flight was found, and must fall like a ball.</remarks>
     private const double Price = 40;
     private const double HopPrice = 30;
 
-    /// <summary>The longest piece of the division, s.</summary>
+    /// <summary>The longest segment, in s.</summary>
     private const double LongestPiece = 1.6;
 
-    /// <summary>Shorter pieces tell nothing, points and s.</summary>
+    /// <summary>The minimum number of points and duration, in s, of a useful segment.</summary>
     private const int LeastPoints = 5;
     private const double LeastTime = 0.09;
 
-    /// <summary>Fall in flight may differ from g by this, m/s², and by the lift of C_L at most, and by so many deviations of what is seen.</summary>
+    /// <summary>The tolerance of a flight's fall against g, in m/s², plus the lift of the maximum C_L and a number of standard deviations.</summary>
     private const double FallError = 2.5;
     private const double MostLift = 0.4;
     private const double FallDeviations = 3;
 
-    /// <summary>Height over the lowest tenth of the track, m, below which a flight must fall by this share of g.</summary>
+    /// <summary>The height above the lowest tenth of the track, in m, below which a flight must fall by this share of g.</summary>
     private const double High = 0.8;
     private const double LeastFall = -0.3;
 
-    /// <summary>Two pieces are one flight where their mean square grows no more than by this share, and this, m.</summary>
+    /// <summary>The largest growth of the mean square when two segments are joined, as a factor and in m.</summary>
     private const double JointShare = 1.3;
     private const double JointError = 0.05;
 
-    /// <summary>Difference of velocities, m/s, above which the ball was touched between two pieces.</summary>
+    /// <summary>The difference of velocities between two segments above which the ball was touched, in m/s.</summary>
     private const double JointVelocity = 0.8;
 
-    /// <summary>So many points between two flights are of neither: cameras smooth over a touch.</summary>
+    /// <summary>The maximum number of points between two flights, because trackers smooth over a touch.</summary>
     private const int Between = 3;
 
-    /// <summary>A flight that fits worse than this, m or deviations, is none.</summary>
+    /// <summary>The largest residual of a flight, in m and in standard deviations.</summary>
     private const double MostRms = 0.15;
     private const double MostRmsShare = 4;
 
-    /// <summary>Factors of the scene's drag and of its crisis' Reynolds number to try: what is one flight by one of them is one by the ball that is to be found.</summary>
+    /// <summary>The factors of drag and of the critical Reynolds number that define the trial balls.</summary>
+    /// <remarks>A segment that is one flight with any of them is also one with the ball to be found.</remarks>
     private static readonly (double Drag, double Crisis)[] Balls = [(1, 1), (1, 0.6), (0.5, 1)];
 
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
@@ -78,14 +80,14 @@ internal sealed class FlightFinder
         }
     }
 
-    /// <summary>Where each piece of the division ends, exclusive.</summary>
+    /// <summary>The exclusive end of each segment.</summary>
     public List<int> Ends { get; } = [];
 
     /// <summary>Finds the flights, in order of time.</summary>
     public List<FlightPath> Find(CancellationToken cancellation)
     {
-        // 1. The best division into cubics. 2. Those that fall. 3. Neighbours that are one flight.
-        // Where waits are next to nothing, more of them are in the longest piece than an int can count.
+        // 1. The best division into cubics. 2. Those that fall. 3. Join neighbours that are one flight. With tiny waits between points, their number
+        // in the longest segment may exceed an int, so limit it to the length of the track.
         int longest = (int)Math.Max(8, Math.Min(LongestPiece / _runs.Wait, _runs.Points.Length));
         var segments = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (CubicError * CubicError)), longest, Price);
         int first = 0;
@@ -103,7 +105,7 @@ internal sealed class FlightFinder
         return flights;
     }
 
-    /// <summary>Takes the pieces that are flights.</summary>
+    /// <summary>Adds the segments that are flights.</summary>
     private void Take(List<int> ends, int first, List<FlightPath> flights, CancellationToken cancellation)
     {
         foreach (int end in ends)
@@ -119,7 +121,7 @@ internal sealed class FlightFinder
         }
     }
 
-    /// <summary>Divides what is no flight once more, finely: hops of a ball on the ground, which one cubic describes to some centimetres together.</summary>
+    /// <summary>Divides the rest of the track more finely, to find hops; a single cubic fits several hops to within centimetres.</summary>
     private void FindHops(List<FlightPath> flights, int longest, CancellationToken cancellation)
     {
         var fine = new TrackSegments(_runs.Points, Math.Sqrt((_runs.Noise * _runs.Noise) + (HopError * HopError)), longest, HopPrice);
@@ -156,10 +158,10 @@ internal sealed class FlightFinder
         flights.Sort((a, b) => a.First.CompareTo(b.First));
     }
 
-    /// <summary>Puts together neighbours that are one flight by a ball that was found.</summary>
+    /// <summary>Joins neighbours that are one flight of a given ball.</summary>
     public void JoinBy(SharedFit fit, List<FlightPath> flights, CancellationToken cancellation)
     {
-        // Launches alone, in the scene that was found
+        // Fit the launches only, in the scene that was found.
         _fits = [new SharedFit(_system, new MatchModel(fit.At.Scene with { Ground = _scene.Ground }, Nothing))];
         JoinNeighbours(flights, cancellation);
     }
@@ -182,7 +184,7 @@ internal sealed class FlightFinder
         }
     }
 
-    /// <summary>True when a piece accelerates downwards as a ball in flight may.</summary>
+    /// <summary>True if a segment accelerates downwards like a ball in flight.</summary>
     private bool Falls(int first, int end)
     {
         TrackPoint[] track = _runs.Points;
@@ -192,7 +194,7 @@ internal sealed class FlightFinder
             return false;
         }
 
-        // A parabola's acceleration: deviation √720 σ/(T² √n)
+        // The standard deviation of a parabola's acceleration is √720 σ/(T² √n).
         var parabola = TrackPolynomial.Of(track, first, end, 2);
         double upward = parabola.Acceleration.Y;
         double speed = (track[end - 1].Position - track[first].Position).Length / time;
@@ -201,12 +203,12 @@ internal sealed class FlightFinder
         double seen = Math.Sqrt(720.0 / (end - first)) * Math.Max(_runs.Noise, 0.25 * CubicError) / (time * time);
         double off = Math.Abs(upward - Weight.UpwardAcceleration(_scene));
 
-        // A fast ball with backspin may even rise, but then not along the ground.
+        // A fast ball with backspin may even rise, but not along the ground.
         bool isHigh = parabola.At(0.5 * (track[first].Time + track[end - 1].Time)).Y > _low + High;
         return off < FallError + lift + (FallDeviations * seen) && (isHigh || upward < LeastFall * _scene.Gravity);
     }
 
-    /// <summary>Fits one flight alone, with the drag factor that does best.</summary>
+    /// <summary>Fits a single flight, with each of the trial balls, and keeps the best.</summary>
     private bool Fit(FlightPath flight, double[]? start)
     {
         double[] best = flight.Values;
@@ -239,7 +241,7 @@ internal sealed class FlightFinder
         return [position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, 0, 0, 0];
     }
 
-    /// <summary>Two flights as one, where that describes both.</summary>
+    /// <summary>Returns two flights as one if a single flight explains both; otherwise null.</summary>
     private FlightPath? Join(FlightPath a, FlightPath b)
     {
         TrackPoint[] track = _runs.Points;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A piece of a track that is one flight: its points, its launch, and how that fits.</summary>
+/// <summary>A segment of a track that is one flight: its points, its launch, and its residuals.</summary>
 internal sealed class FlightPath
 {
-    /// <summary>Numbers of a launch: position, velocity, spin.</summary>
+    /// <summary>The number of launch parameters: position, velocity, spin.</summary>
     public const int Launch = 9;
 
     public FlightPath(int first, int end)
@@ -12,37 +12,37 @@ internal sealed class FlightPath
         End = end;
     }
 
-    /// <summary>The first point.</summary>
+    /// <summary>The index of the first point.</summary>
     public int First { get; set; }
 
-    /// <summary>The one behind the last.</summary>
+    /// <summary>The index after the last point.</summary>
     public int End { get; set; }
 
-    /// <summary>How many points.</summary>
+    /// <summary>The number of points.</summary>
     public int Count => End - First;
 
-    /// <summary>Position, velocity, spin at the first point.</summary>
+    /// <summary>The position, velocity and spin at the first point.</summary>
     public double[] Values { get; set; } = new double[Launch];
 
-    /// <summary>The spin at the first point that was likely before the points were seen, rad/s: none, or what an impact must have made of it.</summary>
+    /// <summary>The prior mean of the spin at the first point, in rad/s: zero, or the result of the preceding impact.</summary>
     public Vector3d LikelySpin { get; set; }
 
-    /// <summary>Standard deviation of each component of that, rad/s; 0 for what is known of any flight.</summary>
+    /// <summary>The prior standard deviation of each component, in rad/s; 0 for the default of all flights.</summary>
     public Vector3d LikelySpinDeviation { get; set; }
 
-    /// <summary>Mean square of how far the truth may be from <see cref="Values"/>.</summary>
+    /// <summary>The covariance matrix of <see cref="Values"/>.</summary>
     public double[] Covariance { get; set; } = new double[Launch * Launch];
 
-    /// <summary>JᵀWb of the heights b that are wrong near the ground.</summary>
+    /// <summary>JᵀWb for the common height error b near the ground.</summary>
     public double[] LowHeights { get; } = new double[Launch];
 
-    /// <summary>Root of the mean square of the distances, m.</summary>
+    /// <summary>The root mean square of the residuals, in m.</summary>
     public double Rms { get; set; }
 
-    /// <summary>The largest distance, m.</summary>
+    /// <summary>The largest residual, in m.</summary>
     public double Worst { get; set; }
 
-    /// <summary>The ball at the last point.</summary>
+    /// <summary>The state of the ball at the last point.</summary>
     public BallState Last { get; set; }
 
     public Vector3d Position => new(Values[0], Values[1], Values[2]);

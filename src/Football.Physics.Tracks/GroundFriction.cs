@@ -1,22 +1,25 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds sliding friction, and rolling friction with its growth by speed, from the windows of a match.</summary>
+/// <summary>Estimates sliding friction and speed-dependent rolling friction from the windows of a match.</summary>
 /// <remarks>
-/// A weighted median for slides, whose windows are few and differ; for rolls a line c₀ + c₁ v, far windows counted less (Huber). Pitches differ from one place to the next, so the scatter of the
-/// windows counts, not their own deviations alone.
+/// Slides use a weighted median, because their windows are few and differ. Rolls use a line c₀ + c₁ v, with outliers down-weighted (Huber). Pitches
+/// vary from one spot to the next, so the scatter of the windows counts, not only their own standard errors.
 /// </remarks>
 internal sealed class GroundFriction
 {
-    /// <summary>How far resistances scatter from one place to the next on a real pitch, in the least.</summary>
+    /// <summary>The minimum scatter of resistances across a real pitch.</summary>
     private const double SlideScatter = 0.02;
     private const double RollScatter = 0.01;
 
-    /// <summary>The median of |x| to the deviation; the deviation of a median by that of a mean; farther off than so many deviations counts linearly.</summary>
+    /// <summary>Constants of robust statistics: two factors of the median, and the Huber threshold in standard deviations.</summary>
+    /// <remarks>
+    /// The factors convert a median absolute deviation to a standard deviation, and the standard error of a mean to that of a median.
+    /// </remarks>
     private const double Mad = 1.4826;
     private const double MedianLoss = 1.2533;
     private const double Huber = 1.5;
 
-    /// <summary>Standard deviations of c₀ and c₁ (s/m), about the ground's own, before the windows were seen.</summary>
+    /// <summary>The prior standard deviations of c₀ and c₁ (s/m), about the ground's own values.</summary>
     private const double KnownRolling = 0.1;
     private const double KnownBySpeed = 0.005;
 
@@ -26,8 +29,8 @@ internal sealed class GroundFriction
     private readonly List<double> _values = [];
     private readonly List<double> _deviations = [];
 
-    /// <summary>Finds the numbers.</summary>
-    /// <param name="ground">The likely surface.</param>
+    /// <summary>Estimates the parameters.</summary>
+    /// <param name="ground">The prior surface.</param>
     /// <param name="windows">The windows.</param>
     public GroundFriction(Ground ground, List<GroundWindow> windows)
     {
@@ -45,24 +48,25 @@ internal sealed class GroundFriction
         }
     }
 
-    /// <summary>The ground with the frictions that were found.</summary>
+    /// <summary>The ground with the estimated frictions.</summary>
     public Ground Ground { get; private set; }
 
-    /// <summary>Names of the numbers.</summary>
+    /// <summary>The names of the parameters.</summary>
     public IReadOnlyList<string> Names => _names;
 
-    /// <summary>The numbers.</summary>
+    /// <summary>The values of the parameters.</summary>
     public IReadOnlyList<double> Values => _values;
 
-    /// <summary>Their standard deviations.</summary>
+    /// <summary>The standard deviations of the parameters.</summary>
     public IReadOnlyList<double> Deviations => _deviations;
 
-    /// <summary>The mean speed of the windows in which the ball rolls, m/s; 0 if there are none.</summary>
+    /// <summary>The mean speed of the rolling windows, in m/s; 0 if there are none.</summary>
     public double RollingSpeed { get; private set; }
 
-    /// <summary>Standard deviation of c₀ + c₁ v there.</summary>
+    /// <summary>The standard deviation of c₀ + c₁ v at this speed.</summary>
     public double RollingDeviation { get; private set; }
 
+    /// <summary>Estimates sliding friction as the weighted median of the slides.</summary>
     private void FindSliding(List<GroundWindow> slides)
     {
         double[] values = [.. slides.Select(w => w.Resistance)];
@@ -74,7 +78,7 @@ internal sealed class GroundFriction
             all += Weight(window, scatter);
         }
 
-        // The weighted median, between its neighbours by how much weight is missing.
+        // The weighted median, interpolated between its neighbours.
         double median = slides[^1].Resistance;
         double sum = 0;
         for (int i = 0; i < slides.Count; i++)
@@ -96,9 +100,10 @@ internal sealed class GroundFriction
         Ground = Ground with { Material = Ground.Material with { SlidingFriction = median } };
     }
 
+    /// <summary>Estimates c₀ and c₁ by iteratively reweighted least squares, with priors.</summary>
     private void FindRolling(List<GroundWindow> rolls)
     {
-        // 1. c₁ as it is likely, c₀ by the median. 2. Both downhill, weights by how far each window is off. 3. Negative numbers become zero.
+        // 1. Start with the prior c₁ and the median c₀. 2. Reweighted least squares for both. 3. Clamp negative values to zero.
         double[] start = [.. rolls.Select(w => w.Resistance - (Ground.Material.RollingResistancePerSpeed * w.Speed))];
         double middle = Median(start);
         double level = middle;

@@ -1,22 +1,22 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The height at which a ball's centre is on the ground, from where a track has it bounce, roll and lie.</summary>
+/// <summary>Estimates the height of a ball's centre on the ground, from bounces and phases on the ground.</summary>
 internal static class GroundHeight
 {
-    /// <summary>Height above the lowest point, m, from which a point is not on the ground: a crowned pitch, and a camera that is off.</summary>
+    /// <summary>The height above the lowest point, in m, up to which a point may be on the ground: crowned pitches and camera errors.</summary>
     private const double Band = 0.35;
 
-    /// <summary>The share of what is lowest that counts as the lowest: below it are points that are wrong.</summary>
+    /// <summary>The quantile that counts as the lowest; points below it are errors.</summary>
     private const double Lowest = 0.1;
 
-    /// <summary>MAD to standard deviation.</summary>
+    /// <summary>The factor from median absolute deviation to standard deviation.</summary>
     private const double Scatter = 1.4826;
 
-    /// <summary>Finds it.</summary>
-    /// <param name="heights">Heights of bounces, and of a ball that neither rises nor falls.</param>
-    /// <param name="height">The height, m.</param>
-    /// <param name="deviation">Its standard deviation, m.</param>
-    /// <returns>False where there is nothing to tell.</returns>
+    /// <summary>Estimates the height.</summary>
+    /// <param name="heights">The heights of bounces, and of a ball that neither rises nor falls.</param>
+    /// <param name="height">The height, in m.</param>
+    /// <param name="deviation">The standard deviation of the height, in m.</param>
+    /// <returns>False if there are no heights.</returns>
     public static bool Find(List<double> heights, out double height, out double deviation)
     {
         (height, deviation) = (0, double.PositiveInfinity);
@@ -25,7 +25,7 @@ internal static class GroundHeight
             return false;
         }
 
-        // The median of those within a band over the lowest tenth.
+        // The median of the heights within a band above the lowest tenth.
         heights.Sort();
         double low = heights[(int)(Lowest * (heights.Count - 1))];
         List<double> ground = heights.FindAll(h => h <= low + Band);

@@ -1,26 +1,27 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A time in which the ball slides or rolls on the ground and nobody touches it, with the resistance of the ground: the force along the ground by the normal force, the air's share subtracted.</summary>
+/// <summary>A time interval in which the ball slides or rolls on the ground untouched, with its resistance.</summary>
+/// <remarks>The resistance is the force along the ground divided by the normal force, without the share of the air.</remarks>
 public sealed record GroundWindow
 {
     /// <summary><see cref="MotionState.Sliding"/> or <see cref="MotionState.Rolling"/>.</summary>
     public MotionState Motion { get; init; }
 
-    /// <summary>The time at which it begins, s.</summary>
+    /// <summary>The start time, in s.</summary>
     public double StartTime { get; init; }
 
-    /// <summary>The time at which it ends, s.</summary>
+    /// <summary>The end time, in s.</summary>
     public double EndTime { get; init; }
 
-    /// <summary>Number of points of the track in it.</summary>
+    /// <summary>The number of track points in the interval.</summary>
     public int Points { get; init; }
 
-    /// <summary>Speed along the ground in its middle, m/s.</summary>
+    /// <summary>The speed along the ground at the midpoint, in m/s.</summary>
     public double Speed { get; init; }
 
-    /// <summary>Resistance: μ_s of a ball that slides, c₀ + c₁ v of one that rolls.</summary>
+    /// <summary>The resistance: μ_s for a sliding ball, c₀ + c₁ v for a rolling one.</summary>
     public double Resistance { get; init; }
 
-    /// <summary>Standard deviation of <see cref="Resistance"/>, from the scatter of the points and a share of the air's force.</summary>
+    /// <summary>The standard deviation of <see cref="Resistance"/>, from the scatter of the points and the uncertainty of the air's force.</summary>
     public double StandardError { get; init; }
 }

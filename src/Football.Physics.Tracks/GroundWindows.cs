@@ -1,58 +1,60 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds the times in which a ball on the ground slides or rolls untouched, and the resistance of the ground in each.</summary>
+/// <summary>Finds the intervals in which a ball on the ground slides or rolls untouched, and the resistance in each.</summary>
 /// <remarks>
-/// In a slide friction is −μ_s N ŝ, of one direction; a ball that rolls straight ahead loses (c₀ + c₁ v) N/m. Both are constant accelerations once the air's share is subtracted, so a time on the
-/// ground is divided into parabolas, and touches, seams and the end of a slide are between them.
+/// In a slide, friction is −μ_s N ŝ in a constant direction; a ball that rolls straight loses (c₀ + c₁ v) N/m. Both are constant accelerations once
+/// the share of the air is subtracted. So the time on the ground is divided into parabolas, with touches, track errors and the ends of slides between
+/// them.
 /// </remarks>
 internal sealed class GroundWindows
 {
-    /// <summary>How far a point may be off a parabola beside its noise, m.</summary>
+    /// <summary>The deviation of a point from a parabola beyond its noise, in m.</summary>
     private const double ParabolaError = 0.006;
 
-    /// <summary>Price of a piece in squares of the deviation: for six numbers of two parabolas, and where it begins.</summary>
+    /// <summary>The cost of a segment, in squared standard deviations: for the six coefficients of two parabolas, and its start.</summary>
     private const double Price = 20;
 
     private const double LongestPiece = 2;
 
-    /// <summary>Points at either end of a piece that are left out: trackers smooth over touches.</summary>
+    /// <summary>The minimum number of points dropped at each end of a segment, because trackers smooth over touches.</summary>
     private const int LeastTrim = 2;
 
-    /// <summary>The change of acceleration where a slide ends, in the least, m/s²: a cut there is off by the time in which it moves the ball by the noise, √(2 σ/Δa).</summary>
+    /// <summary>The minimum change of acceleration at the end of a slide, in m/s²; the time of that end is uncertain by √(2 σ/Δa).</summary>
     private const double EndOfSlide = 4;
 
     private const int LeastPoints = 6;
     private const double LeastDuration = 0.2;
 
-    /// <summary>Grass and slope decide where a slower ball goes, m/s.</summary>
+    /// <summary>The speed below which grass and slope determine the motion, in m/s.</summary>
     private const double LeastSpeed = 1.2;
 
-    /// <summary>A ball whose height changes by more, m, hops; and the share of the noise in a change of height.</summary>
+    /// <summary>The change of height of a hopping ball, in m, plus a multiple of the noise.</summary>
     private const double Hop = 0.1;
     private const double NoiseShare = 6;
 
-    /// <summary>Windows of a larger standard deviation of the resistance are left out.</summary>
+    /// <summary>The largest standard error of a resistance.</summary>
     private const double MostDeviation = 0.03;
 
-    /// <summary>The acceleration across the path by that along it; more is due to sidespin, a seam, or a slide in another direction than the path's.</summary>
+    /// <summary>The largest ratio of transverse to longitudinal acceleration in a slide; more indicates sidespin, a track error, or a slide in
+    /// another direction.</summary>
     private const double SlideAcross = 0.35;
 
-    /// <summary>Resistance across the path of a ball that rolls.</summary>
+    /// <summary>The largest transverse resistance of a rolling ball.</summary>
     private const double RollAcross = 0.15;
 
-    /// <summary>No surface has more resistance to a slide: the ball is being stopped.</summary>
+    /// <summary>The largest resistance of a slide on any surface; a larger one means that someone stops the ball.</summary>
     private const double MostSliding = 1.5;
 
-    /// <summary>How well the force of the air is known, and the resistance in the least: slopes of the pitch, crooked grass.</summary>
+    /// <summary>The relative uncertainty of the air's force, and the minimum error of the resistance: slopes of the pitch, uneven grass.</summary>
     private const double AirShare = 0.1;
     private const double LeastDeviation = 0.002;
 
     private const int Rounds = 4;
 
-    /// <summary>The step over which the air's acceleration is taken, s.</summary>
+    /// <summary>The step for the air's acceleration, in s.</summary>
     private const double AirStep = 1e-3;
 
-    /// <summary>Between sliding and rolling friction, where the surface does not tell them apart.</summary>
+    /// <summary>The minimum ratio of sliding to rolling friction, and the minimum threshold between them.</summary>
     private const double LeastContrast = 1.5;
     private const double LeastThreshold = 0.1;
 
@@ -68,8 +70,8 @@ internal sealed class GroundWindows
 
     /// <summary>Prepares for the pieces of a match.</summary>
     /// <param name="runs">The track.</param>
-    /// <param name="air">The scene without ground, with the air and the ball that the flights told of.</param>
-    /// <param name="ground">The likely surface. A resistance above the geometric mean of its sliding and rolling friction is a slide.</param>
+    /// <param name="air">The scene without ground, with the air and the ball estimated from the flights.</param>
+    /// <param name="ground">The prior surface. A resistance above the geometric mean of its sliding and rolling friction is a slide.</param>
     public GroundWindows(TrackRuns runs, Simulator air, Ground ground)
     {
         _air = air;
@@ -80,12 +82,12 @@ internal sealed class GroundWindows
         _wait = runs.Wait;
         _trim = (int)Math.Max(LeastTrim, Math.Min(runs.Points.Length, Math.Ceiling(Math.Sqrt(2 * _noise / EndOfSlide) / _wait)));
 
-        // The geometric mean of both resistances; the rolling one at 4 m/s.
+        // The geometric mean of both resistances, with rolling at 4 m/s.
         double rolling = ground.Material.RollingResistance + (4 * ground.Material.RollingResistancePerSpeed);
         _threshold = Math.Max(LeastThreshold, Math.Sqrt(ground.Material.SlidingFriction * Math.Max(1e-3, Math.Min(rolling, ground.Material.SlidingFriction / LeastContrast))));
     }
 
-    /// <summary>Finds the windows, in order of time.</summary>
+    /// <summary>Finds the intervals, in order of time.</summary>
     public List<GroundWindow> Find(List<MatchPiece> pieces)
     {
         List<GroundWindow> windows = [];
@@ -105,9 +107,11 @@ internal sealed class GroundWindows
         return windows;
     }
 
+    /// <summary>Divides a piece on the ground into parabolas, and adds those that are clean rolls or slides.</summary>
     private void Divide(TrackPoint[] track, List<GroundWindow> windows)
     {
-        // 1. Parabolas, seen from above: heights are off near the ground. 2. Each as if it rolled: which of them do? 3. The others as slides, which end in a roll or began without spin.
+        // 1. Fit parabolas seen from above, because heights near the ground are inaccurate. 2. Measure each as a roll. 3. Measure the others as
+        // slides, which end in a roll or start without spin.
         int longest = (int)Math.Max(8, Math.Min(LongestPiece / _wait, track.Length));
         List<int> ends = [];
         TrackPoint[] plan = Array.ConvertAll(track, point => new TrackPoint(point.Time, point.Position.Horizontal, point.Noise));
@@ -150,13 +154,13 @@ internal sealed class GroundWindows
 
     private static bool IsLongEnough(TrackPoint[] points) => points.Length >= LeastPoints && points[^1].Time - points[0].Time >= LeastDuration;
 
-    /// <summary>Friction never pushes: a ball that loses less than the air takes is pushed, or its points are interpolated.</summary>
+    /// <summary>True if a segment is a roll: friction only slows a ball, so a smaller loss than by air means a push or interpolated points.</summary>
     private bool IsRoll(in Measured measured) =>
         measured.Speed > LeastSpeed && measured.Along <= _threshold && measured.Along > 0 && Math.Abs(measured.Across) < RollAcross;
 
     private static bool IsSlide(in Measured measured) => measured.Along < MostSliding && Math.Abs(measured.Across) < SlideAcross * measured.Along;
 
-    /// <summary>When a slide becomes a roll: where the speeds of both parabolas are the same.</summary>
+    /// <summary>Returns the time at which a slide becomes a roll: the parabolas have equal velocities there.</summary>
     private static double EndOf(TrackPoint[] slide, TrackPoint[] roll)
     {
         var before = TrackPolynomial.Of(slide, 0, slide.Length, 2);
@@ -182,10 +186,11 @@ internal sealed class GroundWindows
         return most - least;
     }
 
-    /// <summary>The resistance along and across the path, by the motion that is assumed; a slide that no roll follows began without spin.</summary>
+    /// <summary>Returns the resistance along and across the path for an assumed motion; a slide without a following roll starts without
+    /// spin.</summary>
     private Measured Measure(TrackPoint[] points, MotionState motion, double? rollsFrom)
     {
-        // Subtract the path that is due to the air, ∬ a_air, and fit a parabola to the rest. The air's force depends on velocity and spin, so repeat a few times.
+        // Subtract the displacement by the air, ∬ a_air, and fit a parabola to the rest. The air's force depends on velocity and spin: iterate.
         int count = points.Length;
         double start = points[0].Time;
         var left = (TrackPoint[])points.Clone();
@@ -211,7 +216,7 @@ internal sealed class GroundWindows
                 double time = points[i].Time;
                 Vector3d v = parabola.VelocityAt(time).Horizontal + speed[i];
 
-                // The velocity q at which a ball of this spin would roll: q̇ = −a/α in a slide, with a the acceleration by friction.
+                // The velocity q at which a ball of this spin would roll: q̇ = −a/α in a slide, where a is the acceleration by friction.
                 Vector3d q = motion == MotionState.Rolling ? v
                     : last + ((end - time) / _ball.InertiaFactor * push);
                 Vector3d now = AirAt(points[i].Position, in v, in q, motion, out double normal);
@@ -254,7 +259,8 @@ internal sealed class GroundWindows
         };
     }
 
-    /// <summary>The acceleration along the ground by the air at a velocity and the spin of a ball that would roll at q, and the normal force by the mass.</summary>
+    /// <summary>Returns the air's acceleration along the ground for a velocity and the spin of a ball rolling at q, and the normal force per
+    /// mass.</summary>
     private Vector3d AirAt(in Vector3d position, in Vector3d v, in Vector3d q, MotionState motion, out double normal)
     {
         normal = _weight;
@@ -275,14 +281,14 @@ internal sealed class GroundWindows
             return along;
         }
 
-        // v̇ = (F_air + (T_D × ŷ)/r)/(m (1 + α)) of a ball that rolls, T_D = α m r² ω̇.
+        // For a rolling ball, v̇ = (F_air + (T_D × ŷ)/r)/(m (1 + α)) with T_D = α m r² ω̇.
         normal = -acceleration.Y;
         double alpha = _ball.InertiaFactor;
         Vector3d turning = Vector3d.Cross((state.Spin - spin) / AirStep, Vector3d.Up);
         return motion == MotionState.Rolling ? (along + (alpha * r * turning)) / (1.0 + alpha) : along;
     }
 
-    /// <summary>Standard deviation of the acceleration of a parabola: by the scatter of the points, and how long they stay on one side.</summary>
+    /// <summary>Returns the standard deviation of a parabola's acceleration, from the scatter of the points and their autocorrelation.</summary>
     private static double Deviation(TrackPoint[] points, in TrackPolynomial parabola)
     {
         int count = points.Length;
@@ -303,7 +309,7 @@ internal sealed class GroundWindows
             }
         }
 
-        // The variance of the coefficient of t²: the last element of the inverse of the moments.
+        // The variance of the coefficient of t²: the last element of the inverse moment matrix.
         double[] system = new double[12];
         double[] inverse = new double[3];
         for (int i = 0; i < 3; i++)
@@ -341,7 +347,7 @@ internal sealed class GroundWindows
         return 2 / (half * half) * Math.Sqrt(Math.Max(0, inverse[2]) * variance * together);
     }
 
-    /// <summary>Speed, resistance along and across the path, and the deviation of both; zero for a piece that is too short.</summary>
+    /// <summary>The speed, the resistance along and across the path, and the standard error; all zero for a segment that is too short.</summary>
     private struct Measured
     {
         public double Speed;

@@ -1,24 +1,24 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds what a whole track of a match tells: its flights, impacts, touches and ground, with one wind, one ball and one surface for all of it.</summary>
+/// <summary>Fits a complete match track: flights, impacts, touches and ground, with a common wind, ball and surface.</summary>
 /// <remarks>
-/// The track is divided by dynamic programming, the flights found in it are fitted by least squares at once, each with its launch and spin, all with one wind and one drag
-/// (Gauss and Newton, damped); impacts tell of the surface. A seam or a touch spoils its own piece alone. The same track gives the same numbers. Its memory is its own:
-/// one a thread.
+/// Dynamic programming divides the track. All flights found in it are fitted simultaneously by least squares (damped Gauss–Newton). Each flight has
+/// its own launch and spin; wind and drag are common. The impacts determine the surface. A track error or a touch affects only its own piece. The
+/// result is deterministic. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class MatchFit
 {
-    /// <summary>Model error of the laws of flight, m: gusts, how a ball wobbles, where a camera thinks that its centre is.</summary>
+    /// <summary>The model error of the flight laws, in m: gusts, wobble, and the tracker's estimate of the ball's centre.</summary>
     private const double LawError = 0.01;
 
-    /// <summary>A flight that fits worse than this, m, is tried from other spins of this size, rad/s.</summary>
+    /// <summary>The residual above which a flight is fitted again from other spins, in m, and the size of those spins, in rad/s.</summary>
     private const double Poor = 0.03;
     private const double OtherSpin = 90;
 
-    /// <summary>Shorter flights tell of the others nothing, s.</summary>
+    /// <summary>The minimum duration of a flight that affects the shared parameters, in s.</summary>
     private const double ShortestTold = 0.3;
 
-    /// <summary>Height over the ground above which a point should be in a flight, m.</summary>
+    /// <summary>The height above the ground at which a point should belong to a flight, in m.</summary>
     private const double High = 0.5;
 
     private static readonly MatchFitRequest Nothing = new() { Wind = false, Drag = false };
@@ -27,25 +27,26 @@ public sealed class MatchFit
 
     /// <summary>Prepares for tracks of balls in a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public MatchFit(Scene? scene = null)
     {
         _scene = scene ?? Scene.Default;
         _scene.Validate();
     }
 
-    /// <summary>Finds what a track tells.</summary>
-    /// <param name="track">Where the ball was seen, in order of time; at least eight points. A point's noise is the least that it is taken for; the track itself tells more.</param>
-    /// <param name="request">What to find beside the flights; default wind, drag, surface and height.</param>
-    /// <param name="progress">Told how much is done, 0 … 1.</param>
-    /// <param name="cancellation">Ends the search.</param>
+    /// <summary>Fits a track.</summary>
+    /// <param name="track">The observed positions, in order of time; at least eight points. The noise of a point is a minimum; the actual noise is
+    /// estimated from the track.</param>
+    /// <param name="request">The parameters to estimate; default: wind, drag, surface and height.</param>
+    /// <param name="progress">Receives the progress, 0 … 1.</param>
+    /// <param name="cancellation">Cancels the fit.</param>
     /// <exception cref="ArgumentNullException"><paramref name="track"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="OperationCanceledException">The search was ended.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
+    /// <exception cref="OperationCanceledException">The fit was cancelled.</exception>
     public MatchFitResult Find(TrackPoint[] track, MatchFitRequest? request = null, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
-        // 1. The track without spikes, in runs. 2. Its flights. 3. One wind and one ball for all of them. 4. Neighbours that are one flight by that ball, and all again.
-        // 5. The height of the ground, and what happened between the flights. 6. The surface, from the impacts, slides and rolls.
+        // 1. Remove spikes, and split at gaps. 2. Find the flights. 3. Fit one wind and one ball. 4. Join neighbours that are one flight of that
+        // ball, and fit again. 5. Find the ground height, and the events between flights. 6. Estimate the surface from impacts, slides and rolls.
         request ??= new MatchFitRequest();
         Validate(track, request);
         var runs = new TrackRuns(track);
@@ -94,11 +95,11 @@ public sealed class MatchFit
         Check.Within("track's last time", track[track.Length - 1].Time, track[0].Time, Limits.Time, exclusiveLow: true);
     }
 
-    /// <summary>Flights that are long enough to tell of what they share.</summary>
+    /// <summary>Returns the flights that are long enough to affect the shared parameters.</summary>
     private static List<FlightPath> Told(TrackRuns runs, List<FlightPath> flights) =>
         flights.FindAll(f => runs.Points[f.End - 1].Time - runs.Points[f.First].Time >= ShortestTold);
 
-    /// <summary>Short flights by the ball and the wind that the others told of.</summary>
+    /// <summary>Fits short flights with the ball and wind from the other flights.</summary>
     private void FitShort(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
     {
         var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
@@ -109,7 +110,7 @@ public sealed class MatchFit
         }
     }
 
-    /// <summary>Height of the ball's centre on the ground: as the track tells, where that is asked for and the track does; else the scene's.</summary>
+    /// <summary>Returns the height of the ball's centre on the ground: from the track if requested and possible, otherwise from the scene.</summary>
     private double Contact(MatchFitRequest request, TrackRuns runs, FlightFinder finder, List<FlightPath> flights, SharedFit fit, out double deviation)
     {
         deviation = double.PositiveInfinity;
@@ -118,6 +119,7 @@ public sealed class MatchFit
             : (_scene.Ground.IsNone ? 0 : _scene.Ground.Height) + _scene.Ball.Radius;
     }
 
+    /// <summary>Assembles the result: pieces, shared parameters, surface and statistics.</summary>
     private MatchFitResult Result(
         MatchFitRequest request, TrackRuns runs, FlightEquations equations, FlightFinder finder, List<FlightPath> flights, List<FlightPath> told, MatchModel model, SharedFit fit,
         double contact, double heightDeviation)
@@ -200,7 +202,7 @@ public sealed class MatchFit
         return high > 0 ? (double)covered / high : 1;
     }
 
-    /// <summary>Flights that fit poorly are tried from other spins: a heavily spun ball and a hardly spun one slow down alike in different air.</summary>
+    /// <summary>Fits poor flights again from other spins: strong and weak spin can slow a ball alike in different air.</summary>
     private static void TryOtherSpins(SharedFit fit, FlightEquations equations, List<FlightPath> flights, CancellationToken cancellation)
     {
         var alone = new SharedFit(equations, new MatchModel(fit.At.Scene, Nothing));
@@ -236,7 +238,8 @@ public sealed class MatchFit
         }
     }
 
-    /// <summary>The best of fits from several crises: with its drag crisis on either side of a flight's speeds a ball may slow down alike.</summary>
+    /// <summary>Returns the best of several fits from different drag crises, because a crisis on either side of the speeds can slow a ball
+    /// alike.</summary>
     private static SharedFit Best(FlightEquations equations, MatchModel model, List<FlightPath> flights, double[] shares, CancellationToken cancellation)
     {
         SharedFit? best = null;

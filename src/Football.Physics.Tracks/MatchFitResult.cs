@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Result of the fit of a match: its pieces in order of time, and the numbers of which one value holds for all of it.</summary>
+/// <summary>The result of a match fit: the pieces in order of time, and the shared parameters.</summary>
 public sealed class MatchFitResult
 {
     private readonly double[] _values;
@@ -18,38 +18,48 @@ public sealed class MatchFitResult
     /// <summary>The pieces, in order of time.</summary>
     public IReadOnlyList<MatchPiece> Pieces { get; }
 
-    /// <summary>Names of the numbers that were found: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor), groundHeight (m), restitution, restitutionRise, friction (of impacts), slidingFriction, rollingFriction, rollingFrictionBySpeed (s/m); the last three only if the ball slid or rolled untouched.</summary>
+    /// <summary>The names of the estimated parameters.</summary>
+    /// <remarks>
+    /// Wind and ball: wind.x, wind.z (m/s), drag (a factor), crisis (a Reynolds number), lift (a factor). Ground: groundHeight (m), restitution,
+    /// restitutionRise, friction (of impacts), slidingFriction, rollingFriction, rollingFrictionBySpeed (s/m). The last three are present only if the
+    /// ball slid or rolled untouched.
+    /// </remarks>
     public IReadOnlyList<string> Names { get; }
 
-    /// <summary>The scene with all numbers that were found.</summary>
+    /// <summary>The scene with all estimated parameters.</summary>
     public Scene Scene { get; }
 
-    /// <summary>Root of the mean square over all points in flights of 0.3 s and longer, m; 0 where there is none.</summary>
+    /// <summary>The root mean square of the residuals in flights of 0.3 s or longer, in m.</summary>
+    /// <remarks>0 if there are no such flights.</remarks>
     public double Rms { get; internal init; }
 
-    /// <summary>Flights of 0.3 s and longer.</summary>
+    /// <summary>The number of flights of 0.3 s or longer.</summary>
     public int Flights { get; internal init; }
 
-    /// <summary>The share of the points more than 0.5 m over the ground that are in those flights; 1 where there is no such point.</summary>
+    /// <summary>The share of the points above 0.5 m that belong to flights of 0.3 s or longer.</summary>
+    /// <remarks>1 if there are no such points.</remarks>
     public double Covered { get; internal init; }
 
-    /// <summary>Standard deviation of the track's coordinates from one point to the next, m.</summary>
+    /// <summary>The standard deviation of the track's coordinates from one point to the next, in m.</summary>
     public double Noise { get; internal init; }
 
-    /// <summary>Impacts that the surface was found from.</summary>
+    /// <summary>The number of impacts from which the surface was estimated.</summary>
     public int Impacts { get; internal init; }
 
-    /// <summary>The times in which the ball slid or rolled untouched, in order, with the resistance of the ground in each; none if the surface was not asked for.</summary>
+    /// <summary>The intervals in which the ball slid or rolled untouched, in order, with the resistance in each.</summary>
+    /// <remarks>Empty if the surface was not requested.</remarks>
     public IReadOnlyList<GroundWindow> Windows { get; internal init; } = [];
 
-    /// <summary>Mean speed of the windows in which the ball rolls, m/s: there c₀ + c₁ v is known best. 0 if there are none.</summary>
+    /// <summary>The mean speed of the rolling intervals, in m/s, at which c₀ + c₁ v is most accurate.</summary>
+    /// <remarks>0 if there are none.</remarks>
     public double RollingSpeed { get; internal init; }
 
-    /// <summary>Standard deviation of c₀ + c₁ v at <see cref="RollingSpeed"/>; those of c₀ and c₁ alone are larger, as one makes up for the other.</summary>
+    /// <summary>The standard deviation of c₀ + c₁ v at <see cref="RollingSpeed"/>.</summary>
+    /// <remarks>Those of c₀ and c₁ alone are larger, because the two are correlated.</remarks>
     public double RollingDeviation { get; internal init; }
 
-    /// <summary>A number.</summary>
-    /// <param name="index">Which of <see cref="Names"/>, from 0.</param>
+    /// <summary>Returns the value of a parameter.</summary>
+    /// <param name="index">The index in <see cref="Names"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public double Value(int index)
     {
@@ -57,8 +67,8 @@ public sealed class MatchFitResult
         return _values[index];
     }
 
-    /// <summary>Standard deviation of a number: by the scatter of the distances and how long they stay on one side.</summary>
-    /// <param name="index">Which of <see cref="Names"/>, from 0.</param>
+    /// <summary>Returns the standard error of a parameter, from the scatter of the residuals and their autocorrelation.</summary>
+    /// <param name="index">The index in <see cref="Names"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public double StandardError(int index)
     {

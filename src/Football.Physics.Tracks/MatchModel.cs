@@ -1,14 +1,14 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Model shared by all flights of a match: the wind, the ball's drag and lift. Numbers that are not asked for stay the scene's.</summary>
+/// <summary>The model shared by all flights of a match: the wind, and the ball's drag and lift. Other parameters are those of the scene.</summary>
 internal sealed class MatchModel
 {
-    /// <summary>Differences for derivatives, m/s, a share, a Reynolds number.</summary>
+    /// <summary>The differences for derivatives: in m/s, a factor, a Reynolds number.</summary>
     private const double WindStep = 0.05;
     private const double FactorStep = 0.01;
     private const double CrisisStep = 2e3;
 
-    /// <summary>Reynolds numbers of a rough ball's crisis and of a smooth one's.</summary>
+    /// <summary>The critical Reynolds numbers of a rough and of a smooth ball.</summary>
     private static readonly double[] OtherCrises = [1.1e5, 2.2e5];
 
     private const double MostCrisis = 3.5e5;
@@ -27,7 +27,7 @@ internal sealed class MatchModel
 
     public MatchModel(Scene scene, MatchFitRequest request)
     {
-        // Without ground: a flight ends where the track says.
+        // Without ground: the track determines where a flight ends.
         _scene = scene with { Ground = Ground.None, Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
         _drag = request.Drag;
         _lift = request.Lift;
@@ -53,13 +53,13 @@ internal sealed class MatchModel
         _deviations = [.. deviations];
     }
 
-    /// <summary>Names of the numbers.</summary>
+    /// <summary>The names of the parameters.</summary>
     public string[] Names { get; }
 
-    /// <summary>How many.</summary>
+    /// <summary>The number of parameters.</summary>
     public int Count => Names.Length;
 
-    /// <summary>Numbers to begin a search with: the likely ones, and where the crisis is sought, others of that.</summary>
+    /// <summary>The initial values of a search: the prior means and, if the crisis is estimated, other values of it.</summary>
     public IEnumerable<double[]> Starts
     {
         get
@@ -74,16 +74,16 @@ internal sealed class MatchModel
         }
     }
 
-    /// <summary>Prior value of a number.</summary>
+    /// <summary>Returns the prior mean of a parameter.</summary>
     public double Likely(int number) => _likely[number];
 
-    /// <summary>Standard deviation of a number before the track was seen.</summary>
+    /// <summary>Returns the prior standard deviation of a parameter.</summary>
     public double KnownDeviation(int number) => _deviations[number];
 
-    /// <summary>The difference by which a derivative is taken.</summary>
+    /// <summary>Returns the difference for the derivative with respect to a parameter.</summary>
     public double Difference(int number) => number == _crisisAt ? CrisisStep : number == _dragAt || number == _liftAt ? FactorStep : WindStep;
 
-    /// <summary>Keeps the numbers within what a scene may have.</summary>
+    /// <summary>Clamps the parameters to the limits of a scene.</summary>
     public void Bound(double[] values)
     {
         for (int i = 0; i < Count; i++)
@@ -94,7 +94,7 @@ internal sealed class MatchModel
         }
     }
 
-    /// <summary>The scene with some numbers, without ground.</summary>
+    /// <summary>Returns the scene with the given parameters, without ground.</summary>
     public Scene Scene(double[] values)
     {
         Vector3d wind = _scene.Air.Wind;

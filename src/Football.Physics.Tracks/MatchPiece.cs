@@ -1,78 +1,84 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A piece of a match's track: one flight, one impact, one touch, a time on the ground, or what could not be explained. Frame y up, SI units.</summary>
+/// <summary>A piece of a match track: a flight, an impact, a touch, ground contact, or an unexplained part.</summary>
+/// <remarks>The frame has y up; SI units.</remarks>
 public sealed record MatchPiece
 {
-    /// <summary>Kind of the piece.</summary>
+    /// <summary>The kind of the piece.</summary>
     public MatchPieceKind Kind { get; init; }
 
-    /// <summary>When it begins, s; the instant of an impact or a touch.</summary>
+    /// <summary>The start time, in s; for an impact or a touch, its instant.</summary>
     public double StartTime { get; init; }
 
-    /// <summary>When it ends, s.</summary>
+    /// <summary>The end time, in s.</summary>
     public double EndTime { get; init; }
 
-    /// <summary>Points of the track in it; none in an impact, a touch or a gap.</summary>
+    /// <summary>The number of track points; 0 for an impact, a touch or a gap.</summary>
     public int Points { get; init; }
 
-    /// <summary>Root of the mean square of the points' distances from <see cref="Fitted"/>, m; 0 without points.</summary>
+    /// <summary>The root mean square distance of the points from <see cref="Fitted"/>, in m; 0 without points.</summary>
     public double Rms { get; init; }
 
-    /// <summary>The largest of those distances, m.</summary>
+    /// <summary>The largest distance of a point from <see cref="Fitted"/>, in m.</summary>
     public double MaximumResidual { get; init; }
 
-    /// <summary>Where the ball's centre is at the beginning, m.</summary>
+    /// <summary>The position of the ball's centre at the start, in m.</summary>
     public Vector3d Position { get; init; }
 
-    /// <summary>Velocity at the beginning, m/s; of an impact or a touch the one just after.</summary>
+    /// <summary>The velocity at the start, in m/s; for an impact or a touch, the velocity just after it.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>Spin at the beginning, rad/s; of an impact or a touch the one just after. Zero where nothing tells of it.</summary>
+    /// <summary>The spin at the start, in rad/s; for an impact or a touch, the spin just after it.</summary>
+    /// <remarks>Zero if it is unknown.</remarks>
     public Vector3d Spin { get; init; }
 
-    /// <summary>Velocity just before an impact or a touch, m/s.</summary>
+    /// <summary>The velocity just before an impact or a touch, in m/s.</summary>
     public Vector3d VelocityBefore { get; init; }
 
-    /// <summary>Spin just before an impact or a touch, rad/s.</summary>
+    /// <summary>The spin just before an impact or a touch, in rad/s.</summary>
     public Vector3d SpinBefore { get; init; }
 
-    /// <summary>Standard deviation of each component of <see cref="Velocity"/>, m/s.</summary>
+    /// <summary>The standard deviation of each component of <see cref="Velocity"/>, in m/s.</summary>
     public Vector3d VelocityDeviation { get; init; }
 
-    /// <summary>Standard deviation of each component of <see cref="Spin"/>, rad/s: that of what was known before where the track tells nothing.</summary>
+    /// <summary>The standard deviation of each component of <see cref="Spin"/>, in rad/s.</summary>
+    /// <remarks>If the track does not determine the spin, it is the prior deviation.</remarks>
     public Vector3d SpinDeviation { get; init; }
 
-    /// <summary>Of an impact that a flight follows: speed off the ground by that towards it; else null.</summary>
+    /// <summary>The restitution of an impact: the ratio of the normal speeds after and before.</summary>
+    /// <remarks>Null for other pieces, and for an impact without a flight after it.</remarks>
     public double? Restitution { get; init; }
 
-    /// <summary>Of an impact: speed along the ground after by that before; 1 where there was none, 0 where it is no impact.</summary>
+    /// <summary>The ratio of the speeds along the ground after and before an impact; 0 for other pieces.</summary>
+    /// <remarks>1 if there was no such speed before.</remarks>
     public double SpeedRetained { get; init; }
 
-    /// <summary>The points of the track in it.</summary>
+    /// <summary>The track points of the piece.</summary>
     public IReadOnlyList<TrackPoint> Observed { get; init; } = [];
 
-    /// <summary>Where the fit has the ball at each of <see cref="Observed"/>, m: by the laws of flight, elsewhere by cubics in time.</summary>
+    /// <summary>The fitted positions at each of <see cref="Observed"/>, in m.</summary>
+    /// <remarks>Flights use the laws of flight, other pieces cubics in time.</remarks>
     public IReadOnlyList<Vector3d> Fitted { get; init; } = [];
 
-    /// <summary>How long it takes, s.</summary>
+    /// <summary>The duration, in s.</summary>
     public double Duration => EndTime - StartTime;
 }
 
-/// <summary>Kinds of pieces of a match's track.</summary>
+/// <summary>The kinds of pieces of a match track.</summary>
 public enum MatchPieceKind
 {
-    /// <summary>The ball flies; nothing but air touches it.</summary>
+    /// <summary>The ball flies; only the air acts on it.</summary>
     Flight = 0,
 
-    /// <summary>It bounces on the ground.</summary>
+    /// <summary>The ball bounces on the ground.</summary>
     Impact = 1,
 
-    /// <summary>It rolls, slides or hops lower than the track tells.</summary>
+    /// <summary>The ball rolls, slides, or hops lower than the track resolves.</summary>
     Ground = 2,
 
-    /// <summary>Somebody or something else touches it: a kick, a header, a post.</summary>
+    /// <summary>A player or another object touches the ball: a kick, a header, a post.</summary>
     Touch = 3,
 
-    /// <summary>A gap, a seam, or a motion that no law of a free ball explains.</summary>
+    /// <summary>A gap, a track error, or a motion that no law of a free ball explains.</summary>
     Lost = 4,
 }

@@ -1,30 +1,34 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Makes the pieces of a match from its flights: what is between them, and what happened from one to the next.</summary>
+/// <summary>Builds the pieces of a match from its flights: the parts between them, and the events.</summary>
 internal sealed class MatchPieces
 {
-    /// <summary>So many points between two flights are of neither: cameras smooth over a touch.</summary>
+    /// <summary>The maximum number of points between two flights, because trackers smooth over a touch.</summary>
     private const int Between = 3;
 
-    /// <summary>A ball so far from contact height may be on the ground, m: z is off near it, and a pitch is crowned.</summary>
+    /// <summary>The distance from contact height within which a ball may be on the ground, in m: heights are inaccurate there, and pitches are
+    /// crowned.</summary>
     private const double Near = 0.3;
 
-    /// <summary>Highest hop of a ball on the ground, m.</summary>
+    /// <summary>The highest hop of a ball on the ground, in m.</summary>
     private const double Hop = 0.35;
 
-    /// <summary>A seam moves the ball without a change of velocity: less than this, m/s.</summary>
+    /// <summary>The largest change of velocity at a track error, in m/s, which shifts the position only.</summary>
     private const double SeamVelocity = 0.8;
 
-    /// <summary>On the ground a ball is touched where its velocity changes by more than this, m/s.</summary>
+    /// <summary>The change of velocity on the ground that counts as a touch, in m/s.</summary>
     private const double TouchVelocity = 1.2;
 
-    /// <summary>Bounds of an impact on any pitch: restitution, the tangential impulse by the normal one, m/s more, and how much faster a spin may make the ball, m/s.</summary>
+    /// <summary>The limits of an impact on any pitch.</summary>
+    /// <remarks>
+    /// They are the restitution, the ratio of tangential to normal impulse with its tolerance in m/s, and the speed gained from spin, in m/s.
+    /// </remarks>
     private const double MostRestitution = 1.05;
     private const double MostFriction = 0.9;
     private const double UnsureTurn = 0.5;
     private const double MostGain = 1.5;
 
-    /// <summary>How far the change of a velocity along the ground may be off, m/s.</summary>
+    /// <summary>The uncertainty of a change of horizontal velocity, in m/s.</summary>
     private const double UnsureChange = 1;
 
     private readonly TrackPoint[] _track;
@@ -44,7 +48,8 @@ internal sealed class MatchPieces
         _contact = contact;
     }
 
-    /// <summary>Heights where the track has the ball on the ground: where two flights meet falling and rising, and where it neither rises nor falls.</summary>
+    /// <summary>Returns the heights at which the ball is on the ground: between a falling and a rising flight, and where it neither rises nor
+    /// falls.</summary>
     public static List<double> GroundHeights(TrackRuns runs, IReadOnlyList<int> ends, List<FlightPath> flights, Simulator at)
     {
         TrackPoint[] track = runs.Points;
@@ -87,10 +92,10 @@ internal sealed class MatchPieces
         return heights;
     }
 
-    /// <summary>Makes the pieces.</summary>
+    /// <summary>Builds the pieces.</summary>
     public List<MatchPiece> Make(IReadOnlyList<int> ends, List<FlightPath> flights)
     {
-        // 1. Flights, and what is left between them, in order. 2. What happened from each to the next.
+        // 1. The flights, and the parts between them, in order. 2. The event from each to the next.
         List<MatchPiece> steady = [];
         List<FlightPath?> paths = [];
         int at = 0;
@@ -117,13 +122,14 @@ internal sealed class MatchPieces
         return pieces;
     }
 
-    /// <summary>
-    /// What impacts made of the spin: friction at the contact changes both, Δω = n × (−Δv)/(α r), whatever the surface. So a flight that follows an impact has a likely spin, which the
-    /// air would hardly tell of in so short a time.
-    /// </summary>
+    /// <summary>Sets the prior spin of flights that follow an impact.</summary>
+    /// <remarks>
+    /// Friction at the contact changes velocity and spin together on any surface, Δω = n × (−Δv)/(α r). So the impact predicts the spin of the next
+    /// flight, which the air alone would hardly reveal in such a short time.
+    /// </remarks>
     /// <param name="flights">The flights, in order of time.</param>
-    /// <param name="spinDeviation">Standard deviation of a component of any spin, rad/s.</param>
-    /// <param name="fit">Fits a flight anew, which was told of its spin: the next is told by that.</param>
+    /// <param name="spinDeviation">The prior standard deviation of a spin component, in rad/s.</param>
+    /// <param name="fit">Fits a flight again after its prior changed; the next flight uses the result.</param>
     public void TellSpins(List<FlightPath> flights, double spinDeviation, Action<FlightPath> fit)
     {
         BallProperties ball = _at.Scene.Ball;
@@ -154,7 +160,7 @@ internal sealed class MatchPieces
         double Unsure(double before, double change) => before > 0 ? Math.Min(spinDeviation, Math.Sqrt((before * before) + (change * change))) : spinDeviation;
     }
 
-    /// <summary>Where and when two flights meet: where both paths, as straight as they are there, come closest.</summary>
+    /// <summary>Returns the time and position at which two flights meet: the closest approach of their extrapolated paths.</summary>
     private static void Meet(TrackPoint[] track, FlightPath a, FlightPath b, double upward, out double time, out Vector3d place, out Vector3d before, out Vector3d after)
     {
         double end = track[a.End - 1].Time;
@@ -210,10 +216,10 @@ internal sealed class MatchPieces
         return points;
     }
 
-    /// <summary>Adds the pieces between two flights: on the ground, or lost; gaps are lost.</summary>
+    /// <summary>Adds the pieces between two flights: ground, lost parts and gaps.</summary>
     private void AddRest(List<MatchPiece> steady, List<FlightPath?> paths, IReadOnlyList<int> ends, int first, int end, bool follows)
     {
-        // A few points between two flights belong to what happened there.
+        // A few points between two flights belong to the event there.
         bool isWhole = end - first <= Between && follows && end < _track.Length && !HasGap(first - 1, end);
         if (isWhole)
         {
@@ -285,7 +291,7 @@ internal sealed class MatchPieces
         return Math.Min(end, ends[low]);
     }
 
-    /// <summary>True when half of some points are as low as a ball on the ground.</summary>
+    /// <summary>True if half of the points are as low as a ball on the ground.</summary>
     private bool IsLow(int first, int end)
     {
         double[] heights = new double[end - first];
@@ -298,7 +304,7 @@ internal sealed class MatchPieces
         return heights[heights.Length / 2] < _contact + Hop;
     }
 
-    /// <summary>True when a ball on the ground changes its velocity from one piece to the next more than by friction.</summary>
+    /// <summary>True if the velocity of a ball on the ground changes between two segments by more than friction can cause.</summary>
     private bool IsTouched(int first, int at, int end)
     {
         int before = Math.Max(first, at - 8);
@@ -315,7 +321,7 @@ internal sealed class MatchPieces
         return change.Length > TouchVelocity + (6 * _runs.Noise / (span * Math.Sqrt(after - at)));
     }
 
-    /// <summary>A piece that no law of flight describes: by the cubics of the division.</summary>
+    /// <summary>Creates a piece that no law of flight describes, from the cubics of the division.</summary>
     private MatchPiece Rest(MatchPieceKind kind, IReadOnlyList<int> ends, int first, int end)
     {
         var fitted = new Vector3d[end - first];
@@ -352,7 +358,7 @@ internal sealed class MatchPieces
         };
     }
 
-    /// <summary>The event between one piece and the next; null where there is none.</summary>
+    /// <summary>Returns the event between two pieces; null if there is none.</summary>
     private MatchPiece? Event(MatchPiece before, FlightPath? a, MatchPiece after, FlightPath? b)
     {
         if (a is null && b is null)
@@ -377,7 +383,7 @@ internal sealed class MatchPieces
 
         if (a is not null)
         {
-            // To the ground, or into somebody's hands
+            // Onto the ground, or into someone's hands.
             double fall = Math.Max(0, after.StartTime - before.EndTime);
             Vector3d speed = a.Last.Velocity + (0.5 * fall * new Vector3d(0, _upward, 0));
             var to = new Vector3d(after.Velocity.X, Math.Max(0, after.Velocity.Y), after.Velocity.Z);
@@ -410,7 +416,7 @@ internal sealed class MatchPieces
         Spin = spin,
     };
 
-    /// <summary>An impact where that could have been one, else a touch.</summary>
+    /// <summary>Returns an impact if the velocities allow one; otherwise a touch.</summary>
     private MatchPiece ImpactOr(double time, Vector3d place, Vector3d before, Vector3d spinBefore, Vector3d after, Vector3d spin, FlightPath? flight)
     {
         MatchPiece touch = Touch(time, place, before, spinBefore, after, spin);

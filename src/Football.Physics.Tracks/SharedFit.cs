@@ -1,26 +1,26 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Fits the launches of many flights, and the numbers that they share, at once.</summary>
+/// <summary>Fits the launches of many flights and their shared parameters simultaneously.</summary>
 /// <remarks>
-/// Gauss and Newton, damped (Levenberg, Marquardt). A launch concerns its own flight alone, so it is eliminated there (Schur's complement) and what is solved at once has
-/// the size of what is shared: S = Σ (C − Bᵀ A⁻¹ B), s = Σ (c − Bᵀ A⁻¹ a).
+/// Damped Gauss–Newton (Levenberg–Marquardt). Each launch affects only its own flight and is eliminated (Schur complement), so the system has the
+/// size of the shared parameters: S = Σ (C − Bᵀ A⁻¹ B), s = Σ (c − Bᵀ A⁻¹ a).
 /// </remarks>
 internal sealed class SharedFit
 {
     private const int Launch = FlightPath.Launch;
     private const int MostSteps = 25;
 
-    /// <summary>The search ends where a step lowers the cost by less than this share.</summary>
+    /// <summary>The relative gain of a step below which the search ends.</summary>
     private const double LeastGain = 1e-5;
 
     private const double FirstDamping = 1e-3;
     private const double LeastDamping = 1e-9;
     private const double MostDamping = 1e6;
 
-    /// <summary>A flight that fits so many times worse than the median one tells less of what is shared.</summary>
+    /// <summary>The ratio to the median residual above which a flight has less weight in the shared parameters.</summary>
     private const double Strange = 2.5;
 
-    /// <summary>Least model error as a share of a point's deviation, even where a flight happens to fit better.</summary>
+    /// <summary>The minimum model error as a share of a point's variance, even if a flight happens to fit better.</summary>
     private const double LawShare = 0.4;
 
     private readonly FlightEquations _system;
@@ -45,25 +45,26 @@ internal sealed class SharedFit
         At = new Simulator(model.Scene(Values));
     }
 
-    /// <summary>The shared numbers.</summary>
+    /// <summary>The shared parameters.</summary>
     public double[] Values { get; }
 
-    /// <summary>Mean square of how far the truth may be from them.</summary>
+    /// <summary>The covariance matrix of the shared parameters.</summary>
     public double[] Covariance { get; }
 
-    /// <summary>The scene of the shared numbers.</summary>
+    /// <summary>The scene with the shared parameters.</summary>
     public Simulator At { get; private set; }
 
-    /// <summary>The cost at the end.</summary>
+    /// <summary>The final cost.</summary>
     public double Cost { get; private set; }
 
-    /// <summary>Goes downhill.</summary>
+    /// <summary>Minimises the cost.</summary>
     /// <param name="flights">The flights; their launches are both start and result.</param>
-    /// <param name="shares">How much each counts for what is shared.</param>
-    /// <param name="cancellation">Ends the search.</param>
+    /// <param name="shares">The weight of each flight in the shared parameters.</param>
+    /// <param name="cancellation">Cancels the search.</param>
     public void Descend(IReadOnlyList<FlightPath> flights, double[] shares, CancellationToken cancellation)
     {
-        // 1. Normal equations of every flight. 2. What is shared, by what is left of them; then each launch. 3. Taken where the cost is lower, else again with more damping.
+        // 1. The normal equations of every flight. 2. Solve the reduced system for the shared parameters, then for each launch. 3. Accept a lower
+        // cost; otherwise retry with more damping.
         double damping = FirstDamping;
         double cost = double.PositiveInfinity;
         var normals = new double[flights.Count][];
@@ -123,7 +124,7 @@ internal sealed class SharedFit
         }
     }
 
-    /// <summary>How much each flight counts for what is shared: one that fits far worse than the others is not explained by it.</summary>
+    /// <summary>Returns the weight of each flight; one that fits far worse than the others is not explained by the shared parameters.</summary>
     public static double[] Shares(IReadOnlyList<FlightPath> flights)
     {
         double[] shares = new double[flights.Count];
@@ -144,7 +145,8 @@ internal sealed class SharedFit
         return shares;
     }
 
-    /// <summary>Measures how surely launches and shared numbers are known: by the scatter of each flight's own distances, and how long those stay on one side.</summary>
+    /// <summary>Estimates the covariances of launches and shared parameters, from the scatter of each flight's residuals and their
+    /// autocorrelation.</summary>
     public void MeasureUncertainty(IReadOnlyList<FlightPath> flights, double[] shares)
     {
         var normals = new double[flights.Count][];
@@ -174,7 +176,8 @@ internal sealed class SharedFit
         Invert(s, Covariance, _shared);
         for (int f = 0; f < flights.Count; f++)
         {
-            // A⁻¹ by the scatter, but for what was known before, A⁻¹ (w(A − P) + P) A⁻¹; A⁻¹B S⁻¹ BᵀA⁻¹ by what is shared, and d dᵀ, d = A⁻¹JᵀWb, by heights b that are wrong near the ground, all the same way.
+            // Sum of three terms: A⁻¹ (w(A − P) + P) A⁻¹ by the scatter w without the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared parameters; and d dᵀ with
+            // d = A⁻¹JᵀWb by the common height error b near the ground.
             double[] covariance = flights[f].Covariance;
             double scatter = shares[f] / told[f];
             Vector3d known = _system.PerSpin(flights[f]);
@@ -223,8 +226,8 @@ internal sealed class SharedFit
         return cost;
     }
 
-    /// <summary>Where a damped step leads.</summary>
-    /// <returns>The cost there.</returns>
+    /// <summary>Computes a damped step.</summary>
+    /// <returns>The cost after the step.</returns>
     private double Try(
         IReadOnlyList<FlightPath> flights, double[] shares, double[][] normals, double[][] gradients, double damping, double[] changed, double[][] launches, out Simulator? there)
     {
@@ -235,7 +238,7 @@ internal sealed class SharedFit
         var couplings = new double[flights.Count][];
         for (int f = 0; f < flights.Count; f++)
         {
-            // Damped by its own diagonal
+            // Damp by the matrix's own diagonal.
             double[] normal = (double[])normals[f].Clone();
             for (int i = 0; i < Launch; i++)
             {
@@ -314,7 +317,7 @@ internal sealed class SharedFit
         }
     }
 
-    /// <summary>A⁻¹B.</summary>
+    /// <summary>Returns A⁻¹B.</summary>
     private double[] Couple(double[] normal, double[] inverse)
     {
         double[] coupling = new double[Launch * _shared];
@@ -335,7 +338,7 @@ internal sealed class SharedFit
         return coupling;
     }
 
-    /// <summary>S += w (C − Bᵀ A⁻¹B), s += w (c − (A⁻¹B)ᵀ a).</summary>
+    /// <summary>Adds S += w (C − Bᵀ A⁻¹B), s += w (c − (A⁻¹B)ᵀ a).</summary>
     private void Eliminate(double[] normal, double[] gradient, double[] coupling, double weight, double[] s, double[] right)
     {
         for (int i = 0; i < _shared; i++)
@@ -360,7 +363,7 @@ internal sealed class SharedFit
         }
     }
 
-    /// <summary>By how much the variance of a flight's distances, and their likeness to the next ones, exceed what was said of a point.</summary>
+    /// <summary>Returns the ratio of a flight's residual variance, including autocorrelation, to the assumed variance of a point.</summary>
     private double Inflation(FlightPath flight)
     {
         Vector3d[] misses = _system.Misses(At, flight);

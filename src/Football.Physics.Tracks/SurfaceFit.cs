@@ -1,28 +1,28 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds a surface from impacts: restitution, its rise with obliqueness, and friction.</summary>
+/// <summary>Estimates a surface from impacts: restitution, its increase at grazing impacts, and friction.</summary>
 /// <remarks>
-/// Least squares by Gauss and Newton's method, of what an impact leaves of the velocities towards the ground and along it, as shares of those before; what lies far off counts
-/// less (Huber), so that a touch taken for an impact does no harm.
+/// Gauss–Newton least squares on the ratios of normal and tangential speeds after and before an impact. Outliers are down-weighted (Huber), so that a
+/// touch mistaken for an impact does no harm.
 /// </remarks>
 internal sealed class SurfaceFit
 {
     private const int Numbers = 3;
     private const int MostSteps = 30;
 
-    /// <summary>Impacts of less speed towards the ground, m/s, are those of a ball that hops in the grass.</summary>
+    /// <summary>The minimum normal speed of an impact, in m/s; slower ones are hops in the grass.</summary>
     private const double LeastApproach = 1.2;
 
-    /// <summary>Slower along the ground, m/s, friction is not told.</summary>
+    /// <summary>The minimum tangential speed at which friction can be estimated, in m/s.</summary>
     private const double LeastAlong = 2;
 
-    /// <summary>How far the shares scatter from one impact to the next on a real pitch, beside what the flights are sure of.</summary>
+    /// <summary>The scatter of the ratios between impacts on a real pitch, in addition to the uncertainty of the flights.</summary>
     private const double Scatter = 0.06;
 
-    /// <summary>Farther off than so many deviations counts linearly.</summary>
+    /// <summary>The Huber threshold, in standard deviations.</summary>
     private const double Huber = 1.5;
 
-    /// <summary>Standard deviations of the numbers, about the ground's own, before the impacts were seen.</summary>
+    /// <summary>The prior standard deviations of the parameters, about the ground's own values.</summary>
     private static readonly double[] KnownDeviations = [0.15, 0.6, 0.5];
 
     private static readonly double[] Steps = [1e-4, 1e-4, 1e-4];
@@ -31,10 +31,10 @@ internal sealed class SurfaceFit
     private readonly Ground _ground;
     private readonly List<MatchPiece> _impacts;
 
-    /// <summary>Finds the numbers.</summary>
+    /// <summary>Estimates the parameters.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="ground">What is likely, and what is not sought.</param>
-    /// <param name="pieces">Pieces of the match.</param>
+    /// <param name="ground">The prior surface; its other values are kept.</param>
+    /// <param name="pieces">The pieces of the match.</param>
     public SurfaceFit(BallProperties ball, Ground ground, List<MatchPiece> pieces)
     {
         _ball = ball;
@@ -47,24 +47,25 @@ internal sealed class SurfaceFit
         }
     }
 
-    /// <summary>The ground with what was found.</summary>
+    /// <summary>The ground with the estimated parameters.</summary>
     public Ground Ground { get; private set; }
 
-    /// <summary>How many impacts told of it.</summary>
+    /// <summary>The number of impacts used.</summary>
     public int Impacts => _impacts.Count;
 
-    /// <summary>Names of the numbers.</summary>
+    /// <summary>The names of the parameters.</summary>
     public string[] Names { get; private set; } = [];
 
-    /// <summary>The numbers.</summary>
+    /// <summary>The values of the parameters.</summary>
     public double[] Values { get; private set; } = [];
 
-    /// <summary>Their standard deviations.</summary>
+    /// <summary>The standard deviations of the parameters.</summary>
     public double[] Deviations { get; private set; } = [];
 
+    /// <summary>Estimates the parameters and their standard deviations.</summary>
     private void Find()
     {
-        // 1. Downhill, weights by how far each impact is off. 2. The scatter that is left, and the uncertainty from it.
+        // 1. Reweighted least squares. 2. The remaining scatter, and the uncertainty from it.
         double[] likely = [_ground.Material.NormalRestitution, _ground.Material.GrazingRestitutionGain, Math.Min(_ground.Material.ImpactFriction, 2)];
         double[] values = (double[])likely.Clone();
         double[] normal = new double[Numbers * Numbers];
@@ -124,7 +125,7 @@ internal sealed class SurfaceFit
         }
     }
 
-    /// <summary>Normal equations with what was known before.</summary>
+    /// <summary>Assembles the normal equations, including the prior.</summary>
     private void Equations(double[] values, double[] likely, double[] normal, double[] right, out double scatter)
     {
         Array.Clear(normal, 0, normal.Length);
@@ -184,7 +185,7 @@ internal sealed class SurfaceFit
         scatter = squares / Math.Max(1, weights - Numbers);
     }
 
-    /// <summary>Shares of the speeds towards the ground and along it that an impact leaves.</summary>
+    /// <summary>Computes the ratios of the normal and tangential speeds after and before an impact.</summary>
     private void Shares(in ContactMaterial material, MatchPiece impact, out double bounce, out double kept)
     {
         Vector3d before = impact.VelocityBefore;

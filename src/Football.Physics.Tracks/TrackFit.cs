@@ -1,49 +1,51 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Finds the launch of a ball, and on request what a scene's numbers really are, from where a camera saw it.</summary>
+/// <summary>Estimates the launch of a ball and, on request, scene parameters, from tracked positions.</summary>
 /// <remarks>
-/// Least squares by the method of Gauss and Newton, damped (Levenberg, Marquardt) where a step would not help, with secants as wide as the uncertainty for derivatives, as
-/// paths have kinks where a ball just slips, or just hops once more. The uncertainty is measured by going out to where the misses grow, so it holds where they do not
-/// grow with the square: a spin times a lift may be known well of which neither is. Its memory is its own: one a thread.
+/// Least squares by the Gauss–Newton method, damped (Levenberg–Marquardt) if a step does not help. The derivatives are secants as wide as the
+/// uncertainty, because paths have kinks where a ball just stops slipping, or just bounces once more. The uncertainty is measured along each axis
+/// until the cost has risen, so it is valid even if the cost is not quadratic. For example, the product of spin and lift may be accurate although
+/// neither factor is. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class TrackFit
 {
-    /// <summary>The velocity to begin with is that of the points of so many seconds.</summary>
+    /// <summary>The time span of the points that determine the initial velocity, in s.</summary>
     private const double Beginning = 0.25;
 
-    /// <summary>χ² by its expectation from which on a fit is poor.</summary>
+    /// <summary>The ratio of χ² to its expectation above which a fit is poor.</summary>
     private const double Poor = 1.2;
 
-    /// <summary>Spins, rad/s, from which a poor fit is tried again, and one in which the ball bounces: another bounce may fit as well.</summary>
+    /// <summary>The spins from which a poor fit, or one with bounces, is repeated, in rad/s, and their number; another bounce may fit as
+    /// well.</summary>
     private const double OtherSpin = 35;
     private const int OtherStarts = 5;
 
-    /// <summary>Largest excess of the cost at which a minimum is another answer to the track: three deviations of one number.</summary>
+    /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
 
-    /// <summary>Minima that are closer than this, in deviations of the spin, are one.</summary>
+    /// <summary>The distance below which two minima are the same, in standard deviations of the spin.</summary>
     private const double Apart = 3;
 
     private readonly Scene _scene;
 
     /// <summary>Prepares for tracks of balls in a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFit(Scene? scene = null)
     {
         _scene = scene ?? Scene.Default;
         _scene.Validate();
     }
 
-    /// <summary>Finds the launch that a track tells of.</summary>
-    /// <param name="track">Where the ball was seen, in order of time; at least four points. The launch is at the first of them.</param>
-    /// <param name="request">What to find beside the launch, and what is known before; default nothing.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="track"/> is null, or a ball of the request.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <summary>Estimates the launch of a track.</summary>
+    /// <param name="track">The observed positions, in order of time; at least four points. The launch is at the first point.</param>
+    /// <param name="request">Additional parameters to estimate, and prior knowledge; default none.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="track"/>, or a ball of the request, is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
-        // 1. A start by the first points; downhill for the launch, then for the factors too; from other spins where that fits poorly, or the ball bounces.
-        // 2. The uncertainty, measured. 3. With other balls, where it may have been one.
+        // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
+        // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
         request ??= new TrackFitRequest();
         Validate(track, request);
         TrackSearch best = Search(track, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
@@ -60,8 +62,8 @@ public sealed class TrackFit
 
     private static int FreedomOf(TrackPoint[] track, TrackSearch search) => (3 * track.Length) - search.Model.Count;
 
-    /// <summary>Searches from the start that the first points suggest, and from other spins where that fits poorly, or the ball bounces.</summary>
-    /// <returns>The best, with its numbers; and the next best, with its, where others were tried.</returns>
+    /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
+    /// <returns>The best fit with its parameters and, if others were tried, the second best with its own.</returns>
     private TrackSearch Search(TrackPoint[] track, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
     {
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
@@ -95,7 +97,8 @@ public sealed class TrackFit
         return best;
     }
 
-    /// <summary>A spin to begin with again: that found with its topspin the other way, then much of it each way, then much about the vertical.</summary>
+    /// <summary>Returns another initial spin: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
+    /// way.</summary>
     private static Vector3d OtherSpinOf(int i, double[] values, TrackFitRequest request, in Vector3d across)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
@@ -109,7 +112,7 @@ public sealed class TrackFit
         };
     }
 
-    /// <summary>True when two answers differ in the spin by more than their uncertainty.</summary>
+    /// <summary>True if the spins of two results differ by more than their uncertainty.</summary>
     private static bool AreApart(double[] values, double[] others, double[] covariance)
     {
         int n = values.Length;
@@ -125,7 +128,7 @@ public sealed class TrackFit
         return false;
     }
 
-    /// <summary>True when the ball bounces in the time of the track.</summary>
+    /// <summary>True if the ball bounces within the time of the track.</summary>
     private bool Bounces(double[] values, double duration)
     {
         var simulator = new Simulator(_scene with { Bodies = null, EngineColliders = null });
@@ -136,7 +139,8 @@ public sealed class TrackFit
         return log.Events.Impacts > 0;
     }
 
-    /// <summary>Fits with other balls, each from the start: the numbers that fit a wrong ball best may lie in another valley of the right one.</summary>
+    /// <summary>Fits the other balls, each from the start: the best parameters of a wrong ball may lie near another minimum of the right
+    /// one.</summary>
     private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost)
     {
         var all = new List<TrackFitByBall>();
@@ -149,7 +153,7 @@ public sealed class TrackFit
         return all;
     }
 
-    /// <summary>Goes downhill from a launch: with the launch alone, then with the factors too.</summary>
+    /// <summary>Minimises over the launch only, and then over the factors too.</summary>
     private TrackSearch Descend(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
     {
         var search = new TrackSearch(track, launch, new TrackModel(_scene, launch));
@@ -184,7 +188,7 @@ public sealed class TrackFit
         Check.Within("track's last time", track[track.Length - 1].Time - track[0].Time, 0, 600, exclusiveLow: true);
     }
 
-    /// <summary>Where to begin: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² of the first points.</summary>
+    /// <summary>Returns the initial values: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² over the first points.</summary>
     private double[] Start(TrackPoint[] track, TrackFitRequest request)
     {
         double[] values = new double[TrackModel.Launch];

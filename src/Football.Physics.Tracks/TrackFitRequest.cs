@@ -1,39 +1,41 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A request for a fit: the numbers to find from a track beside the launch, and what is known of them before.</summary>
+/// <summary>A request for a track fit: the parameters to estimate besides the launch, and their priors.</summary>
 public sealed record TrackFitRequest
 {
-    /// <summary>True to find by how much the drag differs from the scene's law. Default false.</summary>
+    /// <summary>True to estimate a factor of the drag relative to the scene's law. Default false.</summary>
     public bool Drag { get; init; }
 
-    /// <summary>True to find by how much the Magnus force differs from the scene's law. Default false.</summary>
+    /// <summary>True to estimate a factor of the Magnus force relative to the scene's law. Default false.</summary>
     public bool Lift { get; init; }
 
-    /// <summary>True to find by how much the ground's normal restitution differs. Default false.</summary>
+    /// <summary>True to estimate a factor of the ground's normal restitution. Default false.</summary>
     public bool Restitution { get; init; }
 
-    /// <summary>True to find by how much the ground's friction, at impacts and in slides, differs. Default false.</summary>
+    /// <summary>True to estimate a factor of the ground's friction, at impacts and in slides. Default false.</summary>
     public bool Friction { get; init; }
 
-    /// <summary>The velocity to begin with, m/s; default the one that the first points suggest.</summary>
+    /// <summary>The initial velocity of the search, in m/s; default: an estimate from the first points.</summary>
     public Vector3d? Velocity { get; init; }
 
-    /// <summary>The spin to begin with, which is also the likeliest before the track was seen, rad/s; default none.</summary>
+    /// <summary>The initial spin of the search and its prior mean, in rad/s; default 0.</summary>
     public Vector3d Spin { get; init; }
 
-    /// <summary>Standard deviation of each component of the spin before the track was seen, rad/s: a track tells little of a spin along the way. Above 0; default 60.</summary>
+    /// <summary>The prior standard deviation of each component of the spin, in rad/s. Above 0; default 60.</summary>
+    /// <remarks>A track reveals little about spin along the velocity.</remarks>
     public double SpinDeviation { get; init; } = 60;
 
-    /// <summary>Standard deviation of the factors of drag, lift, restitution and friction, about 1, before the track was seen. Above 0; default 0.3.</summary>
+    /// <summary>The prior standard deviation of the factors of drag, lift, restitution and friction, about 1. Above 0; default 0.3.</summary>
     public double FactorDeviation { get; init; } = 0.3;
 
-    /// <summary>
-    /// Other balls that it may have been: the fit is made with each of them too, for <see cref="TrackFitResult.DeviationOverBalls"/>. Deviations of one fit are those of the noise
-    /// alone: with a wrong ball they are four to twelve times too small. Default none.
-    /// </summary>
+    /// <summary>Other balls that the tracked ball may have been. Default none.</summary>
+    /// <remarks>
+    /// The fit is repeated with each of them, for <see cref="TrackFitResult.DeviationOverBalls"/>. The standard errors of a single fit contain only
+    /// the noise: with a wrong ball they are four to twelve times too small.
+    /// </remarks>
     public IReadOnlyList<BallProperties> OtherBalls { get; init; } = [];
 
-    /// <summary>Length of a step, s. 1e-4 … 0.1; default 0.02.</summary>
+    /// <summary>The length of a step, in s. 1e-4 … 0.1; default 0.02.</summary>
     public double TimeStep { get; init; } = 0.02;
 
     internal void Validate()
@@ -56,13 +58,13 @@ public sealed record TrackFitRequest
     }
 }
 
-/// <summary>Where a camera saw a ball.</summary>
+/// <summary>An observed position of a ball.</summary>
 public readonly struct TrackPoint
 {
-    /// <summary>A point of a track.</summary>
-    /// <param name="time">When, s.</param>
-    /// <param name="position">Where the centre was seen, m.</param>
-    /// <param name="noise">Standard deviation of each coordinate, m.</param>
+    /// <summary>Creates a point of a track.</summary>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="position">The observed position of the centre, in m.</param>
+    /// <param name="noise">The standard deviation of each coordinate, in m; default 0.02.</param>
     public TrackPoint(double time, Vector3d position, double noise = 0.02)
     {
         Time = time;
@@ -70,12 +72,12 @@ public readonly struct TrackPoint
         Noise = noise;
     }
 
-    /// <summary>When, s.</summary>
+    /// <summary>The time, in s.</summary>
     public double Time { get; }
 
-    /// <summary>Where the centre was seen, m.</summary>
+    /// <summary>The observed position of the centre, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>Standard deviation of each coordinate, m.</summary>
+    /// <summary>The standard deviation of each coordinate, in m.</summary>
     public double Noise { get; }
 }

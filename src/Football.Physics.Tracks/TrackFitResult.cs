@@ -1,15 +1,17 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The launch that a track tells of, and how surely. Numbers in a row are: position, velocity, spin of the launch, then the factors that were asked for.</summary>
+/// <summary>The launch estimated from a track, with its uncertainty.</summary>
+/// <remarks>Parameters are ordered: position, velocity and spin of the launch, then the requested factors.</remarks>
 public sealed class TrackFitResult
 {
-    /// <summary>1/√2: the track tells as much as was known before.</summary>
+    /// <summary>1/√2: the track contributes as much information as the prior.</summary>
     private const double Identified = 0.7071067811865476;
 
-    /// <summary>Of a χ² that is likelier than this nothing is said.</summary>
+    /// <summary>The probability of a χ² below which the fit is suspicious.</summary>
     private const double Rare = 1e-3;
 
-    /// <summary>A ball whose cost is lower by this fits better, and one whose is higher by no more than that fits no worse: two, and three deviations of one number.</summary>
+    /// <summary>The cost difference by which another ball fits better, and up to which one fits no worse: two and three standard deviations of one
+    /// parameter.</summary>
     private const double LikelierBy = 4;
     private const double AsGood = 9;
 
@@ -30,48 +32,48 @@ public sealed class TrackFitResult
         Converged = converged;
     }
 
-    /// <summary>Names of the numbers.</summary>
+    /// <summary>The names of the parameters.</summary>
     public IReadOnlyList<string> Names => _model.Names;
 
-    /// <summary>When the launch was: the time of the track's first point, s.</summary>
+    /// <summary>The time of the launch, which is that of the first track point, in s.</summary>
     public double Time { get; }
 
-    /// <summary>Where the ball was then, m.</summary>
+    /// <summary>The position at the launch, in m.</summary>
     public Vector3d Position => new(_values[0], _values[1], _values[2]);
 
-    /// <summary>Its velocity then, m/s.</summary>
+    /// <summary>The velocity at the launch, in m/s.</summary>
     public Vector3d Velocity => new(_values[3], _values[4], _values[5]);
 
-    /// <summary>Its spin then, rad/s.</summary>
+    /// <summary>The spin at the launch, in rad/s.</summary>
     public Vector3d Spin => new(_values[6], _values[7], _values[8]);
 
-    /// <summary>Σ (seen − fitted)²/noise² over all coordinates: about <see cref="DegreesOfFreedom"/> where scene and noise are as they were said to be.</summary>
+    /// <summary>The sum Σ (observed − fitted)²/noise² over all coordinates.</summary>
+    /// <remarks>It is about <see cref="DegreesOfFreedom"/> if scene and noise are correct.</remarks>
     public double ChiSquared { get; }
 
-    /// <summary>Coordinates seen less numbers found.</summary>
+    /// <summary>The number of observed coordinates minus the number of parameters.</summary>
     public int DegreesOfFreedom { get; }
 
-    /// <summary>Steps of the search.</summary>
+    /// <summary>The number of search steps.</summary>
     public int Iterations { get; }
 
-    /// <summary>True when the search ended where neither a step nor a way out along the uncertainty leads to what fits better.</summary>
+    /// <summary>True if neither a step nor the measurement of the uncertainty finds a better fit.</summary>
     public bool Converged { get; }
 
-    /// <summary>
-    /// Spin of another launch that fits the track about as well (χ² with what was known before within 9), and differs by more than three deviations, rad/s: another bounce. Null where none
-    /// was found.
-    /// </summary>
+    /// <summary>The spin of another launch that fits the track about as well, in rad/s; null if none was found.</summary>
+    /// <remarks>
+    /// Its χ², including the prior, is within 9, and its spin differs by more than three standard deviations: it has another bounce.
+    /// </remarks>
     public Vector3d? OtherSpin { get; internal init; }
 
-    /// <summary>Fits with the other balls (<see cref="TrackFitRequest.OtherBalls"/>).</summary>
+    /// <summary>The fits with the other balls (<see cref="TrackFitRequest.OtherBalls"/>).</summary>
     public IReadOnlyList<TrackFitByBall> ByBall { get; internal init; } = [];
 
-    /// <summary>
-    /// How likely so large a χ² is, or a larger one, where scene and noise are as they were said to be, 0 … 1 (Wilson and Hilferty's approximation): below 0.001 they are not.
-    /// </summary>
+    /// <summary>The probability of an equal or larger χ² if scene and noise are correct, 0 … 1.</summary>
+    /// <remarks>By the approximation of Wilson and Hilferty. A value below 0.001 means that scene or noise are wrong.</remarks>
     public double Probability => ProbabilityOf(ChiSquared);
 
-    /// <summary>Verdict on the fit from χ² against its freedom, the search, other minima and other balls.</summary>
+    /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged
         : Probability < Rare && !ByBall.Any(other => ProbabilityOf(other.ChiSquared) >= Rare) ? TrackVerdict.Poor
@@ -80,7 +82,7 @@ public sealed class TrackFitResult
         : Probability > 1.0 - Rare ? TrackVerdict.NoiseOverestimated
         : TrackVerdict.AsExpected;
 
-    /// <summary>The verdict in a sentence, with its numbers.</summary>
+    /// <summary>The verdict as a sentence with its numbers.</summary>
     public string Explanation
     {
         get
@@ -99,12 +101,13 @@ public sealed class TrackFitResult
         }
     }
 
-    /// <summary>
-    /// Standard deviation of a number with what is not known of the ball: that of the noise, and the differences of the numbers between the balls that fit no worse (χ² within 9).
-    /// Without other balls in the request it is <see cref="StandardError"/>.
-    /// </summary>
-    /// <param name="index">Which, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    /// <summary>Returns the standard deviation of a parameter including the uncertainty of the ball.</summary>
+    /// <remarks>
+    /// It combines the noise with the differences between the balls that fit no worse (χ² within 9). Without other balls in the request it equals
+    /// <see cref="StandardError"/>.
+    /// </remarks>
+    /// <param name="index">The index of the parameter, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
     public double DeviationOverBalls(int index)
     {
         double noise = StandardError(index);
@@ -124,36 +127,37 @@ public sealed class TrackFitResult
         return Math.Sqrt(squares + (fitting > 0 ? off / fitting : 0));
     }
 
-    /// <summary>A number.</summary>
-    /// <param name="index">Which, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    /// <summary>Returns the value of a parameter.</summary>
+    /// <param name="index">The index of the parameter, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
     public double Value(int index)
     {
         Check.Index(nameof(index), index, _values.Length);
         return _values[index];
     }
 
-    /// <summary>Its standard deviation.</summary>
-    /// <param name="index">Which, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    /// <summary>Returns the standard error of a parameter.</summary>
+    /// <param name="index">The index of the parameter, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
     public double StandardError(int index)
     {
         Check.Index(nameof(index), index, _values.Length);
         return Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
     }
 
-    /// <summary>
-    /// True when the track tells more of a number than was known before (its deviation is less than 0.7 of that before): not of a restitution where nothing bounces, nor of a
-    /// spin along the way. What is not identified is as it was said to be before, not found.
-    /// </summary>
-    /// <param name="index">Which, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    /// <summary>Returns true if the track contains more information about a parameter than the prior.</summary>
+    /// <remarks>
+    /// The standard error is then less than 0.7 of the prior deviation. A restitution without a bounce, or a spin along the velocity, is not
+    /// identified: its value is the prior, not a result.
+    /// </remarks>
+    /// <param name="index">The index of the parameter, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
     public bool IsIdentified(int index) => StandardError(index) < Identified * _model.KnownDeviation(index);
 
-    /// <summary>The covariance of two numbers.</summary>
-    /// <param name="row">One, from 0.</param>
-    /// <param name="column">The other, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such number.</exception>
+    /// <summary>Returns the covariance of two parameters.</summary>
+    /// <param name="row">The index of the first parameter, from 0.</param>
+    /// <param name="column">The index of the second parameter, from 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
     public double Covariance(int row, int column)
     {
         Check.Index(nameof(row), row, _values.Length);
@@ -163,7 +167,7 @@ public sealed class TrackFitResult
 
     private double ProbabilityOf(double chiSquared)
     {
-        // (χ²/f)^⅓ is about normal, of mean 1 − 2/(9f) and variance 2/(9f).
+        // (χ²/f)^⅓ is approximately normal, with mean 1 − 2/(9f) and variance 2/(9f).
         double width = 2.0 / (9.0 * Math.Max(1, DegreesOfFreedom));
         double share = Math.Max(1e-300, chiSquared / Math.Max(1, DegreesOfFreedom));
         return 1.0 - NormalDistribution.Integral((Elementary.Pow(share, 1.0 / 3.0) - (1.0 - width)) / Math.Sqrt(width));
@@ -174,16 +178,16 @@ public sealed class TrackFitResult
         $"{(Converged ? "converged" : "not converged")}: {Velocity:0.###} m/s, {Spin:0.###} rad/s from {Position:0.###}, χ² {ChiSquared:0.##} of {DegreesOfFreedom}");
 }
 
-/// <summary>Verdicts on a fit.</summary>
+/// <summary>The verdicts on a fit.</summary>
 public enum TrackVerdict
 {
-    /// <summary>χ² is what the noise leaves.</summary>
+    /// <summary>χ² is consistent with the noise.</summary>
     AsExpected = 0,
 
-    /// <summary>χ² is larger than noise gives once in a thousand tracks: scene or noise is not what was said.</summary>
+    /// <summary>χ² is larger than noise produces once in 1000 tracks: the scene or the noise is wrong.</summary>
     Poor = 1,
 
-    /// <summary>χ² is smaller than noise leaves once in a thousand tracks: the noise is less than was said.</summary>
+    /// <summary>χ² is smaller than noise produces once in 1000 tracks: the actual noise is smaller than stated.</summary>
     NoiseOverestimated = 2,
 
     /// <summary>Another launch, with another bounce, fits about as well.</summary>
@@ -198,7 +202,7 @@ public enum TrackVerdict
 
 /// <summary>A fit with another ball.</summary>
 /// <param name="Ball">The ball.</param>
-/// <param name="Values">Its numbers, in the order of <see cref="TrackFitResult.Names"/>.</param>
-/// <param name="ChiSquared">Its χ².</param>
-/// <param name="DeltaChiSquared">How much worse it fits, χ² with what was known before; negative where it fits better.</param>
+/// <param name="Values">The parameters, in the order of <see cref="TrackFitResult.Names"/>.</param>
+/// <param name="ChiSquared">The χ² of the fit.</param>
+/// <param name="DeltaChiSquared">The increase of χ², including the prior, against the main fit; negative if this ball fits better.</param>
 public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double DeltaChiSquared);

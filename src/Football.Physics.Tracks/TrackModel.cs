@@ -1,16 +1,16 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The numbers that a fit looks for: the launch, and factors of a scene.</summary>
+/// <summary>The parameters of a fit: the launch, and factors of a scene.</summary>
 internal sealed class TrackModel
 {
-    /// <summary>Numbers of the launch: position, velocity, spin.</summary>
+    /// <summary>The number of launch parameters: position, velocity, spin.</summary>
     public const int Launch = 9;
 
-    /// <summary>The fastest ball, m/s, and the largest spin, rad/s, that a search tries.</summary>
+    /// <summary>The maximum speed, in m/s, and spin, in rad/s, that a search tries.</summary>
     private const double MostSpeed = 300;
     private const double MostSpin = 1000;
 
-    /// <summary>The first number of which something was known before: the spin, then the factors.</summary>
+    /// <summary>The index of the first parameter with a prior: the spin, then the factors.</summary>
     public const int FirstKnown = 6;
 
     private static readonly string[] LaunchNames =
@@ -19,7 +19,7 @@ internal sealed class TrackModel
     private readonly Scene _scene;
     private readonly TrackFitRequest _request;
 
-    /// <summary>The last one that was asked for, and its factors: most paths differ from those before them in the launch alone.</summary>
+    /// <summary>The last simulator and its factors, cached because most paths differ in the launch only.</summary>
     private Simulator? _simulator;
     private (double Drag, double Lift, double Restitution, double Friction) _factors;
 
@@ -35,17 +35,17 @@ internal sealed class TrackModel
         Names = [.. names];
     }
 
-    /// <summary>Names of the numbers.</summary>
+    /// <summary>The names of the parameters.</summary>
     public string[] Names { get; }
 
-    /// <summary>How many.</summary>
+    /// <summary>The number of parameters.</summary>
     public int Count => Names.Length;
 
-    /// <summary>Standard deviation of a number before the track was seen; infinite where nothing was known.</summary>
+    /// <summary>Returns the prior standard deviation of a parameter; infinite without a prior.</summary>
     public double KnownDeviation(int number) =>
         number < FirstKnown ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
 
-    /// <summary>Adds what was known before, where something was: N += 1/σ², g += (likely − value)/σ².</summary>
+    /// <summary>Adds the prior: N += 1/σ², g += (likely − value)/σ².</summary>
     /// <returns>Σ (likely − value)²/σ².</returns>
     public double AddKnown(double[] values, double[]? normal, double[] gradient)
     {
@@ -65,7 +65,7 @@ internal sealed class TrackModel
         return cost;
     }
 
-    /// <summary>Σ (likely − value)²/σ² of what was known before.</summary>
+    /// <summary>Returns the cost of the prior, Σ (likely − value)²/σ².</summary>
     public double KnownCost(double[] values)
     {
         double cost = 0;
@@ -78,11 +78,11 @@ internal sealed class TrackModel
         return cost;
     }
 
-    /// <summary>True when numbers are those of a ball that can be launched.</summary>
+    /// <summary>True if the parameters describe a valid launch.</summary>
     public static bool IsLaunch(double[] v) =>
         new Vector3d(v[0], v[1], v[2]).Length < Limits.Length && new Vector3d(v[3], v[4], v[5]).Length < Limits.Speed && new Vector3d(v[6], v[7], v[8]).Length < Limits.Spin;
 
-    /// <summary>The scene with the factors among some numbers.</summary>
+    /// <summary>Returns the scene with the factors of the parameters.</summary>
     public Simulator Simulator(double[] values)
     {
         int at = Launch;
@@ -118,10 +118,10 @@ internal sealed class TrackModel
         return _simulator;
     }
 
-    /// <summary>The ball at its launch.</summary>
+    /// <summary>Returns the ball at its launch.</summary>
     public static BallState Ball(Simulator simulator, double[] v)
     {
-        // A step of the search may leave what a ball can have, where the track says little about a number.
+        // A search step may exceed the limits of a ball if the track determines a parameter poorly.
         var velocity = new Vector3d(v[3], v[4], v[5]);
         var spin = new Vector3d(v[6], v[7], v[8]);
         velocity *= Math.Min(1, MostSpeed / velocity.Length);
@@ -141,7 +141,7 @@ internal sealed class TrackModel
     }
 }
 
-/// <summary>Where the ball of some numbers is at the times of a track, and how far that is from where it was seen.</summary>
+/// <summary>Simulates the ball to the times of a track, and computes the residuals.</summary>
 internal sealed class TrackPaths
 {
     private readonly TrackPoint[] _track;
@@ -156,11 +156,11 @@ internal sealed class TrackPaths
         _model = model;
     }
 
-    /// <summary>Coordinates seen.</summary>
+    /// <summary>The number of observed coordinates.</summary>
     public int Rows => 3 * _track.Length;
 
-    /// <summary>Follows a ball.</summary>
-    /// <returns>The cost: the squares of the misses, and those of what was known before.</returns>
+    /// <summary>Simulates a ball.</summary>
+    /// <returns>The cost: the squared residuals plus the prior.</returns>
     public double Follow(double[] values, double[] misses)
     {
         Simulator simulator = _model.Simulator(values);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A polynomial in time through points of a track, by least squares.</summary>
+/// <summary>A least-squares polynomial in time through points of a track.</summary>
 internal readonly struct TrackPolynomial
 {
     private readonly double _middle;
@@ -12,9 +12,10 @@ internal readonly struct TrackPolynomial
         _coefficients = coefficients;
     }
 
-    /// <summary>Acceleration at the middle, m/s².</summary>
+    /// <summary>The acceleration at the midpoint, in m/s².</summary>
     public Vector3d Acceleration => 2 * _coefficients[2];
 
+    /// <summary>Fits a polynomial to points, in time scaled to −1 … 1 for conditioning.</summary>
     public static TrackPolynomial Of(TrackPoint[] track, int first, int end, int degree)
     {
         int size = Math.Min(degree, end - first - 1) + 1;

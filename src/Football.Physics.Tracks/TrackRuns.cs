@@ -1,17 +1,19 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A track made ready: without points that jump out and back, divided where it has gaps, and with its noise.</summary>
+/// <summary>A prepared track: without spikes, split at gaps, and with an estimate of its noise.</summary>
 internal sealed class TrackRuns
 {
-    /// <summary>A wait of so many usual ones, and of so many seconds, is a gap.</summary>
+    /// <summary>The wait that counts as a gap, as a multiple of the usual one and in s.</summary>
     private const double GapShare = 3.5;
     private const double LeastGap = 0.1;
 
-    /// <summary>A point that is so far off the cubic through its four neighbours, m or deviations, has jumped out and back: no impact bends a path so much.</summary>
+    /// <summary>The distance of a spike from the cubic through its four neighbours, in m and in standard deviations.</summary>
+    /// <remarks>No impact bends a path that far.</remarks>
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
 
-    /// <summary>√20: deviation of a third difference by that of a point; and the median of |x| by the deviation.</summary>
+    /// <summary>√20, the standard deviation of a third difference relative to a point; and the median of |x| relative to the standard
+    /// deviation.</summary>
     private const double ThirdDifference = 4.47213595499958;
     private const double Median = 0.6745;
 
@@ -37,19 +39,19 @@ internal sealed class TrackRuns
     /// <summary>The points.</summary>
     public TrackPoint[] Points { get; }
 
-    /// <summary>Where each run without gaps ends, exclusive.</summary>
+    /// <summary>The exclusive end of each run without gaps.</summary>
     public IReadOnlyList<int> Ends { get; }
 
-    /// <summary>The usual wait between two points, s.</summary>
+    /// <summary>The usual wait between two points, in s.</summary>
     public double Wait { get; }
 
-    /// <summary>Standard deviation of a coordinate from one point to the next, m.</summary>
+    /// <summary>The standard deviation of a coordinate from one point to the next, in m.</summary>
     public double Noise { get; }
 
-    /// <summary>True when a track has a gap between two times.</summary>
+    /// <summary>True if there is a gap between two times.</summary>
     public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
 
-    /// <summary>One point a time: a wait of zero is none.</summary>
+    /// <summary>Removes points with the same time as the one before.</summary>
     private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
     {
         List<TrackPoint> kept = [track[0]];
@@ -76,7 +78,7 @@ internal sealed class TrackRuns
         return waits[waits.Length / 2];
     }
 
-    /// <summary>By third differences, which a smooth path leaves small.</summary>
+    /// <summary>Estimates the noise from third differences, which are small for a smooth path.</summary>
     private double NoiseOf(TrackPoint[] track)
     {
         double squares = 0;
@@ -117,12 +119,12 @@ internal sealed class TrackRuns
         return [.. kept];
     }
 
-    /// <summary>How far a point is off the cubic through its four neighbours.</summary>
+    /// <summary>Returns the distance of a point from the cubic through its four neighbours.</summary>
     private static double Off(TrackPoint[] track, int i) =>
         i < 2 || i + 2 >= track.Length ? 0
         : (track[i].Position - ((4.0 / 6.0) * (track[i - 1].Position + track[i + 1].Position)) + ((1.0 / 6.0) * (track[i - 2].Position + track[i + 2].Position))).Length;
 
-    /// <summary>True when the neighbours lie on a line nearly: then the one between them is what jumped.</summary>
+    /// <summary>True if the neighbours are nearly on a line, so that the point between them is a spike.</summary>
     private static bool IsSmoothWithout(TrackPoint[] track, int i, double most)
     {
         Vector3d before = track[i - 1].Position - track[i - 2].Position;

@@ -1,32 +1,35 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>The search of a fit, and its uncertainty, which is measured: along each axis how far the numbers go, those before it following, before the cost has risen by one.</summary>
+/// <summary>Searches for the minimum of a fit, and measures its uncertainty along each axis.</summary>
+/// <remarks>It moves along an axis, with the earlier parameters following, until the cost has risen by one.</remarks>
 internal sealed class TrackSearch
 {
     private const int MostSteps = 25;
     private const double FirstDamping = 0.1;
     private const double LeastDamping = 1e-2;
 
-    /// <summary>The search ends where a step would lower the cost by less.</summary>
+    /// <summary>The gain of a step below which the search ends.</summary>
     private const double LeastGain = 0.02;
 
-    /// <summary>Where the measurement comes upon a cost that is lower by this, the search goes on from there, so many times.</summary>
+    /// <summary>The decrease of the cost at which the search restarts from the measurement, and the maximum number of restarts.</summary>
     private const double Lower = 0.1;
     private const int MostSearches = 8;
 
-    /// <summary>Tries to find where the cost has risen by one, and between which rises that is near enough.</summary>
+    /// <summary>The maximum number of tries to find a rise by one, the range of rises that is accepted, and the maximum factor between
+    /// tries.</summary>
     private const int MostTries = 4;
     private const double LeastRise = 0.6;
     private const double LargestRise = 1.6;
     private const double LargestChange = 4;
 
-    /// <summary>Steps of the numbers that follow, which end where one would gain less; each is tried so often, shorter by a factor.</summary>
+    /// <summary>The steps of the parameters that follow: their number, the minimum gain, the number of shortenings, and the factor of each.</summary>
     private const int MostFollowing = 6;
     private const double LeastFollowing = 0.05;
     private const int MostShortenings = 3;
     private const double Shorter = 0.4;
 
-    /// <summary>The first number whose axis is measured, and the first of which pairs are: places are all but linear, velocities hardly bend.</summary>
+    /// <summary>The first parameter whose axis is measured, and the first whose pairs are: positions are nearly linear, velocities nearly
+    /// so.</summary>
     private const int FirstMeasured = 3;
     private const int FirstPaired = TrackModel.FirstKnown;
 
@@ -53,23 +56,23 @@ internal sealed class TrackSearch
         Covariance = new double[_count * _count];
     }
 
-    /// <summary>The numbers that are sought.</summary>
+    /// <summary>The parameters to estimate.</summary>
     public TrackModel Model { get; }
 
-    /// <summary>The cost at the end.</summary>
+    /// <summary>The final cost.</summary>
     public double Cost { get; private set; }
 
-    /// <summary>Steps of the search.</summary>
+    /// <summary>The number of search steps.</summary>
     public int Steps { get; private set; }
 
-    /// <summary>The mean square of how far the truth may be from the numbers found.</summary>
+    /// <summary>The covariance matrix of the parameters.</summary>
     public double[] Covariance { get; }
 
-    /// <summary>χ² of the track alone.</summary>
+    /// <summary>Returns the χ² of the track, without the prior.</summary>
     public double ChiSquared(double[] values) => Cost - Model.KnownCost(values);
 
-    /// <summary>Measures the uncertainty of numbers that were found; where it comes upon a lower cost, the search goes on from there.</summary>
-    /// <returns>Whether no step, and no way along an axis of the uncertainty, leads to a cost that is lower.</returns>
+    /// <summary>Measures the uncertainty of the parameters; restarts the search if it finds a lower cost.</summary>
+    /// <returns>True if neither a step nor the measurement finds a lower cost.</returns>
     public bool Measure(double[] values)
     {
         bool converged = _isFound;
@@ -91,7 +94,7 @@ internal sealed class TrackSearch
         return false;
     }
 
-    /// <summary>Goes downhill by Gauss and Newton's method with secants.</summary>
+    /// <summary>Minimises the cost by the Gauss–Newton method with secants.</summary>
     public bool Descend(double[] values)
     {
         _isFound = false;
@@ -99,7 +102,7 @@ internal sealed class TrackSearch
         double damping = 0;
         for (int i = 0; i < MostSteps; i++)
         {
-            // The secants are as wide as the uncertainty that the last ones told.
+            // The secants are as wide as the uncertainty from the previous ones.
             _hasAxes = _secants.Evaluate(values);
             if (!_hasAxes)
             {
@@ -129,12 +132,12 @@ internal sealed class TrackSearch
         return false;
     }
 
-    /// <summary>Measures the uncertainty.</summary>
-    /// <returns>False where a lower cost was found; the numbers are then those.</returns>
+    /// <summary>Measures the uncertainty along all axes.</summary>
+    /// <returns>False if a lower cost was found; the parameters are then those.</returns>
     private bool MeasureAxes(double[] values)
     {
-        // 1. Out along each axis of the uncertainty, the numbers before it following, to where the cost has risen by one. 2. Both ends give deviation and bend.
-        // 3. Pairs of axes, where what they do together may bend: a spin times a lift.
+        // 1. Move out along each axis, with the earlier parameters following, until the cost has risen by one. 2. Both ends give deviation and
+        // curvature. 3. Measure pairs of axes whose joint effect may be nonlinear, such as spin and lift.
         Array.Clear(Covariance, 0, Covariance.Length);
         double best = Cost;
         double[] bend = new double[_count];
@@ -158,7 +161,7 @@ internal sealed class TrackSearch
                 return false;
             }
 
-            // x(t) = x + d t + c t², t of unit normal distribution: E[(d t + c t²)²] = d² + 3 c², and c₁ c₂ for two axes.
+            // x(t) = x + d t + c t² with standard normal t: E[(d t + c t²)²] = d² + 3 c², and c₁ c₂ for two axes.
             for (int i = 0; i < _count; i++)
             {
                 half[i] = 0.5 * (high[i] - low[i]);
@@ -170,7 +173,7 @@ internal sealed class TrackSearch
             AddSquare(2.0, bend);
             for (int k = j + 1; k < _count && j >= FirstPaired; k++)
             {
-                // And what two do together, c t₁ t₂
+                // The joint effect of two axes, c t₁ t₂.
                 for (int i = 0; i < _count; i++)
                 {
                     low[i] = ends[k][i] + (share * _secants.Axes[j][i]);
@@ -190,13 +193,13 @@ internal sealed class TrackSearch
         return true;
     }
 
-    /// <summary>Goes out along an axis to where the cost has risen by one.</summary>
-    /// <param name="values">Where to go from.</param>
-    /// <param name="axis">Which.</param>
-    /// <param name="best">The cost there.</param>
-    /// <param name="end">Where it is.</param>
-    /// <param name="share">How much of the axis to begin with; then how much it was.</param>
-    /// <returns>False where a lower cost was found; the numbers are then those.</returns>
+    /// <summary>Moves out along an axis until the cost has risen by one.</summary>
+    /// <param name="values">The start.</param>
+    /// <param name="axis">The index of the axis.</param>
+    /// <param name="best">The cost at the start.</param>
+    /// <param name="end">Receives the end.</param>
+    /// <param name="share">The initial share of the axis; on return, the final one.</param>
+    /// <returns>False if a lower cost was found; the parameters are then those.</returns>
     private bool GoOut(double[] values, int axis, double best, double[] end, ref double share)
     {
         double next = share;
@@ -226,7 +229,7 @@ internal sealed class TrackSearch
         return true;
     }
 
-    /// <summary>Lets the numbers before one follow it, by the secants at the best numbers.</summary>
+    /// <summary>Lets the parameters before a given one follow it, with the secants at the best parameters.</summary>
     /// <returns>The cost.</returns>
     private double Settle(double[] values, int held)
     {
@@ -250,7 +253,7 @@ internal sealed class TrackSearch
         return cost;
     }
 
-    /// <summary>Takes a share of the step of the first numbers where that lowers the cost.</summary>
+    /// <summary>Takes a share of the step of the first parameters if it lowers the cost.</summary>
     private bool Try(double[] values, int free, double share, double cost, out double lower)
     {
         for (int i = 0; i < _count; i++)

@@ -1,21 +1,21 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>
-/// The normal equations N = JᵀJ + what was known before, g = Jᵀr + …, with a Jacobian of secants as wide as the uncertainty itself. The path has kinks, where a
-/// ball just slips in an impact or just hops once more; derivatives there hold for a hair's breadth only.
-/// </summary>
+/// <summary>The normal equations N = JᵀJ + prior, g = Jᵀr + …; the Jacobian consists of secants as wide as the uncertainty.</summary>
+/// <remarks>
+/// Paths have kinks where a ball just stops slipping in an impact, or just bounces once more; derivatives there are valid in a tiny range only.
+/// </remarks>
 internal sealed class TrackSecants
 {
     /// <summary>Half the width of a secant, in standard deviations.</summary>
     private const double HalfWidth = 0.5;
 
-    /// <summary>The first secants, m, m/s, rad/s and shares: about as wide as what a camera tells.</summary>
+    /// <summary>The widths of the first secants, in m, m/s, rad/s and as a factor; about the accuracy of a camera.</summary>
     private const double FirstPlace = 0.01;
     private const double FirstVelocity = 0.1;
     private const double FirstSpin = 2;
     private const double FirstFactor = 0.02;
 
-    /// <summary>The number that the ground bounds: the height.</summary>
+    /// <summary>The index of the height, the parameter that the ground limits.</summary>
     private const int Height = 1;
 
     private const double OnGround = 1e-9;
@@ -54,14 +54,16 @@ internal sealed class TrackSecants
         }
     }
 
-    /// <summary>lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: number j by its deviation where all behind it are held and all before it follow. The last numbers are the softest, the scene's factors.</summary>
+    /// <summary>The vectors lⱼ of N⁻¹ = Σ lⱼ lⱼᵀ: parameter j moved by its deviation.</summary>
+    /// <remarks>Later parameters are held, and earlier ones follow. The scene's factors come last, as the softest.</remarks>
     public double[][] Axes { get; }
 
-    /// <summary>Evaluates J and N at some numbers, with the axes of the last N; then the axes of this one.</summary>
-    /// <returns>False where a number tells of nothing.</returns>
+    /// <summary>Evaluates J and N with the axes of the last N, and then updates the axes.</summary>
+    /// <returns>False if a parameter has no effect.</returns>
     public bool Evaluate(double[] values)
     {
-        // 1. The start is raised so that no secant begins in the ground. 2. Along each axis both ends are followed. 3. J from the secants, N from J, axes from N.
+        // 1. Raise the start, so that no secant begins in the ground. 2. Simulate both ends of each axis. 3. Compute J from the secants, N from J,
+        // and the axes from N.
         double lift = 0;
         _floor = _model.Simulator(values).ContactHeight;
         for (int j = 0; j < _count; j++)
@@ -77,7 +79,7 @@ internal sealed class TrackSecants
             Follow(values, axis, HalfWidth, lift, _high);
             Follow(values, axis, -HalfWidth, lift, _low);
 
-            // J lⱼ is the secant, lⱼ has numbers up to j alone: column j of J from those before it.
+            // The secant is J lⱼ, and lⱼ only contains parameters up to j: compute column j of J from the earlier columns.
             for (int row = 0; row < _high.Length; row++)
             {
                 int at = row * _count;
@@ -105,13 +107,13 @@ internal sealed class TrackSecants
         return FindAxes();
     }
 
-    /// <summary>The step (N + λ diag N)⁻¹ g of the first numbers, all others held.</summary>
-    /// <param name="values">The numbers.</param>
-    /// <param name="misses">Their misses.</param>
-    /// <param name="free">How many are not held.</param>
-    /// <param name="damping">λ.</param>
+    /// <summary>Solves (N + λ diag N) x = g for the first parameters, with all others held.</summary>
+    /// <param name="values">The parameters.</param>
+    /// <param name="misses">The residuals.</param>
+    /// <param name="free">The number of parameters that are not held.</param>
+    /// <param name="damping">The damping λ.</param>
     /// <param name="step">The step.</param>
-    /// <param name="gain">By how much it would lower the cost were all linear.</param>
+    /// <param name="gain">The decrease of the cost if the model were linear.</param>
     public bool Solve(double[] values, double[] misses, int free, double damping, double[] step, out double gain)
     {
         Array.Clear(_gradient, 0, _count);
@@ -154,7 +156,7 @@ internal sealed class TrackSecants
     {
         for (int j = 0; j < _count; j++)
         {
-            // Column j of the inverse of the first j + 1 rows and columns
+            // Column j of the inverse of the first j + 1 rows and columns.
             double[] axis = Axes[j];
             Array.Clear(axis, 0, _count);
             Array.Clear(_unit, 0, _count);
@@ -174,7 +176,7 @@ internal sealed class TrackSecants
         return true;
     }
 
-    /// <summary>Solves for the first numbers; on request with the height held.</summary>
+    /// <summary>Solves for the first parameters, optionally with the height held.</summary>
     private bool Solve(int free, double damping, double[] right, double[] x, bool holds)
     {
         int width = free + 1;

@@ -1,13 +1,13 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>Divides a track into pieces that a polynomial in time describes, a cubic unless told otherwise, so that kicks, bounces and seams are between them.</summary>
+/// <summary>Divides a track into segments that a polynomial in time describes, with kicks, bounces and track errors between them.</summary>
 /// <remarks>
-/// The best division of all (dynamic programming): the least Σ (|seen − cubic|²/σ² + price of a piece). A cubic is a flight of a second within some centimetres; longer ones
-/// are divided, and put together again by the laws of flight.
+/// The division is optimal (dynamic programming): it minimises Σ (|observed − polynomial|²/σ² + cost of a segment). A cubic, the default, describes a
+/// flight of one second to within centimetres. Longer flights are divided, and joined again by the laws of flight.
 /// </remarks>
 internal sealed class TrackSegments
 {
-    /// <summary>Extra cost of a piece that has fewer points than a cubic.</summary>
+    /// <summary>The additional cost of a segment with fewer points than a cubic needs.</summary>
     private const double ShortPrice = 15;
 
     private const int Shortest = 5;
@@ -25,10 +25,10 @@ internal sealed class TrackSegments
 
     /// <summary>Prepares the division of a track.</summary>
     /// <param name="track">The track.</param>
-    /// <param name="deviation">σ, how far a coordinate may be off a cubic, m.</param>
-    /// <param name="longest">Points of a piece at most.</param>
-    /// <param name="price">Price of a piece, in squares of σ: for twelve numbers of three cubics, and where it begins.</param>
-    /// <param name="degree">Degree of the polynomial.</param>
+    /// <param name="deviation">The standard deviation σ of a coordinate from the polynomial, in m.</param>
+    /// <param name="longest">The maximum number of points in a segment.</param>
+    /// <param name="price">The cost of a segment, in units of σ²: for the twelve coefficients of three cubics, and its start.</param>
+    /// <param name="degree">The degree of the polynomial.</param>
     public TrackSegments(TrackPoint[] track, double deviation, int longest, double price, int degree = 3)
     {
         _coefficients = degree + 1;
@@ -44,8 +44,8 @@ internal sealed class TrackSegments
 
     /// <summary>Divides the points of a run without gaps.</summary>
     /// <param name="first">The first point.</param>
-    /// <param name="end">The one behind the last.</param>
-    /// <param name="ends">Receives where each piece ends, exclusive, in order.</param>
+    /// <param name="end">The index after the last point.</param>
+    /// <param name="ends">Receives the exclusive end of each segment, in order.</param>
     public void Divide(int first, int end, List<int> ends)
     {
         int count = end - first;
@@ -54,7 +54,7 @@ internal sealed class TrackSegments
         least.AsSpan(1).Fill(double.PositiveInfinity);
         for (int start = 0; start < count; start++)
         {
-            // Every piece that begins here: its moments grow by a point at a time.
+            // All segments that begin here: their moments grow by one point at a time.
             Clear();
             int last = Math.Min(count, start + _longest);
             for (int stop = start + 1; stop <= last; stop++)
@@ -104,7 +104,7 @@ internal sealed class TrackSegments
         _squares[2] += p.Z * p.Z;
     }
 
-    /// <summary>Σ p² − |L⁻¹ r|² of the three coordinates, M = L Lᵀ.</summary>
+    /// <summary>Returns Σ p² − |L⁻¹ r|² over the three coordinates, where M = L Lᵀ.</summary>
     private double Residual()
     {
         for (int i = 0; i < _coefficients; i++)

@@ -1,25 +1,25 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Shared by the aiming methods: the scene compiled for each purpose, and the memory of their flights.</summary>
+/// <summary>Data shared by the aiming methods: a compiled scene for each purpose, and reusable flights.</summary>
 /// <remarks>
-/// An aim is a boundary-value problem: a flight is given at both ends, and the kick is sought. It is solved by shooting: kicks are flown, and
-/// corrected by what they miss by. Which flights tell the miss is what the methods differ in.
+/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. It is solved by shooting: kicks are simulated and
+/// corrected by their miss. The methods differ in the flights that measure the miss.
 /// </remarks>
 internal sealed class AimContext
 {
-    /// <summary>No flight is followed for longer, s.</summary>
+    /// <summary>The maximum duration of a flight, in s.</summary>
     public const double LongestFlight = 30;
 
-    /// <summary>A miss distance well below any tolerance worth having, m: a hit is within it even where a request is content with less.</summary>
+    /// <summary>The miss that a search aims for even if the request allows more, in m; well below any useful tolerance.</summary>
     private const double FineMiss = 1e-3;
 
-    /// <summary>Pieces of motion that one search may have: for a football some hundred simulations, for what needs very short steps a few.</summary>
+    /// <summary>The maximum number of path segments in a search: some hundred simulations of a football, fewer with very short steps.</summary>
     public const long MostPieces = 200_000;
 
-    /// <summary>Simulations of a search over elevations or times that count as one iteration.</summary>
+    /// <summary>The number of simulations in a search over elevations or times that count as one iteration.</summary>
     private const int SimulationsPerIteration = 16;
 
-    /// <summary>Simulations that a search that has begun may still take.</summary>
+    /// <summary>The number of simulations that a started search may still use.</summary>
     private const int LongestSearch = 64;
 
     private readonly Simulator _simulator;
@@ -34,7 +34,7 @@ internal sealed class AimContext
         Scene scene = game.Scene;
         HasThings = scene.HasThings;
 
-        // Misses are measured in the whole scene; searched is without its things, and for smooth crossings without its ground too.
+        // Measure misses in the full scene. Search without its obstacles and, for smooth plane crossings, without its ground too.
         var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
         _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
@@ -52,47 +52,48 @@ internal sealed class AimContext
 
     public Scene Scene { get; }
 
-    /// <summary>True when there is anything in the scene but the ground. Kicks are sought as if there were not, and then looked at where there is.</summary>
+    /// <summary>True if the scene contains more than the ground.</summary>
+    /// <remarks>Kicks are searched with the ground only, and then checked in the full scene.</remarks>
     public bool HasThings { get; }
 
     /// <summary>The scene with the game's own integrator.</summary>
     public Simulator Game { get; }
 
-    /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
+    /// <summary>The upward acceleration by gravity and buoyancy, in m/s².</summary>
     public double Upward { get; }
 
-    /// <summary>Flights without ground, to a plane.</summary>
+    /// <summary>Flights without ground to a plane.</summary>
     public PlaneShooter Planes { get; }
 
-    /// <summary>Flights to given times, any of whose numbers may be unknown.</summary>
+    /// <summary>Flights to given times, with any of their quantities unknown.</summary>
     public ShootingProblem Shooting { get; }
 
-    /// <summary>Measures the true miss of a kick.</summary>
+    /// <summary>Measures the actual miss of a kick.</summary>
     public MissMeter Miss { get; }
 
-    /// <summary>Steps of the flights.</summary>
+    /// <summary>The step lengths of the flights.</summary>
     public AimSteps Steps { get; set; }
 
-    /// <summary>Forward simulations since the search began.</summary>
+    /// <summary>The number of forward simulations since the search began.</summary>
     public int Simulations { get; private set; }
 
-    /// <summary>Iterations since the search began.</summary>
+    /// <summary>The number of iterations since the search began.</summary>
     public int Iterations => (_spent + SimulationsPerIteration - 1) / SimulationsPerIteration;
 
-    /// <summary>True when the search has had all that it may have.</summary>
+    /// <summary>True if the search has used up its budget.</summary>
     public bool IsSpent => _spent >= _most || IsWorn;
 
-    /// <summary>True when it has had all the pieces of motion that it may have.</summary>
+    /// <summary>True if the search has used up its path segments.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
-    /// <summary>True when it has had half of that: a search that others come after leaves them the rest.</summary>
+    /// <summary>True if the search has used half of its budget; it leaves the rest to the searches that follow.</summary>
     public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
 
     /// <summary>Begins a search.</summary>
-    /// <param name="mostIterations">Iterations that it may have.</param>
+    /// <param name="mostIterations">The maximum number of iterations.</param>
     public void Begin(int mostIterations)
     {
-        // Flights that may be spent, sixteen an iteration; less those that a search which has begun may still take.
+        // The budget of flights, 16 per iteration, minus those that a started search may still use.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
@@ -102,10 +103,10 @@ internal sealed class AimContext
         Miss.Forget();
     }
 
-    /// <summary>True when flights for a target with a velocity turn with their azimuth.</summary>
+    /// <summary>True if rotating a kick's azimuth rotates its flight: in still air, with a target at rest.</summary>
     public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
 
-    /// <summary>Flies a kick with ground, to its closest approach.</summary>
+    /// <summary>Flies a kick over the ground to its closest approach.</summary>
     public Approach Look(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
         KickLook look = Turns(in targetVelocity) ? _turningLook : _look;
@@ -114,11 +115,11 @@ internal sealed class AimContext
         return approach;
     }
 
-    /// <summary>Makes the last simulation an iteration of its own.</summary>
+    /// <summary>Counts the last simulation as a full iteration.</summary>
     public void CountIteration() => _spent += SimulationsPerIteration - 1;
 
-    /// <summary>Counts a simulation; several of them make an iteration.</summary>
-    /// <param name="pieces">Its pieces of motion.</param>
+    /// <summary>Counts a simulation; several make an iteration.</summary>
+    /// <param name="pieces">The number of path segments of the simulation.</param>
     public void CountSimulation(long pieces)
     {
         Simulations++;
@@ -126,23 +127,23 @@ internal sealed class AimContext
         _pieces += pieces;
     }
 
-    /// <summary>The miss distance within which a search ends, m: inside the tolerance, for the longer steps of the flights are a little off.</summary>
+    /// <summary>Returns the miss at which a search ends, in m; below the tolerance, because the long steps are slightly inaccurate.</summary>
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
-    /// <summary>The frame of a request, ball and target raised out of the ground.</summary>
+    /// <summary>Returns the frame of a request, with ball and target raised out of the ground.</summary>
     public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target));
 
-    /// <summary>A place of the ball's centre; one in the ground is raised straight up, as a launch is.</summary>
+    /// <summary>Returns a position of the ball's centre, raised straight up if it is in the ground.</summary>
     public static Vector3d Raised(Simulator simulator, in Vector3d place) => GroundPlace.Raised(simulator.World, in place);
 
-    /// <summary>True when a kick stays on the ground from its start.</summary>
+    /// <summary>True if a kick stays on the ground from its start.</summary>
     public bool StaysDown(in Vector3d from, double upwardSpeed) =>
         Upward <= 0 && from.Y <= Game.ContactHeight && Math.Abs(upwardSpeed) < Scene.Ground.MinimumBounceSpeed;
 
-    /// <summary>The closed-form flight of a kick, its coefficients averaged over a way.</summary>
+    /// <summary>Returns the closed-form flight of a kick, with coefficients averaged over a path length.</summary>
     public FlatFire Model(double speed, double spinRate, double way)
     {
-        // Two points of the way, Gauss' for two, from a first drag at launch.
+        // Average at two points of the path, those of Gauss's rule, with speeds estimated from the drag at launch.
         _simulator.AirFactors(speed, spinRate, out double drag, out double lift);
         double perLength = speed > 0 ? drag / speed : 0;
         double early = speed * Elementary.Exp(-0.2113 * perLength * way);
@@ -164,17 +165,17 @@ internal sealed class AimContext
     /// <inheritdoc cref="MeasuringStep.IsRuledByAir"/>
     public bool IsRuledByAir(double speed, double spinRate) => MeasuringStep.IsRuledByAir(_simulator, Upward, speed, spinRate);
 
-    /// <summary>The scene with nothing in it but the ground.</summary>
+    /// <summary>Returns the scene with the ground only.</summary>
     public static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
 
-    /// <summary>The scene with a plain ground out of reach.</summary>
+    /// <summary>Returns the scene with a plain ground out of reach.</summary>
     public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.PublishedTurf with { Height = -0.5 * Limits.Length } };
 }
 
-/// <summary>How long the steps are in which an aim flies its kicks, s: each as long as its question allows.</summary>
+/// <summary>The step lengths of the flights in an aim, in s; each as long as its accuracy allows.</summary>
 internal readonly struct AimSteps
 {
-    /// <summary>Miss distance from which on the rough step will do, m.</summary>
+    /// <summary>The miss above which the rough step is sufficient, in m.</summary>
     private const double RoughMiss = 5e-4;
 
     private AimSteps(double search, double hit, double roughHit, double rehearsedHit, bool areShort)
@@ -186,59 +187,63 @@ internal readonly struct AimSteps
         AreShort = areShort;
     }
 
-    /// <summary>With RK4: a search within 1e-4 m, a hit with the drag law's jump located within 1e-5 m, a rough one within 1e-4 m, a rehearsed one within 5e-4 m.</summary>
+    /// <summary>The long steps for RK4.</summary>
+    /// <remarks>
+    /// The errors are 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed one. That of a hit assumes that the
+    /// jump of the drag law is located.
+    /// </remarks>
     public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, areShort: false);
 
-    /// <summary>For a kick that grazes the drag law's jump, so that longer steps were wrong about it.</summary>
+    /// <summary>Steps for a kick that grazes the jump of the drag law, where longer steps are inaccurate.</summary>
     public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, rehearsedHit: 0.02, areShort: true);
 
-    /// <summary>Of flights that only look where a kick goes.</summary>
+    /// <summary>The step of search flights.</summary>
     public double Search { get; }
 
-    /// <summary>Of flights from which a hit is said.</summary>
+    /// <summary>The step of flights that confirm a hit.</summary>
     public double Hit { get; }
 
-    /// <summary>True when they are the short ones: longer steps were wrong then.</summary>
+    /// <summary>True for the short steps, used when longer ones were inaccurate.</summary>
     public bool AreShort { get; }
 
     private double RoughHit { get; }
 
     private double RehearsedHit { get; }
 
-    /// <summary>Of flights from which a miss distance of a size is to be known.</summary>
+    /// <summary>Returns the step of flights that must resolve a miss of a given size.</summary>
     public double HitWithin(double miss) => miss >= RoughMiss ? RoughHit : Hit;
 
-    /// <summary>Of flights that show by how little a rehearsed kick misses, which is then corrected.</summary>
+    /// <summary>Returns the step of flights that measure the small error of a rehearsed kick, which is then corrected.</summary>
     public double RehearsedWithin(double miss) => miss >= RoughMiss ? RehearsedHit : Hit;
 }
 
-/// <summary>The kick that a method found, in its own estimate.</summary>
+/// <summary>The kick that a method found, by its own estimate.</summary>
 internal struct AimSolution
 {
     public AimStatus Status;
     public Kick Kick;
 
-    /// <summary>Horizontal unit direction of the target, from which the kick's azimuth counts.</summary>
+    /// <summary>The horizontal unit direction to the target, from which the kick's azimuth is measured.</summary>
     public Vector3d Forward;
 
-    /// <summary>Speed of the kick, m/s.</summary>
+    /// <summary>The speed of the kick, in m/s.</summary>
     public double Speed;
 
-    /// <summary>Miss distance at the target, m.</summary>
+    /// <summary>The miss at the target, in m.</summary>
     public double Miss;
 
-    /// <summary>Miss distance at the point on the way, m.</summary>
+    /// <summary>The miss at the waypoint, in m.</summary>
     public double ThroughMiss;
 
-    /// <summary>Time to the target, s.</summary>
+    /// <summary>The time to the target, in s.</summary>
     public double Time;
 
-    /// <summary>Iterations, where the method counts its own; else 0.</summary>
+    /// <summary>The number of iterations if the method counts its own; otherwise 0.</summary>
     public int Iterations;
 
-    /// <summary>Which of the two kicks of its speed it is; null where that is not known yet.</summary>
+    /// <summary>The arc of the kick; null if it is not known yet.</summary>
     public AimArc? Arc;
 
-    /// <summary>Velocity and spin of the kick.</summary>
+    /// <summary>Returns velocity and spin of the kick.</summary>
     public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);
 }

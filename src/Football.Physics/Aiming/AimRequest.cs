@@ -1,70 +1,79 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A request for a kick: from where, at which target, how fast, within which bounds. Points are for the ball's centre.</summary>
+/// <summary>A request for a kick: start, target, speed and bounds.</summary>
+/// <remarks>All points refer to the ball's centre.</remarks>
 public sealed record AimRequest
 {
-    /// <summary>Where the ball is, m; components within ±1e6. A place in the ground is raised straight up out of it. Default the origin.</summary>
+    /// <summary>The position of the ball, in m; components within ±1e6. Default: the origin.</summary>
+    /// <remarks>A position in the ground is raised straight out of it.</remarks>
     public Vector3d From { get; init; }
 
-    /// <summary>Where it is to go, m; components within ±1e6. A place in the ground is raised straight up out of it. Without one a request is refused.</summary>
+    /// <summary>The target, in m; components within ±1e6. Required.</summary>
+    /// <remarks>A position in the ground is raised straight out of it.</remarks>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
-    /// <summary>Velocity of the target, m/s; at most 1000. Default at rest. Used by <see cref="Aimer"/> without a point on the way.</summary>
+    /// <summary>The velocity of the target, in m/s; at most 1000. Default: at rest.</summary>
+    /// <remarks>Used by <see cref="Aimer"/> without a waypoint.</remarks>
     public Vector3d TargetVelocity { get; init; }
 
-    /// <summary>A point to pass on the way, m; default none.</summary>
+    /// <summary>A waypoint to pass before the target, in m; default none.</summary>
     public Vector3d? Waypoint { get; init; }
 
-    /// <summary>Speed of the kick, m/s. Above 0, at most 1000; default 25.</summary>
+    /// <summary>The speed of the kick, in m/s. Above 0, at most 1000; default 25.</summary>
     public double Speed { get; init; } = 25;
 
-    /// <summary>Topspin, rad/s; with a point on the way only a start value. Within ±10 000; default 0.</summary>
+    /// <summary>The topspin, in rad/s. Within ±10 000; default 0.</summary>
+    /// <remarks>With a waypoint it is only the initial value of the search.</remarks>
     public double TopSpin { get; init; }
 
-    /// <summary>Sidespin, rad/s; with a point on the way only a start value. Within ±10 000; default 0.</summary>
+    /// <summary>The sidespin, in rad/s. Within ±10 000; default 0.</summary>
+    /// <remarks>With a waypoint it is only the initial value of the search.</remarks>
     public double SideSpin { get; init; }
 
-    /// <summary>Lowest elevation, degrees. −90 … 90; default 0.</summary>
+    /// <summary>The minimum elevation, in degrees. −90 … 90; default 0.</summary>
     public double MinimumElevationDegrees { get; init; }
 
-    /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 45.</summary>
+    /// <summary>The maximum elevation, in degrees. From the minimum to 90; default 45.</summary>
     public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>Largest topspin or backspin of a two-point kick, rad/s. 0 … 10 000; default 40.</summary>
+    /// <summary>The maximum topspin or backspin of a kick with a waypoint, in rad/s. 0 … 10 000; default 40.</summary>
     public double MaximumTopSpin { get; init; } = 40;
 
-    /// <summary>Largest sidespin of a two-point kick, rad/s. 0 … 10 000; default 40.</summary>
+    /// <summary>The maximum sidespin of a kick with a waypoint, in rad/s. 0 … 10 000; default 40.</summary>
     public double MaximumSideSpin { get; init; } = 40;
 
-    /// <summary>How close to the target is a hit, m. Above 0; default 0.01.</summary>
+    /// <summary>The distance from the target that counts as a hit, in m. Above 0; default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
-    /// <summary>How close to the point on the way is good enough, m. Above 0; default 0.1.</summary>
+    /// <summary>The tolerance at the waypoint, in m. Above 0; default 0.1.</summary>
     public double WaypointTolerance { get; init; } = 0.1;
 
-    /// <summary>
-    /// Iterations that a method may take. At least 1; default 60. An iteration of <see cref="Aimer"/> is one flight and one correction,
-    /// or, in its searches over elevations, directions and times, 16 simulations; after as many, or 200 000 integrated pieces of motion, it ends without a verdict.
-    /// </summary>
+    /// <summary>The maximum number of iterations. At least 1; default 60.</summary>
+    /// <remarks>
+    /// An iteration of <see cref="Aimer"/> is one flight with one correction, or 16 simulations in its searches over elevations, directions and
+    /// times. After this number, or 200 000 path segments, the search ends without a verdict.
+    /// </remarks>
     public int MaximumIterations { get; init; } = 60;
 
-    /// <summary>
-    /// Which of the two kicks that reach a target. Default the low one. Used by <see cref="Aimer"/>. The high one is mostly steeper than
-    /// 45°: raise <see cref="MaximumElevationDegrees"/> for it; <see cref="AimResult.Arc"/> says which one was found.
-    /// </summary>
+    /// <summary>The choice between the two kicks that reach a target. Default: the low one.</summary>
+    /// <remarks>
+    /// Used by <see cref="Aimer"/>. The high kick is usually steeper than 45°, so raise <see cref="MaximumElevationDegrees"/> for it.
+    /// <see cref="AimResult.Arc"/> reports the arc found.
+    /// </remarks>
     public AimArc Arc { get; init; } = AimArc.Low;
 
-    /// <summary>
-    /// True when the spin may be changed, within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>, to bring a kick round what is in its way.
-    /// Default not. Used by <see cref="Aimer"/> without a point on the way.
-    /// </summary>
+    /// <summary>True if the search may change the spin to bend a kick around an obstacle. Default false.</summary>
+    /// <remarks>
+    /// The spin stays within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>. Used by <see cref="Aimer"/> without a waypoint.
+    /// </remarks>
     public bool SpinIsFree { get; init; }
 
-    /// <summary>When the ball is kicked, on the clock of the bodies of the scene, s; within ±1e12, default 0. Nothing else depends on it.</summary>
+    /// <summary>The time of the kick on the clock of the scene's bodies, in s; within ±1e12, default 0.</summary>
+    /// <remarks>Only the positions of moving bodies depend on it.</remarks>
     public double KickTime { get; init; }
 
-    /// <summary>Checks every number.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <summary>Throws if a number is out of range.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public void Validate()
     {
         Check.Place("aim.from", From);
@@ -91,12 +100,14 @@ public sealed record AimRequest
     }
 }
 
-/// <summary>Which of the two kicks that reach a target to find.</summary>
+/// <summary>The choice between the two kicks that reach a target.</summary>
 public enum AimArc
 {
-    /// <summary>The one that is there first, mostly the flatter; the other where only that lies within the elevation bounds.</summary>
+    /// <summary>The kick that arrives first, usually the flatter one.</summary>
+    /// <remarks>The other kick is used if it is the only one within the elevation bounds.</remarks>
     Low = 0,
 
-    /// <summary>The one that is there later, mostly the steeper; the other where only that lies within the elevation bounds.</summary>
+    /// <summary>The kick that arrives later, usually the steeper one.</summary>
+    /// <remarks>The other kick is used if it is the only one within the elevation bounds.</remarks>
     High = 1,
 }

@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace FootballPhysics.Aiming;
 
-/// <summary>A kick that was found. Whatever the status, it is the best one found, and finite.</summary>
+/// <summary>The result of a search for a kick.</summary>
+/// <remarks>With any status, it is the best kick found, and finite.</remarks>
 public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
@@ -26,25 +27,26 @@ public readonly struct AimResult : IFormattable
     /// <summary>The outcome of the search.</summary>
     public AimStatus Status { get; init; }
 
-    /// <summary>True where the kick passes the target within the tolerance, whatever becomes of a point on the way.</summary>
+    /// <summary>True if the kick passes within tolerance of the target, even if it misses the waypoint.</summary>
     public bool HitsTarget => Status is AimStatus.Hit or AimStatus.WaypointMissed;
 
-    /// <summary>Velocity of the kick, m/s.</summary>
+    /// <summary>The velocity of the kick, in m/s.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>Spin of the kick, rad/s, world frame.</summary>
+    /// <summary>The spin of the kick in the world frame, in rad/s.</summary>
     public Vector3d Spin { get; init; }
 
-    /// <summary>Speed of the kick, m/s.</summary>
+    /// <summary>The speed of the kick, in m/s.</summary>
     public double Speed => Velocity.Length;
 
-    /// <summary>Angle of the kick above the horizontal, degrees.</summary>
+    /// <summary>The elevation of the kick above the horizontal, in degrees.</summary>
     public double ElevationDegrees => Degrees * Elementary.Atan2(Velocity.Y, Velocity.Horizontal.Length);
 
-    /// <summary>Horizontal direction of the kick, degrees from forward (−z), positive to the left (−x); 0 for a vertical kick.</summary>
+    /// <summary>The horizontal direction of the kick, in degrees from forward (−z), positive to the left (−x).</summary>
+    /// <remarks>0 for a vertical kick.</remarks>
     public double AzimuthDegrees => Velocity.X == 0 && Velocity.Z == 0 ? 0 : Degrees * Elementary.Atan2(-Velocity.X, -Velocity.Z);
 
-    /// <summary>Topspin of the kick, rad/s; 0 for a vertical kick, which has no axis for it.</summary>
+    /// <summary>The topspin of the kick, in rad/s; 0 for a vertical kick, whose topspin axis is undefined.</summary>
     public double TopSpin
     {
         get
@@ -56,46 +58,45 @@ public readonly struct AimResult : IFormattable
         }
     }
 
-    /// <summary>Sidespin of the kick, rad/s.</summary>
+    /// <summary>The sidespin of the kick, in rad/s.</summary>
     public double SideSpin => Spin.Y;
 
-    /// <summary>
-    /// Distance of the kick's closest approach to the target before its first impact, m: measured, or where that was not asked for, estimated.
-    /// Of a kick for a time, the distance at that time.
-    /// </summary>
+    /// <summary>The distance between target and kick at the closest approach before the first impact, in m.</summary>
+    /// <remarks>It is measured, or estimated if no measurement was requested. For a kick at a given time, it is the distance at that time.</remarks>
     public double Miss { get; init; }
 
-    /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
+    /// <summary>The distance between the waypoint and the kick at the closest approach, in m; null without a waypoint.</summary>
     public double? WaypointMiss { get; init; }
 
-    /// <summary>When the ball is closest to the target, s after the kick.</summary>
+    /// <summary>The time of the closest approach to the target, in s after the kick.</summary>
     public double Time { get; init; }
 
-    /// <summary>Where it is then, m.</summary>
+    /// <summary>The position of the ball at the closest approach, in m.</summary>
     public Vector3d Closest { get; init; }
 
-    /// <summary>Of the two kicks of this speed that reach a target, which one a hit is: the other than was asked for where only that lies within the bounds.</summary>
+    /// <summary>The arc of a hit among the two kicks of this speed that reach the target.</summary>
+    /// <remarks>It differs from the requested arc if only the other kick is within the bounds.</remarks>
     public AimArc Arc { get; init; }
 
-    /// <summary>True where the kick stays on the ground from its start: it slides or rolls to the target.</summary>
+    /// <summary>True if the kick stays on the ground from its start, and slides or rolls to the target.</summary>
     public bool Rolls { get; init; }
 
-    /// <summary>Iterations of the method.</summary>
+    /// <summary>The number of iterations of the method.</summary>
     public int Iterations { get; init; }
 
-    /// <summary>Forward simulations by the method, the measurement of the miss not counted.</summary>
+    /// <summary>The number of forward simulations, not including the measurement of the miss.</summary>
     public int Simulations { get; init; }
 
-    /// <summary>The name of what is in the way of a kick that is <see cref="AimStatus.Blocked"/>: an obstacle's, a net's, "left post" …; else null.</summary>
+    /// <summary>The name of the object that blocks the kick, such as "left post"; null if it is not <see cref="AimStatus.Blocked"/>.</summary>
     public string? BlockedBy { get; init; }
 
-    /// <summary>The kick in a line.</summary>
+    /// <summary>Returns the kick as one line of text.</summary>
     public override string ToString() => FormattableString.Invariant(
         $"{Status}: {Speed:0.##} m/s, elevation {ElevationDegrees:0.##}°, azimuth {AzimuthDegrees:0.##}°, spin ({TopSpin:0.#}, {SideSpin:0.#}) rad/s, {Miss:0.####} m off after {Time:0.###} s");
 
-    /// <summary>The kick in a line, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for the digits of <see cref="ToString()"/>.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Returns the kick as one line of text, in a given number format.</summary>
+    /// <param name="format">A number format; null or empty for the digits of <see cref="ToString()"/>.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         if (string.IsNullOrEmpty(format))
@@ -112,21 +113,22 @@ public readonly struct AimResult : IFormattable
 /// <summary>The outcome of a search for a kick.</summary>
 public enum AimStatus
 {
-    /// <summary>The kick passes the target within the tolerance, and the point on the way, where there is one, within its own.</summary>
+    /// <summary>The kick passes within tolerance of the target, and of the waypoint if there is one.</summary>
     Hit = 0,
 
-    /// <summary>No kick within the bounds does; the one returned comes closest, as far as the method can tell.</summary>
+    /// <summary>No kick within the bounds hits; the result is the closest one that the method found.</summary>
     OutOfReach = 1,
 
-    /// <summary>The method ended at its bound, <see cref="AimRequest.MaximumIterations"/>, or a miss is too small for its own steps; the kick returned is the best it found.</summary>
+    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or a miss is too small for its own steps.</summary>
+    /// <remarks>The result is the best kick found.</remarks>
     NotConverged = 2,
 
-    /// <summary>The request has no direction: the target is where the ball is.</summary>
+    /// <summary>The request has no direction: the target is at the ball's position.</summary>
     Degenerate = 3,
 
-    /// <summary>The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough.</summary>
+    /// <summary>The kick passes within tolerance of the target, but misses the waypoint: the allowed spins do not bend it enough.</summary>
     WaypointMissed = 4,
 
-    /// <summary>The kick returned would hit, but something of the scene is in its way: <see cref="AimResult.BlockedBy"/> says what.</summary>
+    /// <summary>The kick would hit, but an object blocks it; see <see cref="AimResult.BlockedBy"/>.</summary>
     Blocked = 5,
 }

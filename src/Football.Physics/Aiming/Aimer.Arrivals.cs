@@ -1,34 +1,35 @@
 namespace FootballPhysics.Aiming;
 
-/// <content>The kick that arrives with a given speed.</content>
+/// <content>Kicks that arrive at a given speed.</content>
 public sealed partial class Aimer
 {
-    /// <summary>Rounds of the search for the speed of the kick, or its time, after which the arrival is known to a micrometre a second.</summary>
+    /// <summary>The maximum number of rounds in the search for the kick's speed or time; they resolve the arrival speed to 1 µm/s.</summary>
     private const int ArrivalRounds = 40;
     private const double ArrivalStep = 0.02;
     private const double ArrivalCloseness = 1e-9;
 
-    /// <summary>An arrival that is further off than this, m/s, is not the one that was asked for.</summary>
+    /// <summary>The maximum error of the arrival speed, in m/s.</summary>
     internal const double LargestArrivalError = 0.01;
 
     private readonly StepLog _arrivalLog = new() { IgnoresZones = true };
     private ArrivalTimes? _arrivals;
 
-    /// <summary>Finds the kick that is at a target with a given speed.</summary>
-    /// <remarks>A target on the ground is reached along the ground where a kick along it has that speed there, and else in flight: then the speed is that before the ball touches the ground.</remarks>
-    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
-    /// <param name="speed">How fast the ball is to be at the target, m/s; above 0, at most 1000.</param>
-    /// <returns>The kick, with its speed in its velocity; out of reach where no kick that gets there has that speed there.</returns>
+    /// <summary>Finds the kick that arrives at a target at a given speed.</summary>
+    /// <remarks>If a kick along the ground reaches a ground target at this speed, it is used. Otherwise the kick flies, and the speed is the one
+    /// before the ball touches the ground.</remarks>
+    /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
+    /// <param name="speed">The speed of the ball at the target, in m/s; above 0, at most 1000.</param>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if no kick arrives at this speed.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindAtSpeed(AimRequest request, double speed)
     {
         Begin(request);
         RefuseThrough(request);
         Check.Within("aim.arrival.speed", speed, 0, Limits.Speed, exclusiveLow: true);
 
-        // Along the ground the faster kick arrives faster. In flight the arrival changes smoothly with the time that the ball takes, and with nothing else: the speed
-        // of the kick has two arcs.
+        // Along the ground, a faster kick arrives faster. In flight, search over the time of flight, with which the arrival speed changes smoothly;
+        // over the speed of the kick there are two arcs.
         if (_context.Shooting.CanRoll(request) && Rolling(request, speed, out AimResult roll))
         {
             return roll;
@@ -38,20 +39,20 @@ public sealed partial class Aimer
         return _arrivals.Find(request, speed);
     }
 
-    /// <summary>The kick that flies to the target in a time, measured, and its speed there.</summary>
+    /// <summary>Finds the kick that flies to the target in a given time, measures it, and returns its arrival speed.</summary>
     /// <param name="request">The request.</param>
-    /// <param name="time">The time, s.</param>
-    /// <param name="isBetween">Whether the time is between two that have a kick: then this has one too, and finer steps find it.</param>
+    /// <param name="time">The time of flight, in s.</param>
+    /// <param name="isBetween">True if the time is between two that have a kick. A kick then exists, and finer steps find it.</param>
     /// <param name="kick">The kick.</param>
-    /// <param name="arrival">Its speed, m/s.</param>
-    /// <returns>Whether there is one that meets nothing before.</returns>
+    /// <param name="arrival">The arrival speed, in m/s.</param>
+    /// <returns>True if there is a kick that hits nothing earlier.</returns>
     internal bool TryArrival(AimRequest request, double time, bool isBetween, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
         bool hits = TryArrival(request, time, out kick, out arrival, out bool isEarly);
         if (isEarly)
         {
-            // Within the tolerance, but the ball comes down before it is due: a closer kick does not.
+            // The ball is within tolerance but lands early; solve again for a closer kick, which does not.
             _context.Begin(request.MaximumIterations);
             _general.IsTimely = true;
             hits = TryArrival(request, time, out kick, out arrival, out _);
@@ -60,7 +61,7 @@ public sealed partial class Aimer
 
         if (!hits && isBetween)
         {
-            // It grazes the drag law's jump.
+            // The kick grazes the jump of the drag law: search in short steps.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
             hits = TryArrival(request, time, out kick, out arrival, out _);
@@ -80,7 +81,7 @@ public sealed partial class Aimer
         return measured.Distance <= request.Tolerance && !isEarly;
     }
 
-    /// <summary>How long the slowest flight to the target takes, s; or what comes closest to one.</summary>
+    /// <summary>Returns the duration of the slowest flight to the target, or of the closest to one, in s.</summary>
     internal double SlowestTime(AimRequest request)
     {
         _context.Begin(request.MaximumIterations);
@@ -88,7 +89,7 @@ public sealed partial class Aimer
         return slowest.Time > 0 ? slowest.Time : 1.0;
     }
 
-    /// <summary>Reports a kick of a search for an arrival; one that turns out to arrive otherwise did not converge.</summary>
+    /// <summary>Reports a kick for an arrival speed; the status is not converged if its actual arrival speed differs.</summary>
     internal AimResult ReportArrival(AimRequest request, in AimSolution kick, double speed)
     {
         AimResult result = Report(request, in kick, measure: true);
@@ -97,14 +98,14 @@ public sealed partial class Aimer
         return isOff ? Failed(in result, AimStatus.NotConverged) : result;
     }
 
-    /// <summary>A kick that hits nothing for a request: what the fastest does, as the verdict of a search for an arrival.</summary>
+    /// <summary>Returns the verdict if no kick hits: the result of the fastest kick.</summary>
     internal AimResult NoArrival(AimRequest request)
     {
         AimResult fastest = Find(request);
         return fastest.HitsTarget ? Failed(in fastest, AimStatus.OutOfReach) : fastest;
     }
 
-    /// <summary>The kick along the ground that is at the target with a speed.</summary>
+    /// <summary>Finds the kick along the ground that arrives at a given speed.</summary>
     private bool Rolling(AimRequest request, double speed, out AimResult best)
     {
         AimRequest along = request with { MinimumElevationDegrees = 0, MaximumElevationDegrees = 0 };
@@ -126,7 +127,7 @@ public sealed partial class Aimer
 
         for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness; i++)
         {
-            // The secant, kept off both ends so that the bracket shrinks from both.
+            // A secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
             double middle = low + (share * (high - low));
             best = Find(along with { Speed = middle });
@@ -141,7 +142,7 @@ public sealed partial class Aimer
                 break;
             }
 
-            // The bracket keeps its signs: too slow below, too fast above.
+            // Keep the signs of the bracket: too slow at the low end, too fast at the high end.
             (low, atLow, high, atHigh) = off < 0 ? (middle, off, high, atHigh) : (low, atLow, middle, off);
         }
 
@@ -150,7 +151,7 @@ public sealed partial class Aimer
 
     private double ArrivalOf(AimRequest request, in AimResult kick) => SpeedAt(request, kick.Velocity, kick.Spin, kick.Time, kick.Rolls);
 
-    /// <summary>How fast a kick is after a time, m/s; of one that flies before it touches anything then.</summary>
+    /// <summary>Returns the speed of a kick after a time, in m/s; for a flight that touches earlier, the speed just before the contact.</summary>
     private double SpeedAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time, bool rolls)
     {
         Simulator simulator = Context.Game;

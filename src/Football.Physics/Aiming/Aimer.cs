@@ -1,22 +1,22 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Finds kicks: which one, at this speed and spin, hits that point; which one passes a wall here and lands there.</summary>
-/// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
+/// <summary>Finds the kick that hits a target, optionally past a waypoint.</summary>
+/// <remarks>Create one per scene and reuse it: searches do not allocate. Not thread-safe.</remarks>
 public sealed partial class Aimer
 {
-    /// <summary>A miss that longer steps may have made of a hit, m.</summary>
+    /// <summary>The miss up to which the long steps may have missed a hit, in m.</summary>
     private const double NearMiss = 0.05;
 
-    /// <summary>Share of a miss by which long steps may be wrong about it.</summary>
+    /// <summary>The relative error of a miss from the long steps.</summary>
     private const double Astray = 0.01;
 
-    /// <summary>How much earlier than asked a ball may touch the ground at its target, s.</summary>
+    /// <summary>The maximum time by which a ball may touch the ground at its target too early, in s.</summary>
     private const double LargestDelay = 1e-4;
 
-    /// <summary>How many spins are tried on each side of the one that was asked for, along each axis.</summary>
+    /// <summary>The number of spins tried on each side of the requested spin, along each axis.</summary>
     private const int SpinRings = 4;
 
-    /// <summary>Below this elevation, rad, a kick that does not descend to its target is on the low arc.</summary>
+    /// <summary>The elevation below which a kick that does not descend to its target is on the low arc, in rad.</summary>
     private const double FlatKick = 0.5;
 
     private readonly AimContext _context;
@@ -26,14 +26,14 @@ public sealed partial class Aimer
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public Aimer(Scene? scene = null)
         : this(new Simulator(scene))
     {
     }
 
-    /// <summary>For the balls of a compiled scene.</summary>
-    /// <param name="simulator">The scene; whatever its settings, kicks are sought with RK4.</param>
+    /// <summary>Creates an aimer for a compiled scene.</summary>
+    /// <param name="simulator">The scene; searches use RK4, independent of its settings.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public Aimer(Simulator simulator)
     {
@@ -44,24 +44,24 @@ public sealed partial class Aimer
     }
 
     /// <summary>Finds a kick.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the solver's own estimate.</param>
+    /// <param name="request">The request.</param>
+    /// <param name="measure">True to measure the miss of the kick; false to return the solver's own estimate.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public AimResult Find(AimRequest request, bool measure = true)
     {
-        // 1. The search in long steps, and the true miss of what it found. 2. Where that is not what the search said, once more in short steps. 3. What is blocked: the
-        // other arc, and other spins where they are free.
+        // 1. Search in long steps, and measure the miss. 2. If they disagree, repeat in short steps. 3. If the kick is blocked, try the other arc,
+        // and other spins if they are free.
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
 
-        // Where the flight is not what the search said, and nothing in its way explains that, its long steps were at fault.
+        // If the flight differs from the search and no obstacle explains it, the long steps were too inaccurate.
         bool blocked = result.Status == AimStatus.Blocked;
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
         if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
-            // A kick that grazes the drag law's jump goes elsewhere in finer steps: once more in those.
+            // A kick that grazes the jump of the drag law takes another path in finer steps: search again with those.
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
@@ -73,13 +73,13 @@ public sealed partial class Aimer
     }
 
     /// <summary>Finds the slowest kick that hits a target.</summary>
-    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
-    /// <returns>The kick, with its speed in its velocity; out of reach where even the fastest one does not get there.</returns>
+    /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if even the fastest kick does not reach the target.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
-        // In long steps, in short ones, and where there is none, what the fastest does is the verdict.
+        // Long steps, then short ones. If neither finds a kick, the fastest kick gives the verdict.
         Begin(request);
         RefuseThrough(request);
         if (!Slowest(request, out AimSolution solution))
@@ -97,12 +97,12 @@ public sealed partial class Aimer
         return Report(request, in solution, measure: true);
     }
 
-    /// <summary>Finds the kick that is at a target at a given time.</summary>
-    /// <param name="request">What the kick is to do; its speed is the fastest allowed. Without a point on the way.</param>
-    /// <param name="time">When to be there, s after the kick; above 0, at most 30.</param>
-    /// <returns>The kick, with its speed in its velocity; out of reach where no speed up to the fastest gets there then.</returns>
+    /// <summary>Finds the kick that reaches a target at a given time.</summary>
+    /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
+    /// <param name="time">The time of arrival, in s after the kick; above 0, at most 30.</param>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if no allowed speed arrives at this time.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a point on the way is given.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindAtTime(AimRequest request, double time)
     {
         Begin(request);
@@ -111,7 +111,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time);
         if (result.Status == AimStatus.NotConverged && !_context.IsSpent)
         {
-            // It grazes the drag law's jump: once more in finer steps.
+            // The kick grazes the jump of the drag law: search again in short steps.
             _context.Steps = AimSteps.Short;
             result = AtTime(request, time);
             _context.Steps = AimSteps.Long;
@@ -120,8 +120,8 @@ public sealed partial class Aimer
         return result;
     }
 
-    /// <summary>Finds kicks of every kind that nobody plays, so that no frame of a game has to compile the code of a search.</summary>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    /// <summary>Runs every kind of search once, so that no frame of a game has to compile the code.</summary>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public void WarmUp()
     {
         Vector3d from = _context.Game.OnGround(0, 0);
@@ -136,7 +136,7 @@ public sealed partial class Aimer
         };
         Find(request);
 
-        // One request for each road of the search: low, high, too slow, through a point, along the ground, slowest, at a time.
+        // One request per code path: low, high, too slow, waypoint, along the ground, slowest, at a time.
         AimResult high = Find(request with { Arc = AimArc.High });
         Find(request with { Speed = 8 });
         Find(request with { Waypoint = new Vector3d(1, contact + 2, -9) });
@@ -145,10 +145,10 @@ public sealed partial class Aimer
         FindAtTime(request, high.Time);
     }
 
-    /// <summary>The other arc, and where the spin may be chosen other spins on both, nearest first: what is a hit there is not blocked.</summary>
+    /// <summary>Searches for an unblocked kick on the other arc and, if the spin is free, with other spins on both arcs, nearest first.</summary>
     private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
     {
-        // With its own spin on the other arc first; then rings of spins about its own, from the nearest on, on both arcs.
+        // The other arc with the requested spin first; then rings of spins around it, nearest first, on both arcs.
         AimArc other = request.Arc == AimArc.Low ? AimArc.High : AimArc.Low;
         AimResult found = With(request, other, request.TopSpin, request.SideSpin, measure);
         for (int ring = 1; ring <= SpinRings && request.SpinIsFree && !found.HitsTarget; ring++)
@@ -165,7 +165,7 @@ public sealed partial class Aimer
 
     private bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // In the air, and along the ground where that is slower still.
+        // Search in the air, and along the ground if that is slower still.
         bool flies = _general.Slowest(request, out solution);
         if (_context.Shooting.CanRoll(request) && _direct.SlowestRoll(request, flies ? solution.Speed : request.Speed, out AimSolution roll))
         {
@@ -184,11 +184,10 @@ public sealed partial class Aimer
         return Report(request, in solution, measure);
     }
 
-    /// <summary>A place on the square ring of that size about the spin that was asked for, corner included; within what is allowed.</summary>
+    /// <summary>Returns a point on a square ring of spins around the requested spin, clamped to the allowed range.</summary>
     private static void SpinOnRing(AimRequest request, int ring, int place, out double top, out double side)
     {
-        // Sidespin first: it is what mostly goes round.
-        // A square ring of 8 n places, by its four edges.
+        // Sidespin first, because it usually bends a kick around an obstacle. The ring has 8 n points, on four edges.
         int along = (place % (2 * ring)) - ring;
         int edge = place / (2 * ring);
         int x = edge switch { 0 => ring, 1 => -ring, 2 => -along, _ => along };
@@ -204,7 +203,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time, out bool isEarly);
         if (isEarly)
         {
-            // Within the tolerance, but the ball comes down before it is due: a closer kick does not.
+            // The ball is within tolerance but lands early; solve again for a closer kick, which does not.
             _general.IsTimely = true;
             result = AtTime(request, time, out _);
             _general.IsTimely = false;
@@ -217,11 +216,11 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            // Why there is none: the search ran out of flights, or has seen all there is.
+            // No kick: the search either ran out of flights, or has covered all kicks.
             solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
-        // A kick that passes the target at another time is no hit.
+        // A kick that passes the target at another time is not a hit.
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
         isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
@@ -241,7 +240,7 @@ public sealed partial class Aimer
     /// <summary>The compiled scenes and flights of the search.</summary>
     internal AimContext Context => _context;
 
-    /// <summary>Checks a request before anything is done for it.</summary>
+    /// <summary>Validates a request, and begins the search.</summary>
     internal void Begin(AimRequest request)
     {
         if (request is null)
@@ -255,16 +254,16 @@ public sealed partial class Aimer
 
     private AimResult Report(AimRequest request, in AimSolution solution, bool measure) => Report(request, in solution, measure, request.Waypoint is not null);
 
-    /// <summary>Measures a kick that was found, and says what it is.</summary>
-    /// <param name="request">What it is to do.</param>
+    /// <summary>Measures a kick, and determines its status.</summary>
+    /// <param name="request">The request.</param>
     /// <param name="solution">The kick.</param>
-    /// <param name="measure">Whether to measure it, where its estimate could be taken instead.</param>
-    /// <param name="passes">Whether it was to pass the point on the way.</param>
+    /// <param name="measure">True to measure the kick even if its estimate would suffice.</param>
+    /// <param name="passes">True if the kick must pass the waypoint.</param>
     internal AimResult Report(AimRequest request, in AimSolution solution, bool measure, bool passes)
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
 
-        // The solver's own estimate, where nothing can be in the way.
+        // Use the solver's own estimate if no obstacle can block the kick.
         if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Waypoint is null ? null : solution.ThroughMiss;
@@ -274,29 +273,30 @@ public sealed partial class Aimer
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
-        // The measured miss decides; a method may only say why there is none.
+        // The measured miss decides between hit and miss; the method only explains a miss.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
             : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured, passes)
             : Missed(in solution, in measured);
         return Result(request, status, in solution, in velocity, in spin, in measured);
     }
 
-    /// <summary>The status of a kick whose measured flight misses: a supposed hit needs finer steps, or something is in the way.</summary>
+    /// <summary>Returns the status of a kick whose measured flight misses: not converged if no object blocks an expected hit, otherwise
+    /// blocked.</summary>
     private static AimStatus Missed(in AimSolution solution, in MeasuredMiss measured) =>
         solution.Status != AimStatus.Hit ? solution.Status : measured.Blocker == MeasuredFlight.NoThing ? AimStatus.NotConverged : AimStatus.Blocked;
 
-    /// <summary>A hit that misses the point on the way is one of the target only.</summary>
+    /// <summary>Downgrades a hit that misses the waypoint.</summary>
     private static AimStatus Judge(AimRequest request, AimStatus status, in MeasuredMiss measured, bool passes) =>
         status == AimStatus.Hit && passes && !(measured.ThroughDistance <= request.WaypointTolerance) ? AimStatus.WaypointMissed : status;
 
     private AimResult Result(
         AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
     {
-        // The thesis' methods have iterations of their own; what is looked at from here on is no part of the search.
+        // The methods of the thesis count their own iterations. Save the counters now: later flights are not part of the search.
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
         int simulations = _context.Simulations;
 
-        // The arc: low for a roll, a flat kick to a target no lower, and what does not hit; else the slope of the speed over the time tells.
+        // The arc is low for a roll, for a flat kick to a target at least as high, and for a miss; otherwise the slope of speed over time decides.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
         bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;

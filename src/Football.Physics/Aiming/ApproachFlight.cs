@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The closest approach of a kick to a target that may move.</summary>
+/// <summary>Finds the closest approach of a kick to a target that may move.</summary>
 internal abstract class ApproachFlight : KickObserver
 {
     private readonly KickFlight _flight;
@@ -16,39 +16,39 @@ internal abstract class ApproachFlight : KickObserver
 
     public override bool WantsEndAcceleration => true;
 
-    /// <summary>Distance of the closest approach to the target, m.</summary>
+    /// <summary>The distance of the closest approach to the target, in m.</summary>
     public double Miss => Math.Sqrt(Squared);
 
-    /// <summary>When it is closest to the target, s after the kick.</summary>
+    /// <summary>The time of the closest approach, in s after the kick.</summary>
     public double Time => _time - _start;
 
-    /// <summary>Where it is then, m.</summary>
+    /// <summary>The position of the ball at the closest approach, in m.</summary>
     public Vector3d Position { get; private set; }
 
-    /// <summary>How fast it is then, m/s.</summary>
+    /// <summary>The velocity of the ball at the closest approach, in m/s.</summary>
     public Vector3d Velocity { get; private set; }
 
-    /// <summary>Pieces of motion of the last flight.</summary>
+    /// <summary>The number of path segments of the last flight.</summary>
     public long Pieces => _flight.Pieces;
 
     protected Simulator Simulator { get; }
 
-    /// <summary>True when there is no wind, which could bring a ball back.</summary>
+    /// <summary>True if there is no wind, which could bring a ball back.</summary>
     protected bool IsStill { get; }
 
-    /// <summary>The target at time 0, m.</summary>
+    /// <summary>The target at time 0, in m.</summary>
     protected Vector3d Target { get; private set; }
 
-    /// <summary>Its velocity, m/s.</summary>
+    /// <summary>The velocity of the target, in m/s.</summary>
     protected Vector3d TargetVelocity { get; private set; }
 
-    /// <summary>Length of a step in the air, s.</summary>
+    /// <summary>The length of a step in the air, in s.</summary>
     protected double TimeStep { get; private set; }
 
-    /// <summary>When the flight is no longer followed, s.</summary>
+    /// <summary>The time at which the flight ends, in s.</summary>
     protected double Last { get; private set; }
 
-    /// <summary>Square of the closest approach so far, m².</summary>
+    /// <summary>The square of the closest approach so far, in m².</summary>
     protected double Squared { get; private set; }
 
     public override bool Add(in PathSegment piece)
@@ -71,30 +71,30 @@ internal abstract class ApproachFlight : KickObserver
 
     protected void Fly(ref BallState state) => _flight.Fly(ref state, Last - (1e-9 * TimeStep));
 
-    /// <summary>The target at time 0, for a ball at a place.</summary>
+    /// <summary>Returns the target at time 0 for a position of the ball.</summary>
     protected virtual Vector3d TargetFor(in Vector3d position) => Target;
 
-    /// <summary>The square of a piece's closest approach, m², and its time.</summary>
+    /// <summary>Returns the squared closest approach of a segment, in m², and its time.</summary>
     protected virtual double ClosestApproach(in PathSegment piece, out double time) =>
         (TargetVelocity == Vector3d.Zero ? piece : piece.SeenFrom(TargetVelocity)).ClosestApproach(Target, out time);
 
-    /// <summary>From the target to a ball.</summary>
+    /// <summary>Returns the vector from the target to the ball.</summary>
     protected Vector3d Gap(in Vector3d position, double time) => position - TargetFor(in position) - (time * TargetVelocity);
 
-    /// <summary>True when a ball that came closer to the target leaves it again.</summary>
+    /// <summary>True if a ball that approached the target now recedes from it.</summary>
     protected bool Passes(in BallState before, in BallState after, in Vector3d velocity) =>
         Rate(in before, before.Velocity) < 0 && Rate(in after, in velocity) > 0;
 
-    /// <summary>Takes the end of a step, m and m/s.</summary>
+    /// <summary>Compares the state at the end of a step with the closest approach, in m and m/s.</summary>
     protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
         Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
 
-    /// <summary>True when a ball on the ground comes no closer: it is too far below, or rolls away, and no wind brings it back.</summary>
+    /// <summary>True if a ball on the ground comes no closer: it is too far below, or rolls away in still air.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
         motion != MotionState.Airborne && TargetVelocity == Vector3d.Zero
         && (gap.Y * gap.Y >= best || (IsStill && motion == MotionState.Rolling && Vector3d.Dot(in gap, in velocity) > 0));
 
-    /// <summary>Half the rate of change of the squared distance, m²/s.</summary>
+    /// <summary>Returns half the rate of change of the squared distance, in m²/s.</summary>
     private double Rate(in BallState state, in Vector3d velocity) => Vector3d.Dot(Gap(state.Position, state.Time), velocity - TargetVelocity);
 
     private void Take(double squared, double time, in Vector3d position, in Vector3d velocity)
@@ -109,16 +109,16 @@ internal abstract class ApproachFlight : KickObserver
     }
 }
 
-/// <summary>
-/// Measures so that no doubt is left how close a kick comes to a target, and to a point on the way: before its first impact, or, where it is to meet some things first,
-/// after those and before the next.
-/// </summary>
+/// <summary>Measures the closest approach of a kick to a target and a waypoint, before the first impact.</summary>
+/// <remarks>
+/// If the kick must hit given objects first, it measures after those and before the next impact.
+/// </remarks>
 internal sealed class MeasuredFlight : ApproachFlight
 {
-    /// <summary>Nothing but the ground was met.</summary>
+    /// <summary>The value of <see cref="Blocker"/> if the ball hit only the ground.</summary>
     public const int NoThing = -1;
 
-    /// <summary>A ball that has been in a net, slower than this, for so long only creeps on, m/s and s: no more than twice as fast.</summary>
+    /// <summary>The speed, in m/s, and time, in s, below which a ball in a net creeps; it will at most double its speed.</summary>
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
@@ -135,23 +135,23 @@ internal sealed class MeasuredFlight : ApproachFlight
     {
     }
 
-    /// <summary>True when it met all that it was to meet, in order, before anything else.</summary>
+    /// <summary>True if the ball hit all required objects, in order, before any other.</summary>
     public bool HasMetAll => _met == _things.Length;
 
-    /// <summary>Distance of the closest approach to the point on the way, m; null without one.</summary>
+    /// <summary>The distance of the closest approach to the waypoint, in m; null without one.</summary>
     public double? ThroughMiss => _through is null ? null : Math.Sqrt(_throughSquared);
 
-    /// <summary>The first thing but the ground that it met, as events number them; <see cref="NoThing"/> where it met none.</summary>
+    /// <summary>The first object except the ground that the ball hit, numbered as in events; <see cref="NoThing"/> if there is none.</summary>
     public int Blocker { get; private set; }
 
-    /// <summary>Flies a kick, and measures.</summary>
+    /// <summary>Flies a kick and measures its closest approach.</summary>
     /// <param name="state">The ball.</param>
-    /// <param name="timeStep">Length of a step, s.</param>
-    /// <param name="duration">How long it is followed, s.</param>
-    /// <param name="target">The target at time 0, m.</param>
-    /// <param name="targetVelocity">Its velocity, m/s.</param>
-    /// <param name="through">The point on the way, m; null without one.</param>
-    /// <param name="things">What it is to meet first.</param>
+    /// <param name="timeStep">The length of a step, in s.</param>
+    /// <param name="duration">The duration of the flight, in s.</param>
+    /// <param name="target">The target at time 0, in m.</param>
+    /// <param name="targetVelocity">The velocity of the target, in m/s.</param>
+    /// <param name="through">The waypoint, in m; null without one.</param>
+    /// <param name="things">The objects that the ball must hit first.</param>
     public void Fly(BallState state, double timeStep, double duration, in Vector3d target, in Vector3d targetVelocity, Vector3d? through, int[] things)
     {
         Begin(in state, timeStep, duration, in target, in targetVelocity);
@@ -162,7 +162,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         _fast = state.Time;
         Blocker = NoThing;
 
-        // Where nothing is to be met first, the start is an approach too: a kick may lead away at once.
+        // Without required objects the start counts as an approach: the kick may lead away at once.
         if (HasMetAll)
         {
             TakeEnd(in state, state.Velocity);
@@ -172,7 +172,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     }
 
     /// <summary>Flies a kick until a time or its first impact.</summary>
-    /// <returns>What but the ground it met first; <see cref="NoThing"/> where it met nothing.</returns>
+    /// <returns>The first object except the ground that the ball hit; <see cref="NoThing"/> if there is none.</returns>
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {
         _log.Clear();
@@ -188,7 +188,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // On the ground friction turns a way within a step: there each is watched.
+        // On the ground, friction curves the path within a step: inspect each step.
         watches = HasMetAll && state.Motion != MotionState.Airborne;
         return Math.Min(TimeStep, Last - state.Time);
     }
@@ -200,7 +200,7 @@ internal sealed class MeasuredFlight : ApproachFlight
             return false;
         }
 
-        // An impact, or a passing of the target or of the point on the way, lies within the step: its pieces are looked at. Else the end will do.
+        // Inspect the segments if the step contains an impact, or passes the target or waypoint. Otherwise its end is sufficient.
         bool doubts = ended || Passes(in before, in after, after.Velocity)
             || (_through is { } point && Vector3d.Dot(before.Position - point, before.Velocity) < 0 && Vector3d.Dot(after.Position - point, after.Velocity) > 0);
         if (!doubts)
@@ -221,19 +221,20 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         _throughSquared = Math.Min(_throughSquared, piece.ClosestApproach(in point, out _));
 
-        // Over only where it comes no closer to either.
+        // Stop only if the ball comes closer to neither the target nor the waypoint.
         return isPast && IsPast(piece.Motion, piece.EndPosition - point, piece.EndVelocity, _throughSquared);
     }
 
     public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
     {
-        // 1. An impact ends it, but for those that are asked for. 2. Until all of those were met: where the ball gets nowhere. 3. After them: where it comes no closer.
+        // 1. An impact ends the flight, unless it is a required one. 2. Before all required impacts: end if the ball is stuck. 3. After them: end if
+        // the ball comes no closer.
         for (int i = 0; i < events.Count; i++)
         {
             ref readonly BallEvent e = ref events[i];
             NoteBlocker(in e);
 
-            // A net slows the ball, but ends nothing.
+            // A net slows the ball, but does not end the flight.
             if (e.Kind != BallEventKind.Impact)
             {
                 continue;
@@ -244,7 +245,7 @@ internal sealed class MeasuredFlight : ApproachFlight
                 return true;
             }
 
-            // One of those asked for: the flight goes on, and after the last of them the approach begins.
+            // A required impact: the flight continues, and after the last one the approach begins.
             ended = false;
             _met++;
             if (HasMetAll)
@@ -260,7 +261,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         if (!HasMetAll)
         {
-            // A ball that stays on the ground bounces off it no more; one at rest, or that creeps down a net, meets nothing more.
+            // A ball that stays on the ground cannot bounce off it again; one at rest, or that creeps down a net, hits nothing more.
             bool staysDown = after.Motion is MotionState.Sliding or MotionState.Rolling && after.Carrier == 0 && _things[_met] == 0;
             return staysDown || after.Motion == MotionState.Rest || Creeps(in after);
         }
@@ -278,7 +279,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         }
     }
 
-    /// <summary>True when the ball goes away for good: in the air where it is farther off by its way over the ground alone.</summary>
+    /// <summary>True if the ball leaves for good; in the air, if its horizontal distance alone exceeds the best.</summary>
     private bool Leaves(in BallState state)
     {
         Vector3d gap = Gap(state.Position, state.Time);
@@ -290,10 +291,10 @@ internal sealed class MeasuredFlight : ApproachFlight
     private void NoteBlocker(in BallEvent e) =>
         Blocker = Blocker == NoThing && e.ColliderIndex > 0 && e.Kind is BallEventKind.Impact or BallEventKind.Net ? e.ColliderIndex : Blocker;
 
-    /// <summary>True when the ball creeps down a net, and gets nowhere in time.</summary>
+    /// <summary>True if the ball creeps down a net and cannot reach anything in time.</summary>
     private bool Creeps(in BallState state)
     {
-        // A ball in a net swings for long: given up where it is slow for a while, and twice its speed would not bring it there in time.
+        // A ball in a net swings for a long time. Stop if it is slow for a while, and twice its speed would not reach the target in time.
         double speed = state.Velocity.Length;
         if (state.Nets == 0 || speed > Slow)
         {
@@ -313,10 +314,10 @@ internal sealed class MeasuredFlight : ApproachFlight
     }
 }
 
-/// <summary>Looks in long steps how close a kick comes to a target before its first impact, until it can come no closer.</summary>
+/// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>
 internal class KickLook : ApproachFlight
 {
-    /// <summary>Steps on the ground are this share of those in the air, s, and no longer than this: longer ones are taken in pieces, which cost as much each.</summary>
+    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; longer ones are divided, and cost as much.</summary>
     private const double GroundShare = 0.2;
     private const double LongestRoll = 0.08;
 
@@ -326,18 +327,18 @@ internal class KickLook : ApproachFlight
     {
     }
 
-    /// <summary>Ball and target.</summary>
+    /// <summary>The positions of ball and target.</summary>
     protected TargetFrame Frame { get; private set; }
 
-    /// <summary>Looks how close a kick comes.</summary>
+    /// <summary>Estimates the closest approach of a kick.</summary>
     /// <param name="frame">Ball and target.</param>
-    /// <param name="targetVelocity">Velocity of the target, m/s.</param>
+    /// <param name="targetVelocity">The velocity of the target, in m/s.</param>
     /// <param name="kick">The kick.</param>
-    /// <param name="speed">Its speed, m/s.</param>
-    /// <param name="timeStep">Step of the flight, s.</param>
+    /// <param name="speed">The speed of the kick, in m/s.</param>
+    /// <param name="timeStep">The step of the flight, in s.</param>
     public virtual Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
-        // Flown until it comes no closer; the start counts as an approach.
+        // Fly until the ball comes no closer; the start counts as an approach.
         kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = Simulator.Launch(frame.From, velocity, spin);
         Frame = frame;
@@ -358,7 +359,7 @@ internal class KickLook : ApproachFlight
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // Where it passes the target in a step of one piece, the cubic between the ends will do. What an impact did to the velocity comes after the approach.
+        // If the ball passes the target within a step of one segment, a cubic between the ends is sufficient. Use the velocity before an impact.
         Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
         if (!Passes(in before, in after, in velocity))
         {
@@ -386,18 +387,18 @@ internal class KickLook : ApproachFlight
         return after.Motion == MotionState.Airborne ? Leaves(in after, in gap) : IsPast(after.Motion, in gap, after.Velocity, Squared);
     }
 
-    /// <summary>True when a ball in the air can come no closer: in a wind, or to a target that moves, it may.</summary>
+    /// <summary>True if an airborne ball can come no closer; false in wind or for a moving target, where it may.</summary>
     protected virtual bool Leaves(in BallState state, in Vector3d gap) => false;
 
-    /// <summary>True when the target is below the way: to the right of the motion as seen in the plane of way and height.</summary>
+    /// <summary>True if the ball passes above the target, in the vertical plane of the motion.</summary>
     protected bool IsAbove(in Vector3d gap, in Vector3d ahead)
     {
-        // The side of the way on which the target lies, in the vertical plane: the sign of the cross product of way and gap.
+        // The side of the path on which the target lies: the sign of the cross product of velocity and gap.
         Vector3d moving = Velocity - TargetVelocity;
         return (Vector3d.Dot(in moving, in ahead) * gap.Y) - (moving.Y * Vector3d.Dot(in gap, in ahead)) > 0;
     }
 
-    /// <summary>The velocity with which the ball met the ground.</summary>
+    /// <summary>Returns the velocity with which the ball hit the ground.</summary>
     private static Vector3d BeforeImpact(EventBuffer events)
     {
         int last = events.Count - 1;
@@ -405,10 +406,11 @@ internal class KickLook : ApproachFlight
     }
 }
 
-/// <summary>
-/// The same in still air, for a target at rest. There a flight turns with its azimuth as it is, so the target is turned to where the ball is instead: distance and height of
-/// the way count alone, and the azimuth that goes with them is known after one flight.
-/// </summary>
+/// <summary>Estimates the closest approach in still air, for a target at rest, independent of the azimuth.</summary>
+/// <remarks>
+/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only distance and height
+/// matter, and one flight yields the matching azimuth.
+/// </remarks>
 internal sealed class TurningLook : KickLook
 {
     private bool _isBeyond;
@@ -424,13 +426,13 @@ internal sealed class TurningLook : KickLook
         _isBeyond = false;
         Approach approach = base.Fly(in frame, in targetVelocity, in kick, speed, timeStep);
 
-        // The target was turned to where the ball is; turning the kick back by that bearing brings the ball to the target.
+        // The target was rotated to the ball's bearing; rotate the kick back by this bearing, so that the ball reaches the target.
         Vector3d went = (Position - frame.From).Horizontal;
         double length = went.Length;
         Vector3d ahead = length > 1e-9 ? went / length : kick.Direction(in frame.Forward);
         approach.Kick.Azimuth -= length > 0 ? Elementary.Atan2(Vector3d.Dot(in went, in frame.Left), Vector3d.Dot(in went, in frame.Forward)) : 0;
 
-        // A way that ends before the target's distance passes below it, whatever its last direction says.
+        // A path that ends before the target's distance passes below the target, whatever its final direction.
         approach.Above = _isBeyond && IsAbove(approach.Gap, in ahead);
         return approach;
     }
@@ -450,7 +452,7 @@ internal sealed class TurningLook : KickLook
 
     protected override double ClosestApproach(in PathSegment piece, out double time)
     {
-        // The target turns with the ball: from where the ball is in the middle to where it was closest.
+        // The target rotates with the ball: iterate from the ball's position at the midpoint to that at the closest approach.
         time = piece.Time + (0.5 * piece.Length);
         for (int i = 0; i < 2; i++)
         {
@@ -462,7 +464,7 @@ internal sealed class TurningLook : KickLook
 
     protected override bool Leaves(in BallState state, in Vector3d gap)
     {
-        // It is farther off by its way over the ground alone, or falls beyond.
+        // The ball is farther away horizontally than the best approach, or falls beyond the target.
         Vector3d flat = gap.Horizontal;
         return Vector3d.Dot(in flat, state.Velocity) > 0 && Vector3d.Dot(state.Position - Frame.From, in flat) > 0
             && (flat.LengthSquared > Squared || (gap.Y < 0 && state.Velocity.Y < 0));

@@ -1,20 +1,21 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Looks for the flight that is at a target with a speed, over the times that flights to it take: for each there is one kick, and its arrival changes smoothly from one time to
-/// the next. Between times at which it is too slow and too fast lies the one that is sought; where all are too fast, or too slow, it may lie at the end of the times, or
-/// between three of which the middle one comes closest.
-/// </summary>
+/// <summary>Searches over the time of flight for the kick that arrives at a target at a given speed.</summary>
+/// <remarks>
+/// Each time has one kick, and its arrival speed changes smoothly with the time. The solution lies between a time that is too slow and one that is
+/// too fast. If all are too fast, or all too slow, it may lie at the end of the feasible times, or between three times of which the middle one is
+/// closest.
+/// </remarks>
 internal sealed class ArrivalTimes
 {
-    /// <summary>From one time to the next, and how many there are: up to the longest flight.</summary>
+    /// <summary>The ratio of successive times, and the maximum number of times.</summary>
     private const double Ratio = 1.15;
     private const int Most = 64;
 
-    /// <summary>After so many times without a kick, behind some with one, there is none later.</summary>
+    /// <summary>The number of successive times without a kick, after some with one, that end the scan.</summary>
     private const int MostMissing = 4;
 
-    /// <summary>The first time, as a share of that of the straight way at the fastest speed.</summary>
+    /// <summary>The first time, as a share of that of the straight path at maximum speed.</summary>
     private const double Earliest = 0.7;
 
     private const int Rounds = 40;
@@ -29,6 +30,7 @@ internal sealed class ArrivalTimes
 
     public ArrivalTimes(Aimer aimer) => _aimer = aimer;
 
+    /// <summary>Scans the times of flight, then searches for the speed between two times, at the end of the feasible times, and at an extremum.</summary>
     public AimResult Find(AimRequest request, double speed)
     {
         _request = request;
@@ -62,7 +64,7 @@ internal sealed class ArrivalTimes
         return closest.Status == AimStatus.Hit ? Aimer.Failed(in closest, AimStatus.OutOfReach) : closest;
     }
 
-    /// <summary>Looks at times from the shortest on.</summary>
+    /// <summary>Scans the times, shortest first.</summary>
     private int Scan()
     {
         TargetFrame frame = _aimer.Context.Frame(_request);
@@ -82,7 +84,7 @@ internal sealed class ArrivalTimes
         return Insert(_aimer.SlowestTime(_request), count);
     }
 
-    /// <summary>Takes in one more time, in order: where bounds leave few, the others may miss them all.</summary>
+    /// <summary>Inserts one more time in order; with narrow bounds, the scan may miss all feasible times.</summary>
     private int Insert(double time, int count)
     {
         int place = count;
@@ -109,7 +111,7 @@ internal sealed class ArrivalTimes
         return node;
     }
 
-    /// <summary>The time between two at which the arrival is as asked for, where it is too slow at one and too fast at the other.</summary>
+    /// <summary>Finds the time at which the arrival speed matches, between a time that is too slow and one that is too fast.</summary>
     private bool Between(in Node before, in Node after, out Node root)
     {
         root = Math.Abs(before.Off) < Math.Abs(after.Off) ? before : after;
@@ -122,7 +124,7 @@ internal sealed class ArrivalTimes
         Node high = after;
         for (int i = 0; i < Rounds && high.Time - low.Time > Closeness * high.Time && Math.Abs(root.Off) > Closeness; i++)
         {
-            // The secant, kept off both ends so that the bracket shrinks from both.
+            // A secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, low.Off / (low.Off - high.Off)));
             Node middle = At(low.Time + (share * (high.Time - low.Time)), isBetween: true);
             if (!middle.Hits)
@@ -144,7 +146,7 @@ internal sealed class ArrivalTimes
         return true;
     }
 
-    /// <summary>Between a time with a kick and one without: up to the last that has one.</summary>
+    /// <summary>Searches between a time with a kick and one without, up to the last time with a kick.</summary>
     private bool AtEnd(in Node before, in Node after, out Node root)
     {
         root = default;
@@ -172,12 +174,12 @@ internal sealed class ArrivalTimes
             hit = middle;
         }
 
-        // At the very end it is as asked for, as closely as the end is known.
+        // Accept the kick at the very end if its speed matches within the error of the end.
         root = hit;
         return Math.Abs(hit.Off) <= Aimer.LargestArrivalError;
     }
 
-    /// <summary>Between three times of which the middle one comes closest: the slowest arrival there is, or the fastest.</summary>
+    /// <summary>Searches between three times of which the middle one is closest: the minimum or maximum of the arrival speed.</summary>
     private bool AtTurn(int middle, int last, out Node root)
     {
         Node a = _nodes[middle - 1];
@@ -189,7 +191,7 @@ internal sealed class ArrivalTimes
             return false;
         }
 
-        // Into the wider of the two parts, until the sign changes.
+        // Golden-section search in the wider part, until the sign changes.
         for (int i = 0; i < Halvings; i++)
         {
             bool left = b.Time - a.Time > c.Time - b.Time;
@@ -219,15 +221,15 @@ internal sealed class ArrivalTimes
         return Math.Abs(b.Off) <= Aimer.LargestArrivalError;
     }
 
-    /// <summary>A time, and the kick that flies so long.</summary>
+    /// <summary>A time of flight, and its kick.</summary>
     private struct Node
     {
         public double Time;
 
-        /// <summary>How much faster than asked for it arrives, m/s.</summary>
+        /// <summary>The excess of the arrival speed over the requested one, in m/s.</summary>
         public double Off;
 
-        /// <summary>Whether there is a kick.</summary>
+        /// <summary>True if there is a kick.</summary>
         public bool Hits;
 
         public AimSolution Kick;

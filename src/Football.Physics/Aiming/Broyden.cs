@@ -1,19 +1,19 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Broyden's update: the least change of a Jacobian, in units in which unknowns count alike, that agrees with what the last step did.</summary>
+/// <summary>Broyden's update: the smallest change of a Jacobian, in scaled unknowns, that matches the last step.</summary>
 internal static class Broyden
 {
     /// <summary>Updates a row: J += (Δr − J Δx) (W Δx)ᵀ / (Δxᵀ W Δx).</summary>
     /// <param name="j">The Jacobian.</param>
-    /// <param name="row">Where the row begins.</param>
-    /// <param name="count">How many unknowns its residual depends on.</param>
-    /// <param name="dx">What the unknowns changed by.</param>
-    /// <param name="weight">W, by unknown.</param>
-    /// <param name="squared">Δxᵀ W Δx; nothing is learnt where it is not above 0.</param>
-    /// <param name="dr">What the residual changed by.</param>
+    /// <param name="row">The index at which the row starts.</param>
+    /// <param name="count">The number of unknowns that affect the residual.</param>
+    /// <param name="dx">The change of the unknowns.</param>
+    /// <param name="weight">The weights W, one per unknown.</param>
+    /// <param name="squared">Δxᵀ W Δx; without an update if it is not above 0.</param>
+    /// <param name="dr">The change of the residual.</param>
     public static void Update(double[] j, int row, int count, double[] dx, double[] weight, double squared, double dr)
     {
-        // What an unknown that was held has in its column, from another problem, does not count.
+        // Ignore the column of an unknown that was held: it may stem from another problem.
         double error = dr;
         for (int k = 0; k < count; k++)
         {

@@ -1,36 +1,36 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A kick as the predictors see it: two angles and two spins.</summary>
+/// <summary>A kick as the predictors use it: two angles and two spins.</summary>
 internal struct Kick
 {
-    /// <summary>Angle above the horizontal, rad.</summary>
+    /// <summary>The angle above the horizontal, in rad.</summary>
     public double Elevation;
 
-    /// <summary>Angle from the direction of the target, counter-clockwise seen from above, rad.</summary>
+    /// <summary>The angle from the direction of the target, counter-clockwise seen from above, in rad.</summary>
     public double Azimuth;
 
-    /// <summary>Topspin, rad/s.</summary>
+    /// <summary>The topspin, in rad/s.</summary>
     public double Top;
 
-    /// <summary>Sidespin, rad/s.</summary>
+    /// <summary>The sidespin, in rad/s.</summary>
     public double Side;
 
-    /// <summary>Size of the spin, rad/s.</summary>
+    /// <summary>The magnitude of the spin, in rad/s.</summary>
     public readonly double SpinRate => Math.Sqrt((Top * Top) + (Side * Side));
 
-    /// <summary>A kick with the spin of a request.</summary>
+    /// <summary>Creates a kick with the spins of a request.</summary>
     public static Kick Of(AimRequest request, double elevation, double azimuth) =>
         new() { Elevation = elevation, Azimuth = azimuth, Top = request.TopSpin, Side = request.SideSpin };
 
-    /// <summary>Horizontal unit direction of the kick.</summary>
-    /// <param name="forward">Horizontal unit direction of the target.</param>
+    /// <summary>Returns the horizontal unit direction of the kick.</summary>
+    /// <param name="forward">The horizontal unit direction of the target.</param>
     public readonly Vector3d Direction(in Vector3d forward) => KickVectors.Flat(Azimuth, in forward);
 
-    /// <summary>Velocity and spin vectors, which a launch does not refuse.</summary>
+    /// <summary>Returns velocity and spin, within the limits of a launch.</summary>
     public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin) =>
         KickVectors.FromAngles(speed, Elevation, Direction(in forward), Top, Side, out velocity, out spin);
 
-    /// <summary>How they change with the two angles; the spin with the azimuth alone.</summary>
+    /// <summary>Returns the derivatives of velocity and spin with respect to the angles; the spin depends on the azimuth only.</summary>
     public readonly void Turns(double speed, in Vector3d forward, out Vector3d byElevation, out Vector3d byAzimuth, out Vector3d spinByAzimuth)
     {
         Vector3d d = Direction(in forward);
@@ -44,7 +44,7 @@ internal struct Kick
     }
 }
 
-/// <summary>The elevations that a kick may have, rad.</summary>
+/// <summary>The bounds of a kick's elevation, in rad.</summary>
 internal readonly struct ElevationBounds
 {
     private const double Degree = Math.PI / 180.0;
@@ -58,40 +58,40 @@ internal readonly struct ElevationBounds
         Highest = highest;
     }
 
-    /// <summary>Those of a request.</summary>
+    /// <summary>Returns the bounds of a request.</summary>
     public static ElevationBounds Of(AimRequest request) => OfDegrees(request.MinimumElevationDegrees, request.MaximumElevationDegrees);
 
-    /// <summary>Those of two angles in degrees.</summary>
+    /// <summary>Returns the bounds for two angles in degrees.</summary>
     public static ElevationBounds OfDegrees(double lowest, double highest) => new(lowest * Degree, highest * Degree);
 
-    /// <summary>The nearest elevation within the bounds.</summary>
+    /// <summary>Clamps an elevation to the bounds.</summary>
     public double Clamp(double elevation) => Math.Min(Math.Max(elevation, Lowest), Highest);
 
-    /// <summary>True when an elevation lies within the bounds.</summary>
+    /// <summary>True if an elevation is within the bounds.</summary>
     public bool Contain(double elevation) => !(elevation < Lowest || elevation > Highest);
 }
 
-/// <summary>The frame in which a kick is sought: from the ball, horizontally forward to the target, to the left of that, and up.</summary>
+/// <summary>The coordinate frame of an aim: origin at the ball, axes horizontally to the target, to its left, and up.</summary>
 internal readonly struct TargetFrame
 {
-    /// <summary>Where the ball is, m.</summary>
+    /// <summary>The position of the ball, in m.</summary>
     public readonly Vector3d From;
 
-    /// <summary>Where it is to go, m.</summary>
+    /// <summary>The target, in m.</summary>
     public readonly Vector3d Target;
 
-    /// <summary>Horizontal unit vector to the target; a fixed one where the target is straight above, below or at the ball.</summary>
+    /// <summary>The horizontal unit vector to the target; −z if the target is straight above, below or at the ball.</summary>
     public readonly Vector3d Forward;
 
     /// <summary>ŷ × forward.</summary>
     public readonly Vector3d Left;
 
-    /// <summary>Horizontal distance of the target, m.</summary>
+    /// <summary>The horizontal distance of the target, in m.</summary>
     public readonly double Distance;
 
     public TargetFrame(in Vector3d from, in Vector3d target)
     {
-        // Straight above or below there is no direction: then it is −z.
+        // Straight above or below there is no horizontal direction: use −z.
         Vector3d flat = (target - from).Horizontal;
         From = from;
         Target = target;
@@ -100,13 +100,13 @@ internal readonly struct TargetFrame
         Left = new Vector3d(Forward.Z, 0, -Forward.X);
     }
 
-    /// <summary>True when the target is at the ball, so that there is no direction to kick in.</summary>
+    /// <summary>True if the target is at the ball, so that there is no direction to kick in.</summary>
     public bool IsDegenerate => Distance < 1e-6 && Math.Abs(Target.Y - From.Y) < 1e-6;
 
-    /// <summary>Height at which a ball that falls is given up, m: far below both ends of any flight that is of use.</summary>
+    /// <summary>The height at which a falling ball is abandoned, in m; far below both ends of any useful flight.</summary>
     public double Floor => Math.Min(From.Y, Target.Y) - (2.0 * Distance) - 10.0;
 
-    /// <summary>A kick turned into a direction, as far as the bounds allow.</summary>
+    /// <summary>Returns a kick turned to a direction, within the bounds.</summary>
     public Kick Turned(in Kick kick, in Vector3d direction, in ElevationBounds bounds)
     {
         Kick turned = kick;

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies a kick, step by step, until its observer has seen enough.</summary>
+/// <summary>Flies a kick step by step until its observer ends the flight.</summary>
 internal sealed class KickFlight
 {
     private readonly Simulator _simulator;
@@ -9,7 +9,7 @@ internal sealed class KickFlight
     private readonly StepLog _watched = new() { IgnoresZones = true };
 
     /// <param name="simulator">The scene.</param>
-    /// <param name="observer">What it is flown for.</param>
+    /// <param name="observer">The observer of the flight.</param>
     public KickFlight(Simulator simulator, KickObserver observer)
     {
         _simulator = simulator;
@@ -17,13 +17,13 @@ internal sealed class KickFlight
         _watched.Observer = observer;
     }
 
-    /// <summary>Pieces of motion of the last flight.</summary>
+    /// <summary>The number of path segments of the last flight.</summary>
     public long Pieces { get; private set; }
 
-    /// <summary>Flies until the observer says that it is over, or a time.</summary>
+    /// <summary>Flies until the observer ends the flight, or until a time.</summary>
     public void Fly(ref BallState state, double last)
     {
-        // A step that nobody watches is the fastest. Where its ends leave a doubt about what was between, it is taken again, and the observer sees its pieces.
+        // An unobserved step is fastest. If its ends leave a doubt, repeat the step and let the observer see its segments.
         Pieces = 0;
         bool isOver = false;
         while (!isOver && state.Time < last && Pieces < AimContext.MostPieces)
@@ -32,7 +32,7 @@ internal sealed class KickFlight
             double step = _observer.StepFrom(in before, out bool watches);
             bool ended = false;
 
-            // Unwatched at first, and judged by its ends.
+            // Take the step unobserved at first, and judge by its ends.
             if (!watches)
             {
                 ended = Take(ref state, step, _log);
@@ -41,7 +41,7 @@ internal sealed class KickFlight
 
             if (watches)
             {
-                // From the same start, so that it is the same step to the last bit.
+                // Repeat from the same start, which makes the step bit-identical.
                 state = before;
                 ended = Take(ref state, step, _watched);
             }
@@ -59,23 +59,24 @@ internal sealed class KickFlight
     }
 }
 
-/// <summary>The purpose of a <see cref="KickFlight"/>: the length of its steps, what is read off them, and when it is over.</summary>
+/// <summary>The purpose of a <see cref="KickFlight"/>: determines its steps, evaluates them, and ends the flight.</summary>
 internal abstract class KickObserver : PieceObserver
 {
-    /// <summary>Length of the next step, s.</summary>
-    /// <param name="state">The ball at its start.</param>
-    /// <param name="watches">Whether its pieces are to be seen in any case.</param>
+    /// <summary>Returns the length of the next step, in s.</summary>
+    /// <param name="state">The ball at the start of the step.</param>
+    /// <param name="watches">True if the observer must see the segments of the step.</param>
     public abstract double StepFrom(in BallState state, out bool watches);
 
-    /// <summary>Reads off a step that was not watched what its ends tell.</summary>
-    /// <param name="before">The ball at its start.</param>
-    /// <param name="after">The ball at its end.</param>
-    /// <param name="log">Its events, and how many pieces it had.</param>
-    /// <param name="ended">Whether the flight ends with it: by an impact, or for the observer.</param>
-    /// <returns>True where that is not enough: the step is taken again, and <see cref="PieceObserver.Add(in PathSegment)"/> sees its pieces.</returns>
+    /// <summary>Evaluates an unobserved step from its ends.</summary>
+    /// <param name="before">The ball at the start of the step.</param>
+    /// <param name="after">The ball at the end of the step.</param>
+    /// <param name="log">The events and the number of segments of the step.</param>
+    /// <param name="ended">True if the flight ends with the step, by an impact or for the observer.</param>
+    /// <returns>True if the ends are insufficient: the step is repeated, and <see cref="PieceObserver.Add(in PathSegment)"/> receives its
+    /// segments.</returns>
     public abstract bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended);
 
-    /// <summary>True when a flight is over after a step.</summary>
+    /// <summary>True if the flight is over after a step.</summary>
     public virtual bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended) => ended;
 
     public override bool Add(in PathSegment piece) => false;

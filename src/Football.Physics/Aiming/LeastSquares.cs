@@ -1,60 +1,65 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A problem whose unknowns, within bounds, are to leave nothing of its residuals.</summary>
+/// <summary>A problem with bounded unknowns, whose residuals are to vanish.</summary>
 internal interface ILeastSquares
 {
-    /// <summary>How many unknowns there are at most: as many columns has the Jacobian.</summary>
+    /// <summary>The maximum number of unknowns, which is the number of columns of the Jacobian.</summary>
     int Unknowns { get; }
 
-    /// <summary>How many residuals there are.</summary>
+    /// <summary>The number of residuals.</summary>
     int Equations { get; }
 
-    /// <summary>True when no more may be flown.</summary>
+    /// <summary>True if the budget of flights is used up.</summary>
     bool IsSpent { get; }
 
-    /// <summary>True when an unknown is free.</summary>
+    /// <summary>True if an unknown is free.</summary>
     bool IsFree(int unknown);
 
-    /// <summary>An unknown within its bounds.</summary>
+    /// <summary>Clamps an unknown to its bounds.</summary>
     double Clamp(int unknown, double value);
 
-    /// <summary>The largest change of an unknown in one iteration: beyond it a Jacobian tells nothing.</summary>
+    /// <summary>Returns the largest change of an unknown in one iteration, beyond which the Jacobian is not valid.</summary>
     double LargestChange(int unknown);
 
-    /// <summary>The change by which its column of the Jacobian is measured; 0 where it is known in closed form.</summary>
+    /// <summary>Returns the difference that measures a column of the Jacobian; 0 if the column is known in closed form.</summary>
     double Difference(int unknown);
 
-    /// <summary>The residuals.</summary>
-    /// <returns>False where there are none: a flight does not get that far.</returns>
+    /// <summary>Computes the residuals.</summary>
+    /// <returns>False if there are none, because a flight ends too early.</returns>
     bool Fly(double[] x, double[] r);
 
-    /// <summary>Sets the columns that are known in closed form, for what was flown last.</summary>
+    /// <summary>Sets the closed-form columns for the last flight.</summary>
     void KnownColumns(double[] x, double[] j);
 
-    /// <summary>True when residuals are small enough.</summary>
+    /// <summary>True if the residuals are small enough.</summary>
     bool IsHit(double[] r);
 }
 
-/// <summary>
-/// Least squares by the method of Levenberg and Marquardt, within bounds: an unknown that would leave them is held there. From far starts it goes downhill, near a solution
-/// it is Newton's method; where there are more unknowns than equations it goes to the nearest solution.
-/// </summary>
+/// <summary>Least squares by the Levenberg–Marquardt method, within bounds.</summary>
+/// <remarks>
+/// An unknown that would leave its bounds is held there. Far from a solution the method moves downhill; near one it becomes Newton's method. With
+/// more unknowns than equations, it finds the nearest solution.
+/// </remarks>
 internal sealed class LeastSquares
 {
     private const int MostIterations = 25;
     private const int MostTries = 5;
 
-    /// <summary>With 1e-5 four kicks through two points are lost in place of two (<c>football lab answers --only known --count 1000</c>).</summary>
+    /// <summary>The initial and the minimum damping.</summary>
+    /// <remarks>
+    /// An initial value of 1e-5 loses four kicks with a waypoint instead of two (<c>football lab answers --only known --count 1000</c>).
+    /// </remarks>
     private const double FirstDamping = 1e-3;
     private const double LeastDamping = 1e-9;
 
-    /// <summary>
-    /// After an iteration that leaves less than this of the squares, the Jacobian is updated, not measured again: at 0.05 a kick in legs takes a fifth more flights
-    /// (<c>football lab bankshots --requests 60</c>), and no more known kicks are found (<c>football lab answers --only known --count 1000</c>).
-    /// </summary>
+    /// <summary>The ratio of squares below which the Jacobian is updated after an iteration, instead of measured again.</summary>
+    /// <remarks>
+    /// At 0.05 a bank shot takes a fifth more flights (<c>football lab bankshots --requests 60</c>), and no more known kicks are found (<c>football
+    /// lab answers --only known --count 1000</c>).
+    /// </remarks>
     private const double Quick = 0.2;
 
-    /// <summary>An iteration that leaves more of the squares than this is a slow one; so many slow ones in a row, and there is no solution near.</summary>
+    /// <summary>The ratio of squares above which an iteration is slow, and the number of slow ones in a row that end the search.</summary>
     private const double Slow = 0.6;
     private const int MostSlow = 3;
 
@@ -67,7 +72,7 @@ internal sealed class LeastSquares
     private readonly bool[] _held;
 
     /// <param name="problem">The problem.</param>
-    /// <param name="equations">How many residuals it has at most.</param>
+    /// <param name="equations">The maximum number of residuals.</param>
     public LeastSquares(ILeastSquares problem, int equations)
     {
         int n = problem.Unknowns;
@@ -85,22 +90,22 @@ internal sealed class LeastSquares
     /// <summary>The residuals of the solution.</summary>
     public double[] Residuals { get; }
 
-    /// <summary>How they move with the unknowns, a row for each.</summary>
+    /// <summary>The Jacobian of the residuals, one row per residual.</summary>
     public double[] Jacobian { get; }
 
-    /// <summary>Iterations so far.</summary>
+    /// <summary>The number of iterations so far.</summary>
     public int Iterations { get; set; }
 
     private int N => _problem.Unknowns;
 
     /// <summary>Solves from a start.</summary>
-    /// <param name="x">The unknowns: the start, and then the best that was found.</param>
-    /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
-    /// <returns>Whether that is a hit.</returns>
+    /// <param name="x">The unknowns: the start, and then the best solution found.</param>
+    /// <param name="isMeasured">True if the Jacobian of the start is known.</param>
+    /// <returns>True if the solution is a hit.</returns>
     public bool Solve(double[] x, bool isMeasured = false)
     {
-        // 1. A flight: the residuals. 2. The Jacobian: measured, or while steps help well, by Broyden's update. 3. A step, damped more until it helps.
-        // 4. Given up after slow steps in a row: there is no solution near.
+        // 1. Fly for the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Step, with more damping until it
+        // improves. 4. Give up after several slow steps: no solution is near.
         if (!_problem.Fly(x, Residuals))
         {
             return false;
@@ -118,7 +123,7 @@ internal sealed class LeastSquares
                 return true;
             }
 
-            // A kick beside this one that does not get there says nothing of a slope.
+            // If a neighbouring kick does not reach the target, there is no difference quotient.
             if (measures && !Measure(x))
             {
                 return false;
@@ -128,13 +133,13 @@ internal sealed class LeastSquares
             double before = cost;
             bool improved = Improve(x, ref cost, ref damping);
 
-            // Not even along a Jacobian that is measured here: there is no way down.
+            // No improvement even with a freshly measured Jacobian: this is a local minimum.
             if (!improved && measures)
             {
                 return false;
             }
 
-            // Updated as long as steps are quick; measured again once one is not.
+            // Update while steps improve well; measure again after a poor one.
             measures = !(cost < Quick * before);
             slow = cost > Slow * before ? slow + 1 : 0;
             if (slow == MostSlow)
@@ -146,7 +151,7 @@ internal sealed class LeastSquares
         return _problem.IsHit(Residuals);
     }
 
-    /// <summary>Measures the Jacobian around what was flown last, by differences.</summary>
+    /// <summary>Measures the Jacobian at the last flight by differences.</summary>
     public bool Measure(double[] x)
     {
         _problem.KnownColumns(x, Jacobian);
@@ -159,7 +164,7 @@ internal sealed class LeastSquares
                 continue;
             }
 
-            // To the other side where a bound is in the way.
+            // Use a backward difference if a bound is in the way.
             double beside = x[k] + difference;
             _next[k] = _problem.Clamp(k, beside) == beside ? beside : x[k] - difference;
             if (!_problem.Fly(_next, _nextResiduals))
@@ -178,15 +183,15 @@ internal sealed class LeastSquares
         return true;
     }
 
-    /// <summary>Takes a step that leaves less of the squares, damped as much as that needs.</summary>
+    /// <summary>Takes a step that reduces the squares, with as much damping as necessary.</summary>
     private bool Improve(double[] x, ref double cost, ref double damping)
     {
-        // More damping makes a step shorter, and turns it downhill. A flight that does not get to its end is no better than one that misses by more.
+        // More damping shortens a step and turns it downhill. A flight that ends too early counts as a worse miss.
         for (int k = 0; k < MostTries; k++)
         {
             if (Step(x, damping) && _problem.Fly(_next, _nextResiduals))
             {
-                // Taken where it helps; the next one is damped less, and so nearer to Newton's.
+                // Accept an improvement, and reduce the damping, which brings the next step closer to Newton's.
                 double next = Squares(_nextResiduals);
                 if (next < cost)
                 {
@@ -202,15 +207,15 @@ internal sealed class LeastSquares
             damping *= 10;
         }
 
-        // What is measured next is measured around the kick that was flown last.
+        // Restore the flight of the current kick: the next measurement is relative to it.
         _problem.Fly(x, Residuals);
         return false;
     }
 
-    /// <summary>The step (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr of the unknowns that are free, and not at a bound that it would leave.</summary>
+    /// <summary>Solves (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr for the unknowns that are free and do not push against a bound.</summary>
     private bool Step(double[] x, double damping)
     {
-        // What no residual depends on is held too: the azimuth of a kick straight up.
+        // Hold an unknown without effect too, such as the azimuth of a vertical kick.
         for (int k = 0; k < N; k++)
         {
             _held[k] = !_problem.IsFree(k) || Product(k, k) == 0;
@@ -224,7 +229,7 @@ internal sealed class LeastSquares
                 return false;
             }
 
-            // A step that turns too far is shortened as a whole, so that it keeps its direction.
+            // Shorten a step that is too long as a whole, to keep its direction.
             double share = 1;
             for (int k = 0; k < N; k++)
             {
@@ -236,7 +241,7 @@ internal sealed class LeastSquares
             {
                 double wanted = x[k] + (_change[k] / share);
                 _next[k] = _held[k] ? x[k] : _problem.Clamp(k, wanted);
-                // At a bound that it would leave: held there, and the others are solved for again.
+                // Hold an unknown that would leave its bound, and solve again for the others.
                 bool stuck = !_held[k] && _next[k] == x[k] && wanted != x[k];
                 _held[k] |= stuck;
                 holds |= stuck;
@@ -251,10 +256,10 @@ internal sealed class LeastSquares
         return true;
     }
 
-    /// <summary>Broyden's update, in units of the unknowns in which each counts by what it does: W = diag JᵀJ.</summary>
+    /// <summary>Applies Broyden's update, with each unknown weighted by its effect: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
-        // The change is that within the bounds, not the one that was solved for. Columns in closed form are set anew: an update would only blur them.
+        // Use the change within the bounds, not the one solved for. Set closed-form columns again: an update would degrade them.
         double squared = 0;
         for (int k = 0; k < N; k++)
         {
@@ -273,7 +278,7 @@ internal sealed class LeastSquares
 
     private void Assemble(double damping)
     {
-        // A held unknown has a row and a column of its own, 1 Δx = 0: the size of the system stays.
+        // A held unknown has the equation 1 Δx = 0, so the size of the system is constant.
         for (int a = 0; a < N; a++)
         {
             int row = a * (N + 1);

@@ -3,24 +3,26 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A ball for a game: build it, kick it, step it every frame, read where it is and what happened.</summary>
-/// <remarks>Right-handed, y up, forward −z; SI units. Not for several threads at once; the <see cref="Simulator"/> behind it is.</remarks>
+/// <summary>A ball that a game places, kicks and steps; reports position, motion and events.</summary>
+/// <remarks>Right-handed axes, y up, forward −z; SI units. Not thread-safe, but the <see cref="Simulator"/> behind it is.</remarks>
 public sealed class Ball
 {
     private readonly StepLog _log = new();
     private Simulator _simulator;
     private BallState _state;
 
-    /// <summary>A ball at rest on the ground at the origin; at the origin itself, in the air, if there is no ground.</summary>
+    /// <summary>Creates a ball at rest on the ground at the origin.</summary>
+    /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <param name="settings">The solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public Ball(Scene? scene = null, SolverSettings? settings = null)
         : this(new Simulator(scene, settings))
     {
     }
 
-    /// <summary>A ball at rest on the ground at the origin, in a scene shared with other balls; at the origin itself, in the air, if there is no ground.</summary>
+    /// <summary>Creates a ball at rest on the ground at the origin, in a scene shared with other balls.</summary>
+    /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public Ball(Simulator simulator)
@@ -29,12 +31,13 @@ public sealed class Ball
         Place(simulator.OnGround(0, 0));
     }
 
-    /// <summary>The compiled scene. Setting it between steps goes on in another one (rain begins, a wall stands there), where the ball is and as it moves.</summary>
+    /// <summary>Gets or sets the compiled scene; setting it continues the motion in the new scene.</summary>
     /// <remarks>
-    /// A ball at rest stays so where rolling friction holds it in the new scene too; one below the new ground is raised to it. Obstacles that both scenes have are where they were
-    /// pushed to; <see cref="Simulator.ResetObstacles"/> puts them back.
+    /// Set it between steps, for instance when rain begins or a wall is added. The ball keeps its position and motion. A ball at rest stays at rest
+    /// if rolling friction holds it in the new scene too. A ball below the new ground is raised to the ground. Obstacles that exist in both scenes
+    /// stay where they were pushed to; <see cref="Simulator.ResetObstacles"/> moves them back.
     /// </remarks>
-    /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
+    /// <exception cref="ArgumentNullException">The value is null; nothing has changed.</exception>
     public Simulator Simulator
     {
         get => _simulator;
@@ -45,7 +48,7 @@ public sealed class Ball
                 return;
             }
 
-            // What the ball has pushed stays where it is.
+            // Obstacles that the ball has pushed stay where they are.
             if (value.World.Obstacles.Count > 0)
             {
                 value.World.Obstacles.Follow(_simulator.World.Obstacles);
@@ -56,9 +59,10 @@ public sealed class Ball
         }
     }
 
-    /// <summary>The whole state in double precision. Setting it restores a snapshot.</summary>
-    /// <exception cref="ArgumentException">The state that is set was never launched: all its bytes are zero.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">No ball of this scene can have it (<see cref="Simulator.Validate"/>): it lies on a thing that is not there. Nothing has changed.</exception>
+    /// <summary>Gets or sets the complete state, in double precision; setting it restores a snapshot.</summary>
+    /// <exception cref="ArgumentException">The value was never launched: all its bytes are zero.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">No ball of this scene can have this state (<see cref="Simulator.Validate"/>); for example, it
+    /// rests on an obstacle that does not exist. Nothing has changed.</exception>
     public BallState State
     {
         get => _state;
@@ -74,29 +78,30 @@ public sealed class Ball
     /// <summary>The events of the last step, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
-    /// <summary>Right-hand sides that the last step evaluated.</summary>
+    /// <summary>The number of right-hand-side evaluations in the last step.</summary>
     internal long Evaluations => _log.Evaluations;
 
-    /// <summary>Time since the ball was placed, s.</summary>
+    /// <summary>The time since the ball was placed, in s.</summary>
     public double Time => _state.Time;
 
-    /// <summary>Position of the centre, m; <see cref="Vector3d.ToVector3"/> rounds it for an engine.</summary>
+    /// <summary>The position of the centre, in m; <see cref="Vector3d.ToVector3"/> converts it to single precision.</summary>
     public Vector3d Position => _state.Position;
 
-    /// <summary>Velocity, m/s.</summary>
+    /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity => _state.Velocity;
 
-    /// <summary>Angular velocity, rad/s, world frame.</summary>
+    /// <summary>The angular velocity in the world frame, in rad/s.</summary>
     public Vector3d Spin => _state.Spin;
 
-    /// <summary>Orientation.</summary>
+    /// <summary>The orientation.</summary>
     public Quaterniond Orientation => _state.Orientation;
 
-    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
+    /// <summary>The motion state: airborne, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
-    /// <summary>Puts the ball down without motion, at time 0. Above the ground it will fall. Bodies stay where they are now, and go on from there.</summary>
-    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
+    /// <summary>Places the ball without motion and resets its clock to 0.</summary>
+    /// <remarks>A ball placed above the ground falls. Bodies keep their current positions and continue to move from there.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
     public void Place(Vector3d position)
     {
@@ -106,8 +111,9 @@ public sealed class Ball
         _log.Clear();
     }
 
-    /// <summary>Puts the ball somewhere as it moves, at time 0. Bodies stay where they are now, and go on from there.</summary>
-    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
+    /// <summary>Places the ball in motion and resets its clock to 0.</summary>
+    /// <remarks>Bodies keep their current positions and continue to move from there.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
@@ -119,30 +125,32 @@ public sealed class Ball
         _log.Clear();
     }
 
-    /// <summary>Computes where the ball goes from here; the ball stays as it is. Allocates nothing once the trajectory has room.</summary>
-    /// <param name="request">How far to look, and what to stop at.</param>
-    /// <param name="into">Where the path and the events go.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <summary>Predicts the path of the ball from its current state, which does not change.</summary>
+    /// <remarks>Does not allocate once the trajectory is large enough.</remarks>
+    /// <param name="request">The duration of the prediction and its stop conditions.</param>
+    /// <param name="into">Receives the path and the events.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite, or is too stiff for any step.</exception>
     public void LookAhead(LookAheadRequest request, Trajectory into) => Simulator.LookAhead(in _state, request, into);
 
-    /// <summary>The name of what an event reports: "ground", "left post", an obstacle's; null for an event that has none.</summary>
+    /// <summary>Returns the name of the object that an event reports, such as "ground" or "left post".</summary>
     /// <param name="happened">One of <see cref="Events"/>.</param>
+    /// <returns>The name; null if the event has no object.</returns>
     public string? NameOf(in BallEvent happened) => Simulator.NameOf(happened.ColliderIndex);
 
-    /// <summary>Kicks the ball where it is with a kick that was found for it.</summary>
+    /// <summary>Kicks the ball with the result of an aiming search.</summary>
     /// <param name="kick">The kick.</param>
     public void Kick(in AimResult kick) => Kick(kick.Velocity, kick.Spin);
 
-    /// <summary>Kicks the ball where it is.</summary>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> will do.</param>
+    /// <summary>Kicks the ball from its current position.</summary>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> converts implicitly.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     [OverloadResolutionPriority(1)]
     public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
 
-    /// <summary>Kicks the ball where it is: speed, angles, and spin relative to the direction.</summary>
+    /// <summary>Kicks the ball at a speed and two angles, with spin relative to the kick direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
     /// <param name="elevationDegrees">Angle above the horizontal, degrees; −90 … 90.</param>
     /// <param name="azimuthDegrees">Angle from −z, counter-clockwise seen from above (to the left), degrees; −360 … 360.</param>
@@ -155,12 +163,12 @@ public sealed class Ball
         Kick(velocity, spin);
     }
 
-    /// <summary>Kicks the ball where it is: speed, direction, and spin relative to the direction.</summary>
+    /// <summary>Kicks the ball at a speed in a direction, with spin relative to that direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
-    /// <param name="direction">Direction of the kick; any length but zero.</param>
+    /// <param name="direction">The direction of the kick; any length except zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is given to a vertical kick; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
@@ -168,13 +176,15 @@ public sealed class Ball
         Simulator.Kick(ref _state, speed * unit, KickVectors.Spin(unit, topSpin, sideSpin));
     }
 
-    /// <summary>Advances by a frame's time; <see cref="Events"/> then holds what happened in it. Allocates nothing.</summary>
+    /// <summary>Advances the ball by one frame; <see cref="Events"/> then holds the events of that frame.</summary>
     /// <param name="dt">Frame time, s: 0 … 1e12.</param>
-    /// <remarks>What a force of the game's own throws comes through; the ball is then as it was before the step, without events.</remarks>
+    /// <remarks>Does not allocate. An exception from a custom force propagates; the ball keeps its state from before the step, without
+    /// events.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the ball is as it was.
+    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's time. The ball is
+    /// unchanged.
     /// </exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it, and nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite; the message names it, and nothing has changed.</exception>
     public void Step(double dt)
     {
         Check.Within(nameof(dt), dt, 0, Limits.Time);
@@ -182,12 +192,12 @@ public sealed class Ball
         Simulator.Step(ref _state, dt, _log);
     }
 
-    /// <summary>A ball without motion: at rest where it lies on something that holds it.</summary>
+    /// <summary>Returns the state of a ball without motion: at rest if a surface supports it.</summary>
     internal static BallState AtRest(Simulator simulator, in Vector3d position, double time = 0)
     {
         BallState state = simulator.LaunchAt(in position, Vector3d.Zero, Vector3d.Zero, time);
 
-        // On a slope, or in a wind, that rolling friction cannot hold it against, it begins to roll.
+        // The ball rolls off if rolling friction cannot hold it on a slope or against the wind.
         if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
         {
             state.Motion = MotionState.Rest;

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>Where to draw the ball.</summary>
+/// <summary>The position and orientation at which to draw the ball.</summary>
 public readonly struct BallPose : IFormattable
 {
     internal BallPose(in Vector3d position, in Quaterniond orientation)
@@ -11,18 +11,18 @@ public readonly struct BallPose : IFormattable
         Orientation = orientation;
     }
 
-    /// <summary>Position of the centre, m.</summary>
+    /// <summary>The position of the centre, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>Orientation, body to world; norm 1.</summary>
+    /// <summary>The orientation, from body to world coordinates; norm 1.</summary>
     public Quaterniond Orientation { get; }
 
-    /// <summary>Place and orientation.</summary>
+    /// <summary>Returns the position and the orientation as text.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Place and orientation, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Returns the position and the orientation as text, in a given number format.</summary>
+    /// <param name="format">A number format; null or empty for at most three decimals, "R" for all digits.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);

@@ -1,17 +1,17 @@
 namespace FootballPhysics;
 
-/// <summary>Takes numbers from bytes that may come from anywhere: whatever they are, the worst is a <see cref="FormatException"/>.</summary>
+/// <summary>Reads numbers from untrusted bytes; invalid input throws <see cref="FormatException"/>.</summary>
 internal struct ByteReader
 {
     private readonly byte[] _bytes;
     private readonly int _end;
     private int _at;
 
-    /// <summary>Starts at the first of some bytes that end with their checksum.</summary>
-    /// <exception cref="FormatException">The checksum does not hold.</exception>
+    /// <summary>Starts at the first byte of a sequence that ends with its checksum.</summary>
+    /// <exception cref="FormatException">The checksum does not match.</exception>
     public ByteReader(ReadOnlySpan<byte> bytes)
     {
-        // A copy: what was checked cannot change while it is read.
+        // Copy the bytes, so that they cannot change between the check and the read.
         byte[] copy = bytes.ToArray();
         if (!Crc32.Holds(copy))
         {
@@ -25,10 +25,10 @@ internal struct ByteReader
 
     public static FormatException Broken(string what) => new($"The bytes are broken: {what}.");
 
-    /// <summary>A number in them is out of range.</summary>
+    /// <summary>Returns the exception for a number that is out of range.</summary>
     public static FormatException Broken(ArgumentOutOfRangeException refusal)
     {
-        // Without what the runtime adds about its parameter: that is a name of ours.
+        // Remove the parameter suffix that the runtime appends: it shows an internal name.
         string message = refusal.Message;
         int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
         return new FormatException($"The bytes are broken: {(end > 0 ? message[..end] : message)}.", refusal);
@@ -52,7 +52,7 @@ internal struct ByteReader
     {
         ulong value = 0;
 
-        // Groups of seven bits, lowest first; the top bit of a byte says that another follows.
+        // Groups of seven bits, lowest first; the top bit of each byte is set if another byte follows.
         for (int shift = 0; shift < 63; shift += 7)
         {
             Need(1);
@@ -73,7 +73,7 @@ internal struct ByteReader
         return value <= int.MaxValue ? (int)value : throw Broken("an integer beyond 31 bits");
     }
 
-    /// <summary>How many items follow, each of at least so many bytes: a count that the bytes cannot hold is refused before memory is asked for.</summary>
+    /// <summary>Reads a count of items of at least the given size; rejects a count that exceeds the bytes left, before allocating.</summary>
     public int Count(int smallest)
     {
         int count = Int();

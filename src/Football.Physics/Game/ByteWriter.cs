@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>Appends numbers to bytes, little-endian.</summary>
+/// <summary>Appends numbers to a byte buffer, little-endian.</summary>
 internal struct ByteWriter
 {
     private byte[]? _bytes;
     private int _count;
 
-    /// <summary>The low bytes of a word.</summary>
+    /// <summary>Appends the low bytes of a word.</summary>
     public void Bits(ulong word, int bytes)
     {
         Reserve(bytes);
@@ -16,10 +16,10 @@ internal struct ByteWriter
         }
     }
 
-    /// <summary>An integer in as many groups of seven bits as it needs.</summary>
+    /// <summary>Appends an integer in groups of seven bits, as many as it needs.</summary>
     public void Integer(ulong value)
     {
-        // 64 bits take ten groups of seven at most.
+        // 64 bits need at most ten groups of seven.
         Reserve(10);
         for (; value >= 0x80; value >>= 7)
         {
@@ -29,7 +29,7 @@ internal struct ByteWriter
         _bytes![_count++] = (byte)value;
     }
 
-    /// <summary>A state.</summary>
+    /// <summary>Appends a state.</summary>
     public void State(in BallState state)
     {
         Reserve(Snapshot.Size);
@@ -37,10 +37,10 @@ internal struct ByteWriter
         _count += Snapshot.Size;
     }
 
-    /// <summary>The bytes written, and their checksum.</summary>
+    /// <summary>Returns the bytes written, followed by their checksum.</summary>
     public byte[] ToArray()
     {
-        // Room for the checksum, which is of all before it.
+        // Reserve the checksum at the end; it covers all bytes before it.
         Bits(0, Crc32.Size);
         byte[] all = _bytes.AsSpan(0, _count).ToArray();
         Crc32.Seal(all);

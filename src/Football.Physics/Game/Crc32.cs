@@ -3,17 +3,17 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics;
 
-/// <summary>The checksum CRC-32 (IEEE 802.3, as in Ethernet, zip and PNG): it finds every change of up to 32 neighbouring bits.</summary>
+/// <summary>The CRC-32 checksum (IEEE 802.3, as in Ethernet, zip and PNG); detects every error burst of up to 32 bits.</summary>
 internal static class Crc32
 {
-    /// <summary>Bytes that it takes.</summary>
+    /// <summary>The size of the checksum, in bytes.</summary>
     public const int Size = 4;
 
     private const uint Polynomial = 0xEDB88320;
 
     private static readonly uint[] s_table = Table();
 
-    /// <summary>The checksum of some bytes. By their address: the items of a read-only span cannot be asked for on older runtimes of Mono.</summary>
+    /// <summary>Returns the checksum of the bytes. Uses a pointer, because older Mono runtimes cannot index a read-only span.</summary>
     public static unsafe uint Of(ReadOnlySpan<byte> bytes)
     {
         uint crc = uint.MaxValue;
@@ -21,7 +21,7 @@ internal static class Crc32
         {
             for (int i = 0; i < bytes.Length; i++)
             {
-                // A byte at a time; the bits are reflected, lowest first, as in zip.
+                // One byte at a time; bits are reflected (lowest first), as in zip.
                 crc = (crc >> 8) ^ s_table[(byte)(crc ^ first[i])];
             }
         }
@@ -29,10 +29,10 @@ internal static class Crc32
         return ~crc;
     }
 
-    /// <summary>Writes the checksum of all bytes but the last four there, little-endian.</summary>
+    /// <summary>Writes the checksum of all bytes except the last four into those four, little-endian.</summary>
     public static void Seal(Span<byte> bytes) => BinaryPrimitives.WriteUInt32LittleEndian(bytes[^Size..], Of(bytes[..^Size]));
 
-    /// <summary>True when the last four bytes are the checksum of those before.</summary>
+    /// <summary>True if the last four bytes are the checksum of the bytes before them.</summary>
     public static bool Holds(ReadOnlySpan<byte> bytes) =>
         bytes.Length >= Size && BinaryPrimitives.ReadUInt32LittleEndian(bytes[^Size..]) == Of(bytes[..^Size]);
 
@@ -41,7 +41,7 @@ internal static class Crc32
         var table = new uint[256];
         for (uint i = 0; i < table.Length; i++)
         {
-            // The remainder of each byte, by shifting out its eight bits.
+            // The remainder of each byte value: shift out its eight bits.
             uint crc = i;
             for (int bit = 0; bit < 8; bit++)
             {

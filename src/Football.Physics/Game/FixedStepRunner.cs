@@ -1,20 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>Plays a ball, or several, in fixed steps under a game's irregular frames, and says where to draw it in between.</summary>
+/// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>
 /// <remarks>
-/// Every step has the same length, so the trajectory is the same bits whatever the frame rate; kicks belong to ticks, not to frames. Bodies do so where
-/// <see cref="MoveBodies"/> puts them there for every step: a game that moves them once a frame moves them at other times for another frame rate.
-/// Games with a fixed update of their own call <see cref="Step"/> there and draw <see cref="PoseAt"/>; others call
-/// <see cref="Advance"/> once a frame and draw <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps its
-/// last states and plays them again where a kick of the past was not known: the kicks in <see cref="Kicks"/> are applied again.
-/// Steps and drawing allocate nothing; a recording and the two logs grow.
+/// All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. For bodies, this is true only if
+/// <see cref="MoveBodies"/> positions them for every step. A game that moves bodies once per frame gets other times at another frame rate. Games with
+/// their own fixed update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw
+/// <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps the last states. When a kick arrives late, it resimulates
+/// them with the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.
 /// </remarks>
 public sealed partial class FixedStepRunner
 {
     /// <summary>The largest <see cref="QuantizationInterval"/>.</summary>
     internal const int MostWireTicks = 1_000_000;
 
-    /// <summary>Steps that a frame can have at most.</summary>
+    /// <summary>The maximum number of steps in a frame.</summary>
     internal const double MostSteps = 1e6;
 
     private readonly StepLog _log = new();
@@ -28,30 +27,37 @@ public sealed partial class FixedStepRunner
     private int _wireTicks;
     private double _left;
 
-    /// <summary>A ball at rest on the ground at the origin, at tick 0, in <see cref="Scene.Default"/> with <see cref="SolverSettings.Default"/>.</summary>
+    /// <summary>Creates a runner at tick 0 with a ball at rest on the ground at the origin.</summary>
+    /// <remarks>The scene is <see cref="Scene.Default"/> and the settings are <see cref="SolverSettings.Default"/>.</remarks>
     /// <inheritdoc cref="FixedStepRunner(Simulator, double, double)"/>
     public FixedStepRunner(double timeStep = 0.01, double maximumFrameTime = 0.25)
         : this(new Simulator(), timeStep, maximumFrameTime)
     {
     }
 
-    /// <summary>Several balls at rest on the ground, side by side from the origin on along x, at tick 0; in the air, at height 0, if there is no ground.</summary>
-    /// <param name="group">The balls; for this runner alone.</param>
-    /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
-    /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
+    /// <summary>Creates a runner at tick 0 with several balls at rest on the ground.</summary>
+    /// <remarks>The balls are side by side along x, from the origin. Without ground they start in the air, at height 0.</remarks>
+    /// <param name="group">The balls; used by this runner only.</param>
+    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to
+    /// <paramref name="maximumFrameTime"/>; default 0.01.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and
+    /// reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
         : this(Given(group).SimulatorOf(0), group, timeStep, maximumFrameTime)
     {
     }
 
-    /// <summary>A ball at rest on the ground at the origin, at tick 0; at the origin itself, in the air, if there is no ground.</summary>
+    /// <summary>Creates a runner at tick 0 with a ball at rest on the ground at the origin.</summary>
+    /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
-    /// <param name="timeStep">Length of a step, s; at least a millionth of <paramref name="maximumFrameTime"/>, at most that; default 0.01.</param>
-    /// <param name="maximumFrameTime">The longest frame that is made up for, s; above 0, at most 1e12; default 0.25. What a longer one has beyond it is dropped, and reported.</param>
+    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to
+    /// <paramref name="maximumFrameTime"/>; default 0.01.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and
+    /// reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
         : this(simulator ?? throw new ArgumentNullException(nameof(simulator)), null, timeStep, maximumFrameTime)
     {
@@ -82,9 +88,11 @@ public sealed partial class FixedStepRunner
 
     private static BallGroup Given(BallGroup group) => group ?? throw new ArgumentNullException(nameof(group));
 
-    /// <summary>The compiled scene. Setting it between steps goes on in another one, as <see cref="Ball.Simulator"/> does; a recording ends, for it is of one scene.</summary>
-    /// <exception cref="ArgumentNullException">The simulator that is set is null; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">It is set where there are several balls; nothing has changed.</exception>
+    /// <summary>Gets or sets the compiled scene; setting it continues the motion in the new scene.</summary>
+    /// <remarks>Set it between steps; <see cref="Ball.Simulator"/> describes the effect on the ball. Setting it ends the recording, because a
+    /// recording has one scene.</remarks>
+    /// <exception cref="ArgumentNullException">The value is null; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">It is set while there are several balls; nothing has changed.</exception>
     public Simulator Simulator
     {
         get => _simulator;
@@ -105,7 +113,7 @@ public sealed partial class FixedStepRunner
                 throw new InvalidOperationException("simulator: a rollback follows the runner; allowed: a scene with as many bodies, and obstacles that have a mass.");
             }
 
-            // How a ball goes on in another scene is told by one place alone, Ball.Simulator.
+            // Ball.Simulator alone defines how a ball continues in another scene; use it here too.
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
@@ -115,20 +123,23 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>Several balls; null where there is one.</summary>
+    /// <summary>The group of several balls; null if there is only one ball.</summary>
     public BallGroup? Group => _group;
 
-    /// <summary>How many balls there are.</summary>
+    /// <summary>The number of balls.</summary>
     public int Balls => _states.Length;
 
-    /// <summary>
-    /// Puts the game's bodies (<see cref="Scene.Bodies"/>), and its engine's colliders, to where they are at a time of the ball's clock, s: asked once a step, at its start, also
-    /// where steps are played again. Default none: bodies stay where the game has put them last, going on as they go; then a <see cref="Rollback"/> keeps where they were.
-    /// </summary>
+    /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
+    /// <remarks>
+    /// It is called once at the start of every step, with the ball's clock in s, and again when steps are resimulated. It moves the bodies
+    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from where the game last put them, and a
+    /// <see cref="Rollback"/> stores where they were.
+    /// </remarks>
     public Action<double>? MoveBodies { get; set; }
 
-    /// <summary>Kicks of so many ticks ago are forgotten; those that a rollback or a recording may need are kept. 1 … 1e15; default 36 000.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
+    /// <summary>Gets or sets the number of ticks after which kicks are discarded. 1 … 1e15; default 36 000.</summary>
+    /// <remarks>Kicks that a rollback or a recording may still need are kept.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public long KickTicks
     {
         get => _kickTicks;
@@ -139,16 +150,16 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>
-    /// Every so many ticks the ball is rounded to what <see cref="Snapshot.QuantizedSize"/> bytes hold, on every machine that plays the match, where it is rolled back and where it is played again: what
-    /// <see cref="TryWriteQuantized"/> writes then is the state itself. 0 … 1e6; default 0: never.
-    /// </summary>
+    /// <summary>Gets or sets the interval, in ticks, at which the state is quantised. 0 … 1e6; default 0: never.</summary>
     /// <remarks>
-    /// Then place and velocity change by 0.5 mm (just above the ground by 1 mm, upwards) and 1 mm/s at most in each direction, the spin by less than 0.125 rad/s, up or down by lot so that a slow decay is not lost, and the rotation
-    /// by 2.5° at most. A ball that the form does not hold stays as it is: one in a net, on anything but level ground, among things that have just pressed it, with a knuckle force, beyond
-    /// ±128 m, 64 m/s or 512 rad/s; of several balls all are rounded, or none. A look-ahead does not round. Setting another number ends a recording.
+    /// The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="TryWriteQuantized"/> is
+    /// lossless at these ticks. Every machine in the match rounds alike, also during rollback and replay. Each component changes by at most 0.5 mm in
+    /// position (just above the ground by 1 mm, upwards) and by 1 mm/s in velocity. Spin changes by less than 0.125 rad/s and rotation by at most
+    /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded. This is
+    /// the case in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
+    /// Of several balls all are rounded, or none. A look-ahead does not round. Setting a different value ends a recording.
     /// </remarks>
-    /// <exception cref="ArgumentOutOfRangeException">The number that is set is out of range; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public int QuantizationInterval
     {
         get => _wireTicks;
@@ -164,80 +175,82 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>
-    /// Hash of all that two machines must have in common before a match: scene and settings of every ball, step, <see cref="QuantizationInterval"/>, and the version of the library. Send it with the
-    /// first message, and refuse who has another.
-    /// </summary>
+    /// <summary>A hash of everything that two machines must share before a match.</summary>
+    /// <remarks>
+    /// It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first
+    /// message, and reject a peer with a different hash.
+    /// </remarks>
     public ulong SessionHash => Recording.MatchHash(this);
 
-    /// <summary>Length of a step, s.</summary>
+    /// <summary>The length of a step, in s.</summary>
     public double TimeStep { get; }
 
-    /// <summary>The longest frame that is made up for, s.</summary>
+    /// <summary>The maximum simulated time per frame, in s.</summary>
     public double MaximumFrameTime { get; }
 
-    /// <summary>How many steps have been made: the state is the one at the start of this tick.</summary>
+    /// <summary>The number of steps made; the state is the one at the start of this tick.</summary>
     public long Tick { get; private set; }
 
-    /// <summary>The ball at the start of this tick, the first of several. Copying it is the snapshot.</summary>
+    /// <summary>The state of the first ball at the start of this tick; copy it to take a snapshot.</summary>
     public BallState State => _states[0];
 
-    /// <summary>Velocity at the start of this tick, m/s.</summary>
+    /// <summary>The velocity of the first ball at the start of this tick, in m/s.</summary>
     public Vector3d Velocity => _states[0].Velocity;
 
-    /// <summary>Angular velocity at the start of this tick, rad/s, world frame.</summary>
+    /// <summary>The angular velocity of the first ball at the start of this tick, in rad/s, world frame.</summary>
     public Vector3d Spin => _states[0].Spin;
 
-    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
+    /// <summary>The motion state: airborne, sliding, rolling or at rest.</summary>
     public MotionState Motion => _states[0].Motion;
 
-    /// <summary>Time since the ball was placed, s.</summary>
+    /// <summary>The time since the ball was placed, in s.</summary>
     public double Time => _states[0].Time;
 
-    /// <summary>The kicks by tick, those to come included. What is added for an earlier tick counts when the game rolls back that far.</summary>
+    /// <summary>The kicks by tick, past and future.</summary>
+    /// <remarks>A kick added for an earlier tick takes effect when the game rolls back to that tick.</remarks>
     public KickLog Kicks { get; }
 
-    /// <summary>The events of all steps of the last <see cref="Advance"/>, or in the last <see cref="Step"/>, in order.</summary>
+    /// <summary>The events of the last <see cref="Advance"/> or <see cref="Step"/>, in order.</summary>
     public EventBuffer Events { get; } = new();
 
-    /// <summary>Time by which the last frame was cut short, s; 0 but after a hitch.</summary>
+    /// <summary>The time dropped from the last frame, in s; 0 unless the frame was too long.</summary>
     public double DroppedTime { get; private set; }
 
-    /// <summary>Time by which all frames so far were cut short, s.</summary>
+    /// <summary>The total time dropped from all frames so far, in s.</summary>
     public double TotalDroppedTime { get; private set; }
 
-    /// <summary>How far the frame has got from the last step's start to its end, 0 … 1.</summary>
+    /// <summary>The interpolation fraction between the start of the last step and its end, 0 … 1.</summary>
     public double Fraction => _left / TimeStep;
 
-    /// <summary>Where to draw the ball after <see cref="Advance"/>: one step behind the state at most, in double precision.</summary>
+    /// <summary>The pose at which to draw the ball after <see cref="Advance"/>; at most one step behind the state.</summary>
     public BallPose Pose => PoseAt(Fraction);
 
-    /// <summary>Position to draw the ball at after <see cref="Advance"/>, m.</summary>
+    /// <summary>The position at which to draw the ball after <see cref="Advance"/>, in m.</summary>
     public Vector3d Position => Pose.Position;
 
-    /// <summary>Orientation to draw the ball with after <see cref="Advance"/>.</summary>
+    /// <summary>The orientation in which to draw the ball after <see cref="Advance"/>.</summary>
     public Quaterniond Orientation => Pose.Orientation;
 
-    /// <summary>Where the start, the hashes and the kicks of a match segment go; null when nothing is recorded.</summary>
+    /// <summary>The current recording; null if nothing is recorded.</summary>
     public Recording? Recording { get; private set; }
 
-    /// <summary>Keeper of its last states; null where there is none.</summary>
+    /// <summary>The rollback that stores the last states; null if there is none.</summary>
     internal Rollback? History { get; set; }
 
-    /// <summary>Where the bodies are to be put, of a segment that is played again; null where the game puts them.</summary>
+    /// <summary>The body positions of a recording that is replayed; null if the game positions the bodies.</summary>
     internal PlacementLog? Script { get; set; }
 
-    /// <summary>The last tick in which an engine's colliders moved; −1 for none.</summary>
+    /// <summary>The last tick in which an engine's colliders moved; −1 if none has.</summary>
     internal long EngineMoved { get; private set; } = -1;
 
-    /// <summary>All balls at the start of this tick.</summary>
+    /// <summary>The states of all balls at the start of this tick.</summary>
     internal BallState[] States => _states;
 
-    /// <summary>The compiled scene of a ball.</summary>
+    /// <summary>Returns the compiled scene of a ball.</summary>
     internal Simulator SimulatorOf(int ball) => _group is null ? _simulator : _group.SimulatorOf(ball);
 
-    /// <summary>One of several balls at the start of this tick.</summary>
-    /// <param name="ball">Which, from 0.</param>
+    /// <summary>Returns the state of a ball at the start of this tick.</summary>
+    /// <param name="ball">The index of the ball, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallState StateOf(int ball)
     {
@@ -245,27 +258,28 @@ public sealed partial class FixedStepRunner
         return _states[ball];
     }
 
-    /// <summary>Where to draw one of several balls after <see cref="Advance"/>.</summary>
-    /// <param name="ball">Which, from 0.</param>
+    /// <summary>Returns the pose at which to draw a ball after <see cref="Advance"/>.</summary>
+    /// <param name="ball">The index of the ball, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
 
-    /// <summary>Puts the ball down without motion at this tick, at time 0; one of several goes on at the time of all. Above the ground it will fall.</summary>
-    /// <remarks>Kicks that wait for this tick or later ones were for the ball where it was: they are forgotten.</remarks>
-    /// <param name="position">Position of the centre, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A component, or the ball, is out of range; nothing has changed.</exception>
+    /// <summary>Places the ball without motion at this tick, and discards its pending kicks.</summary>
+    /// <remarks>The clock restarts at 0; a ball of several keeps the common clock. A ball placed above the ground falls. Pending kicks were aimed
+    /// from the old position, so those for this tick and later ones are removed.</remarks>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A component, or the index of the ball, is out of range; nothing has changed.</exception>
     public void Place(Vector3d position, int ball = 0)
     {
         Check.Index(nameof(ball), ball, _states.Length);
         Check.Place("launch.position", position);
 
-        // The balls of a group have one clock; that of a ball alone begins anew, and bodies go on from where they are.
+        // The balls of a group share one clock; the clock of a single ball restarts. Bodies continue from where they are.
         double time = _group is null ? 0 : Time;
         _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
         BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
 
-        // Kicks of this ball that wait are taken back; those of the other balls stay.
+        // Remove the pending kicks of this ball; those of other balls stay.
         for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
         {
             KickInput kick = Kicks[i];
@@ -277,11 +291,12 @@ public sealed partial class FixedStepRunner
         GoTo(Tick, _before);
     }
 
-    /// <summary>Makes as many steps as a frame's time asks for; the rest is kept for the next frame.</summary>
-    /// <param name="frameTime">Time since the last frame, s: finite, not negative.</param>
-    /// <returns>How many steps were made.</returns>
+    /// <summary>Makes as many steps as fit in the frame time; the remainder counts towards the next frame.</summary>
+    /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
+    /// <returns>The number of steps made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
-    /// <remarks>What a force of the game's own throws comes through: the runner is then before the step in which it did, and the whole steps that were left of the frame are dropped.</remarks>
+    /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame
+    /// are dropped.</remarks>
     public int Advance(double frameTime)
     {
         Check.NotNegative(nameof(frameTime), frameTime);
@@ -293,7 +308,7 @@ public sealed partial class FixedStepRunner
         _left += counted;
         try
         {
-            // Time is taken off after the step: where one throws, what it did not get is still there to be dropped.
+            // Subtract the time after the step, so that the time of a failed step can still be dropped.
             for (; _left >= TimeStep; _left -= TimeStep)
             {
                 StepOnce();
@@ -302,7 +317,7 @@ public sealed partial class FixedStepRunner
         }
         catch
         {
-            // Else the next frame would try the step that throws, and those behind it, once more.
+            // Otherwise the next frame would repeat the failed step and those after it.
             DropWholeSteps();
             throw;
         }
@@ -310,20 +325,24 @@ public sealed partial class FixedStepRunner
         return steps;
     }
 
-    /// <summary>Makes one step, whatever the frame's time.</summary>
-    /// <remarks>What a force of the game's own throws comes through: the runner is then before the step, without events.</remarks>
+    /// <summary>Makes one step, independent of the frame time.</summary>
+    /// <remarks>An exception from a custom force propagates; the runner then stays before the step, without events.</remarks>
     public void Step()
     {
         Events.Clear();
         StepOnce();
     }
 
-    /// <summary>Goes to a tick with a state: rolls back, joins a match under way, or puts the ball somewhere.</summary>
-    /// <remarks>Nothing else changes: <see cref="Kicks"/> stay, those for this tick included, so that what follows is played again; to put the ball elsewhere, <see cref="Place"/> it. The time kept for the next frame stays too. Drawing starts anew from the state.</remarks>
+    /// <summary>Sets the tick and the state, to roll back, join a running match, or move the ball.</summary>
+    /// <remarks>
+    /// <see cref="Kicks"/> stay, including those for this tick, so that the following steps can be resimulated; use <see cref="Place"/> to move the
+    /// ball without its kicks. The time kept for the next frame stays too. Interpolation restarts from this state.
+    /// </remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// <paramref name="tick"/> is out of range, the state's clock stands so high that a step would not move it, or no ball of this scene can have the state (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// <paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it, or no ball of this scene can have the
+    /// state (<see cref="Simulator.Validate"/>). Nothing has changed.
     /// </exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
@@ -332,15 +351,17 @@ public sealed partial class FixedStepRunner
         RestoreAll(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball; allowed: {_states.Length}, one each.", nameof(state)));
     }
 
-    /// <summary>Goes to a tick with the states of all balls.</summary>
+    /// <summary>Sets the tick and the states of all balls.</summary>
     /// <inheritdoc cref="Restore(long, in BallState)"/>
     /// <param name="tick">The tick; 0 … 1e15.</param>
-    /// <param name="states">The states at its start, one each, of one time.</param>
+    /// <param name="states">The states at the start of the tick, one per ball, all at the same time.</param>
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// <paramref name="tick"/> is out of range, the clock stands so high that a step would not move it, or no ball of this scene can have one of the states (<see cref="Simulator.Validate"/>); nothing has changed.
+    /// <paramref name="tick"/> is out of range, the clock is so large that a step would not advance it, or no ball of this scene can have one of the
+    /// states (<see cref="Simulator.Validate"/>). Nothing has changed.
     /// </exception>
-    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; nothing has changed.</exception>
+    /// <exception cref="ArgumentException">The number of states differs from the number of balls, their times differ, or one was never launched.
+    /// Nothing has changed.</exception>
     public void RestoreAll(long tick, BallState[] states)
     {
         Check.Within(nameof(tick), tick, 0, Limits.Tick);
@@ -350,7 +371,7 @@ public sealed partial class FixedStepRunner
             throw new ArgumentException($"states has {states.Length} balls; allowed: {_states.Length}, one each.", nameof(states));
         }
 
-        // All are looked at before any is set.
+        // Validate all states before setting any.
         for (int i = 0; i < states.Length; i++)
         {
             ref readonly BallState state = ref states[i];
@@ -364,10 +385,10 @@ public sealed partial class FixedStepRunner
         GoTo(tick, states);
     }
 
-    /// <summary>Goes to a tick with states that were the runner's own, or have been looked at.</summary>
+    /// <summary>Sets the tick and the states, which the runner produced itself or has validated.</summary>
     internal void GoTo(long tick, BallState[] states)
     {
-        // Where it was before is of no use: until the next step it is drawn where it is put.
+        // Interpolation must not start at the old position: draw the ball here until the next step.
         Array.Copy(states, _states, _states.Length);
         Array.Copy(states, _previous, _states.Length);
         Tick = tick;
@@ -380,8 +401,9 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>Starts a recording at this tick: every step adds a hash to it, and the kicks are those of <see cref="Kicks"/>.</summary>
-    /// <remarks>A rollback within it rewinds it too; going to a state that is not its own ends it.</remarks>
+    /// <summary>Starts a recording at this tick.</summary>
+    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds it. A state
+    /// that was not recorded ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);
@@ -391,7 +413,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Ends the recording, if there is one.</summary>
     public void StopRecording() => Recording = null;
 
-    /// <summary>Drops the whole steps of the time that is left.</summary>
+    /// <summary>Drops the whole steps from the remaining time.</summary>
     private void DropWholeSteps()
     {
         double dropped = Math.Floor(_left / TimeStep) * TimeStep;
@@ -400,9 +422,10 @@ public sealed partial class FixedStepRunner
         TotalDroppedTime += dropped;
     }
 
+    /// <summary>Makes one step: positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
     private void StepOnce()
     {
-        // What a step changes, its kicks included, is kept: one that throws has changed nothing.
+        // Save everything that a step changes, including its kicks, so that a failed step changes nothing.
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
         if (_motions.Length > 0)
@@ -412,7 +435,7 @@ public sealed partial class FixedStepRunner
 
         try
         {
-            // 1. The bodies are where they are at this tick. 2. Its kicks. 3. The step.
+            // 1. Position the bodies for this tick. 2. Apply its kicks. 3. Step.
             MoveBodiesTo(world);
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
@@ -420,7 +443,7 @@ public sealed partial class FixedStepRunner
                 SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 
-            // Drawn from after the kicks on: what they do to the ball belongs to the start of the step.
+            // Interpolation starts after the kicks: their effect belongs to the start of the step.
             Array.Copy(_states, _previous, _states.Length);
             _log.Clear();
             if (_group is null)
@@ -443,7 +466,7 @@ public sealed partial class FixedStepRunner
             throw;
         }
 
-        // Rounded as a part of the step: hashes, recording and rollback see what the wire form holds.
+        // Quantise within the step, so that hashes, recording and rollback all see the quantised state.
         Tick++;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
         {
@@ -460,10 +483,10 @@ public sealed partial class FixedStepRunner
         ForgetKicks();
     }
 
-    /// <summary>The bodies are put where they are at this tick, and who plays it again is told.</summary>
+    /// <summary>Positions the bodies for this tick, and stores the positions for rollback and recording.</summary>
     private void MoveBodiesTo(World world)
     {
-        // The game itself comes first: it also says where bodies were at ticks that are played again.
+        // MoveBodies comes first: it also positions the bodies at ticks that are resimulated.
         if (MoveBodies is { } move)
         {
             move(Time);
@@ -475,7 +498,7 @@ public sealed partial class FixedStepRunner
             History?.PutBodies(Tick, bodies);
         }
 
-        // Now they are where this step finds them: only that is of use to who plays it again.
+        // Store the final positions: a resimulation needs exactly those that this step sees.
         if (world.Bodies is { } moved)
         {
             History?.KeepBodies(Tick, moved);
@@ -489,12 +512,12 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>Kicks that nobody can play again are forgotten.</summary>
+    /// <summary>Removes kicks that can no longer be resimulated.</summary>
     private void ForgetKicks()
     {
         if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
         {
-            // The oldest tick that a rollback or the recording may still go back to keeps its kicks.
+            // Keep the kicks from the oldest tick that a rollback or the recording can still return to.
             long oldest = Tick - _kickTicks;
             oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
             Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));

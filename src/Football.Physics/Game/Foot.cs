@@ -1,51 +1,53 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A foot, or a head or a hand, that strikes a ball: from its motion to the kick, and from the kick back to its motion.</summary>
+/// <summary>A foot, head or hand that strikes a ball; computes the kick from its motion, and the inverse.</summary>
 /// <remarks>
-/// It touches the ball at −r n, n the unit normal into the ball, with velocity U and an effective mass M. With 1/m_n = 1/m + 1/M,
-/// 1/m_t = (1 + 1/α)/m + 1/M, c = v − U and the slip s = c_t + r n × ω of the ball on the foot, the impulse on the ball is J = J_n n − J_t ŝ with
-/// J_n = −(1 + e) m_n (c·n), J_t = min(μ J_n, (1 + e_t) m_t |s|).
+/// The foot touches the ball at −r n, where n is the unit normal into the ball. It has velocity U and effective mass M. With 1/m_n = 1/m + 1/M, 1/m_t
+/// = (1 + 1/α)/m + 1/M, c = v − U and the slip s = c_t + r n × ω of the ball on the foot, the impulse on the ball is J = J_n n − J_t ŝ with J_n = −(1
+/// + e) m_n (c·n), J_t = min(μ J_n, (1 + e_t) m_t |s|).
 /// </remarks>
 public sealed record Foot
 {
-    /// <summary>Shares of a kick that are tried where the whole of it is too fast for the leg.</summary>
+    /// <summary>The number of fractions of a kick that are tried if the full kick is too fast for the leg.</summary>
     private const int Shares = 16;
 
     private const int MostHalvings = 60;
 
-    /// <summary>Effective mass M, kg. Above 0; default 1.9 (guess, 1.5 … 3).</summary>
+    /// <summary>The effective mass M, in kg. Above 0; default 1.9 (guess, 1.5 … 3).</summary>
     public double Mass { get; init; } = 1.9;
 
-    /// <summary>Normal restitution e. 0 … 1; default 0.6 (guess, 0.5 … 0.6).</summary>
+    /// <summary>The normal restitution e. 0 … 1; default 0.6 (guess, 0.5 … 0.6).</summary>
     public double Restitution { get; init; } = 0.6;
 
-    /// <summary>Tangential restitution e_t of a grip. 0 … 1; default 0 (guess): the ball leaves without slip.</summary>
+    /// <summary>The tangential restitution e_t of a contact that grips. 0 … 1; default 0 (guess): no slip after contact.</summary>
     public double TangentialRestitution { get; init; }
 
-    /// <summary>
-    /// Friction μ. Not negative; default 0.9 (leather measured, 0.37 … 0.63; 0.5 for the dent in the ball, a guess, so that spin depends weakly on friction as
-    /// Asai et al. 2002 measured).
-    /// </summary>
+    /// <summary>The friction coefficient μ. Not negative; default 0.9.</summary>
+    /// <remarks>
+    /// Leather measures 0.37 … 0.63. The default adds 0.5 for the deformation of the ball (guess). Spin then depends weakly on friction, as measured
+    /// by Asai et al. 2002.
+    /// </remarks>
     public double Friction { get; init; } = 0.9;
 
-    /// <summary>How fast the foot can be, m/s: the limit of the leg. At least 0.01; default infinite, no limit. <see cref="Strike"/> does not ask for it.</summary>
+    /// <summary>The maximum speed of the foot, in m/s. At least 0.01; default infinite: no limit.</summary>
+    /// <remarks><see cref="StrikeFor"/> respects this limit; <see cref="Strike"/> ignores it.</remarks>
     public double MaximumSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Computes what a strike does to a ball: its velocity and spin after it, and the foot's.</summary>
+    /// <summary>Computes the velocities of ball and foot, and the spin of the ball, after a strike.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="velocity">Its velocity v before, m/s.</param>
-    /// <param name="spin">Its spin ω before, rad/s.</param>
-    /// <param name="footVelocity">Velocity U of the foot, m/s.</param>
-    /// <param name="normal">Direction n from the point of contact to the ball's centre; not zero, need not be a unit vector.</param>
-    /// <returns>The strike; where the foot does not move towards the ball, nothing happens.</returns>
+    /// <param name="velocity">The velocity v of the ball before the strike, in m/s.</param>
+    /// <param name="spin">The spin ω of the ball before the strike, in rad/s.</param>
+    /// <param name="footVelocity">The velocity U of the foot, in m/s.</param>
+    /// <param name="normal">The direction n from the point of contact to the ball's centre; any length except zero.</param>
+    /// <returns>The strike; it changes nothing if the foot does not move towards the ball.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FootStrike Strike(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d footVelocity, Vector3d normal)
     {
         Validate(ball, in velocity, in spin);
         Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
 
-        // The ball is met by a mass that gives way, by the impact law that all contacts have.
+        // A collision with a movable mass, by the same impact law as all contacts.
         Vector3d n = Direction(normal);
         CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
 
@@ -60,44 +62,45 @@ public sealed record Foot
             spinAlongImpulse: 0);
     }
 
-    /// <summary>The strike that gives a ball a velocity and a spin, or comes nearest to them.</summary>
+    /// <summary>Computes the strike that gives a ball a velocity and a spin, or the closest possible.</summary>
     /// <remarks>
-    /// The velocity is given as far as the leg is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest:
-    /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/> say so, <see cref="FootStrike.Spin"/> is what the ball gets.
-    /// Where the foot would have to be faster than <see cref="MaximumSpeed"/>, the ball goes the wanted way as fast as the leg can make it, with as much less
-    /// of the wanted spin; where no share of the speed is within its reach, the foot swings the wanted way as fast as it can. <see cref="FootStrike.FastEnough"/> says so.
+    /// The velocity is reached if the foot is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest: see
+    /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/>; <see cref="FootStrike.Spin"/> is the resulting spin. If
+    /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed. Its change of
+    /// spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
+    /// <see cref="FootStrike.FastEnough"/> is false in both cases.
     /// </remarks>
     /// <param name="ball">The ball.</param>
-    /// <param name="velocity">Its velocity v before, m/s.</param>
-    /// <param name="spin">Its spin ω before, rad/s.</param>
-    /// <param name="wantedVelocity">Its velocity v' after, m/s; not the one before.</param>
-    /// <param name="wantedSpin">Its spin ω' after, rad/s.</param>
+    /// <param name="velocity">The velocity v of the ball before the strike, in m/s.</param>
+    /// <param name="spin">The spin ω of the ball before the strike, in rad/s.</param>
+    /// <param name="wantedVelocity">The velocity v' after the strike, in m/s; different from <paramref name="velocity"/>.</param>
+    /// <param name="wantedSpin">The spin ω' after the strike, in rad/s.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FootStrike StrikeFor(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d wantedVelocity, Vector3d wantedSpin)
     {
         Validate(ball, in velocity, in spin);
         Check.Size("kick.velocity", wantedVelocity, Limits.Speed, "m/s");
         Check.Size("kick.spin", wantedSpin, Limits.Spin, "rad/s");
 
-        // Without an impulse there is no direction to strike in.
+        // A zero impulse has no direction.
         if (!((wantedVelocity - velocity).Length > 0))
         {
             throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
         }
 
-        // The strike in closed form; where the leg is fast enough for it, that is all.
+        // The closed-form strike is final if the foot is fast enough for it.
         FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         if (wanted.FootVelocity.Length <= MaximumSpeed)
         {
             return wanted;
         }
 
-        // The greatest share of the speed that the leg can give: from there on it is too fast.
+        // Find the largest fraction of the kick within the speed limit.
         var part = new Part(this, ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         for (int i = Shares - 1; i >= 0; i--)
         {
-            // From the whole kick downwards: the first share that the leg can give brackets the greatest.
+            // Scan downwards from the full kick: the first feasible fraction brackets the largest one.
             double low = (double)i / Shares;
             if (part.Takes(low).Length <= MaximumSpeed)
             {
@@ -107,12 +110,12 @@ public sealed record Foot
             }
         }
 
-        // Not even a small share, as where the ball itself comes fast: the same swing, as fast as the leg can.
+        // No fraction is feasible, for instance for a fast incoming ball: make the same swing at maximum speed.
         Vector3d swing = MaximumSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
         return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal));
     }
 
-    /// <summary>The strike that gives a kick, however fast the foot must be.</summary>
+    /// <summary>Returns the strike that produces a kick, without a limit on the foot's speed.</summary>
     private FootStrike Inverse(BallProperties ball, in Vector3d velocity, in Vector3d spin, in Vector3d wantedVelocity, in Vector3d wantedSpin)
     {
         double r = ball.Radius;
@@ -122,13 +125,13 @@ public sealed record Foot
         double size = impulse.Length;
         Vector3d direction = impulse / size;
 
-        // A touch turns the ball about axes across the impulse alone: Δω = (r/I) J × n. What lies along it stays as it was.
+        // The impulse changes only spin across itself: Δω = (r/I) J × n. Spin along it is unchanged.
         Vector3d turn = wantedSpin - spin;
         double lost = Vector3d.Dot(in turn, in direction);
         Vector3d across = turn - (lost * direction);
         double rate = across.Length;
 
-        // sin ψ = I |Δω⊥|/(r |J|), where friction allows no more than tan ψ = μ;  n = cos ψ Ĵ + sin ψ (Δω⊥/|Δω⊥| × Ĵ)
+        // sin ψ = I |Δω⊥|/(r |J|), limited by friction to tan ψ = μ;  n = cos ψ Ĵ + sin ψ (Δω⊥/|Δω⊥| × Ĵ)
         double sine = ball.MomentOfInertia * rate / (r * size);
         double most = Friction / Math.Sqrt(1.0 + (Friction * Friction));
         bool enough = sine <= most * (1.0 + 1e-12);
@@ -161,10 +164,10 @@ public sealed record Foot
 
     private ContactMaterial Material => new(Restitution, TangentialRestitution, Friction);
 
-    /// <summary>m_n.</summary>
+    /// <summary>The normal effective mass m_n.</summary>
     private double NormalMass(BallProperties ball) => 1.0 / ((1.0 / ball.Mass) + (1.0 / Mass));
 
-    /// <summary>m_t.</summary>
+    /// <summary>The tangential effective mass m_t.</summary>
     private double TangentialMass(BallProperties ball) => 1.0 / (((1.0 + (1.0 / ball.InertiaFactor)) / ball.Mass) + (1.0 / Mass));
 
     private void Validate(BallProperties ball, in Vector3d velocity, in Vector3d spin)
@@ -180,7 +183,7 @@ public sealed record Foot
         Check.Size("ball.spin", spin, Limits.Spin, "rad/s");
     }
 
-    /// <summary>A share of a wanted kick: its speed, and its change of the spin.</summary>
+    /// <summary>A fraction of a wanted kick: scales its speed and its change of spin.</summary>
     private readonly struct Part : ICondition
     {
         private readonly Foot _foot;
@@ -200,16 +203,16 @@ public sealed record Foot
             _wantedSpin = wantedSpin;
         }
 
-        /// <summary>The strike for it.</summary>
+        /// <summary>Returns the strike for a fraction.</summary>
         public FootStrike Of(double share) =>
             _foot.Inverse(_ball, in _velocity, in _spin, share * _wantedVelocity, _spin + (share * (_wantedSpin - _spin)));
 
-        /// <summary>The velocity of the foot that it takes; none where the ball has that velocity already.</summary>
+        /// <summary>Returns the foot velocity for a fraction; zero if the ball already has the velocity.</summary>
         public Vector3d Takes(double share) => ((share * _wantedVelocity) - _velocity).Length > 0 ? Of(share).FootVelocity : Vector3d.Zero;
 
         public bool Evaluate(double x, out bool holds)
         {
-            // True where the foot would have to be too fast, or the number is none.
+            // True if the foot would be too fast, or the speed is NaN.
             holds = !(Takes(x).Length <= _foot.MaximumSpeed);
             return false;
         }

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A strike by a <see cref="Foot"/>: how it meets the ball, and what it does to both.</summary>
+/// <summary>A strike by a <see cref="Foot"/>: the foot's motion and its effect on the ball.</summary>
 public readonly struct FootStrike
 {
     internal FootStrike(
@@ -22,35 +22,35 @@ public readonly struct FootStrike
         SpinAlongImpulse = spinAlongImpulse;
     }
 
-    /// <summary>A strike that is less than what was wanted, for want of speed.</summary>
+    /// <summary>Creates a strike that falls short because the foot is too slow.</summary>
     internal FootStrike(in FootStrike tooSlow)
     {
         this = tooSlow;
         FastEnough = false;
     }
 
-    /// <summary>Velocity of the foot before, m/s.</summary>
+    /// <summary>The velocity of the foot before the strike, in m/s.</summary>
     public Vector3d FootVelocity { get; }
 
-    /// <summary>Unit normal from the point of contact to the ball's centre: the foot touches at −r n.</summary>
+    /// <summary>The unit normal from the point of contact to the ball's centre; the foot touches at −r n.</summary>
     public Vector3d Normal { get; }
 
-    /// <summary>Velocity of the foot after, m/s.</summary>
+    /// <summary>The velocity of the foot after the strike, in m/s.</summary>
     public Vector3d FootVelocityAfter { get; }
 
-    /// <summary>Velocity of the ball after, m/s: for <see cref="Simulator.Kick"/>.</summary>
+    /// <summary>The velocity of the ball after the strike, in m/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>Spin of the ball after, rad/s: for <see cref="Simulator.Kick"/>.</summary>
+    /// <summary>The spin of the ball after the strike, in rad/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>False where a wanted spin needs more friction than there is: then the strike gives as much of it as there is friction for.</summary>
+    /// <summary>False if the wanted spin needs more friction than available; the strike then gives the maximum.</summary>
     public bool EnoughFriction { get; }
 
-    /// <summary>False where a wanted kick needs a faster foot than <see cref="Foot.MaximumSpeed"/>: then the strike is as fast as the leg can.</summary>
+    /// <summary>False if the wanted kick needs a foot faster than <see cref="Foot.MaximumSpeed"/>; the strike then falls short.</summary>
     public bool FastEnough { get; }
 
-    /// <summary>Wanted change of spin about the direction of the impulse, rad/s: no touch gives that.</summary>
+    /// <summary>The wanted change of spin about the impulse direction, in rad/s; no strike can produce it.</summary>
     public double SpinAlongImpulse { get; }
 
     /// <inheritdoc/>

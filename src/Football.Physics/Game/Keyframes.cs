@@ -1,21 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>The whole state of a match at equal distances in time, from which a segment is played on: balls, bodies, and obstacles that have a mass.</summary>
+/// <summary>Complete match states at regular intervals, from which a replay can continue: balls, bodies and movable obstacles.</summary>
 internal sealed class Keyframes(int balls, int movers)
 {
     private BallState[] _states = [];
     private RigidMotion[] _motions = [];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of keyframes.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The states of one.</summary>
+    /// <summary>Returns the ball states of a keyframe.</summary>
     public Span<BallState> StatesOf(int index) => _states.AsSpan(index * balls, balls);
 
-    /// <summary>Where all is that is moved, of one.</summary>
+    /// <summary>Returns the motions of bodies and movable obstacles in a keyframe.</summary>
     public Span<RigidMotion> MotionsOf(int index) => _motions.AsSpan(index * movers, movers);
 
-    /// <summary>Adds one.</summary>
+    /// <summary>Adds a keyframe.</summary>
     public void Add(BallState[] states, World world)
     {
         Grow();
@@ -26,10 +26,10 @@ internal sealed class Keyframes(int balls, int movers)
         }
     }
 
-    /// <summary>Forgets all but the first ones.</summary>
+    /// <summary>Removes all keyframes after the first <c>count</c>.</summary>
     public void Keep(int count) => Count = Math.Min(Count, count);
 
-    /// <summary>Writes all.</summary>
+    /// <summary>Writes all keyframes.</summary>
     public void Write(ref ByteWriter writer)
     {
         writer.Integer((ulong)Count);
@@ -47,10 +47,10 @@ internal sealed class Keyframes(int balls, int movers)
         }
     }
 
-    /// <summary>Reads what <see cref="Write"/> wrote.</summary>
+    /// <summary>Reads keyframes written by <see cref="Write"/>.</summary>
     public void Read(ref ByteReader reader)
     {
-        // The least that a keyframe takes: states in full, motions whose numbers are all left out.
+        // The minimum size of a keyframe: full states, and motions whose numbers are all zero and thus omitted.
         for (int count = reader.Count((Snapshot.Size * balls) + (5 * movers)); count > 0; count--)
         {
             Grow();
@@ -71,7 +71,7 @@ internal sealed class Keyframes(int balls, int movers)
         Count++;
         if (Count * balls > _states.Length)
         {
-            // Both grow alike, so that a keyframe has the same place in each.
+            // Grow both arrays together, so that a keyframe has the same index in each.
             int room = Math.Max(16, 2 * (Count - 1));
             Array.Resize(ref _states, room * balls);
             Array.Resize(ref _motions, room * movers);

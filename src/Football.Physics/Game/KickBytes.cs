@@ -1,17 +1,17 @@
 namespace FootballPhysics;
 
-/// <summary>Which ball, velocity and spin of a kick as bytes: the first ball, and numbers that are 0, take none.</summary>
+/// <summary>Encodes the ball, velocity and spin of a kick; ball 0 and zero components take no bytes.</summary>
 internal static class KickBytes
 {
-    /// <summary>The fewest bytes that a kick takes, tick and player included.</summary>
+    /// <summary>The minimum size of a kick in bytes, including tick and player.</summary>
     public const int Smallest = 4;
 
-    /// <summary>Set where the kick is of another ball than the first.</summary>
+    /// <summary>Set if the kick is for a ball other than the first.</summary>
     private const ulong OtherBall = 1UL << 12;
 
     public static void Write(in KickInput kick, ref ByteWriter writer)
     {
-        // Two bytes: 6 bits for the velocity, 6 for the spin, one for another ball than the first.
+        // Two bytes: 6 bits for the velocity, 6 for the spin, one that is set if the ball is not the first.
         ulong forms = PackedNumbers.Forms(kick.Velocity) | (PackedNumbers.Forms(kick.Spin) << 6) | (kick.Ball > 0 ? OtherBall : 0);
         writer.Bits(forms, 2);
         if (kick.Ball > 0)
@@ -31,7 +31,7 @@ internal static class KickBytes
         Vector3d spin = PackedNumbers.Vector(forms >> 6, ref reader);
         try
         {
-            // What a kick of the game may not be, one of the bytes may not be either.
+            // KickInput validates the values, as it does for kicks from the game.
             return new KickInput(tick, velocity, spin, player, ball);
         }
         catch (ArgumentOutOfRangeException refusal)

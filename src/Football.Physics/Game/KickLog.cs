@@ -2,18 +2,19 @@ using System.Globalization;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>Kicks by tick, past and to come: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
+/// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Sorted by tick, then player, then ball, whatever the order of arrival. It allocates only when it outgrows its memory. As bytes a kick takes
-/// about 28 where all its numbers are single-precision ones, about 52 otherwise, and less where some are 0; the whole ends with a checksum of 4.
+/// Kicks are sorted by tick, then player, then ball, independent of the order in which they arrive. It allocates only to grow. Serialised, a kick
+/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take none. A 4-byte checksum follows
+/// all kicks.
 /// </remarks>
 public sealed class KickLog
 {
     private readonly KickTree _kicks;
     private readonly int _balls = KickInput.MostBalls;
 
-    /// <summary>Makes an empty log.</summary>
-    /// <param name="capacity">Kicks to make room for, at least 1; default 64.</param>
+    /// <summary>Creates an empty log.</summary>
+    /// <param name="capacity">The initial capacity, at least 1; default 64.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
     public KickLog(int capacity = 64)
     {
@@ -21,15 +22,15 @@ public sealed class KickLog
         _kicks = new KickTree(capacity);
     }
 
-    /// <summary>Makes an empty log of a runner, which has so many balls.</summary>
+    /// <summary>Creates an empty log for a runner with a number of balls.</summary>
     internal KickLog(int capacity, int balls)
         : this(capacity) => _balls = balls;
 
-    /// <summary>How many kicks there are.</summary>
+    /// <summary>The number of kicks.</summary>
     public int Count => _kicks.Count;
 
-    /// <summary>One kick.</summary>
-    /// <param name="index">From 0, below <see cref="Count"/>.</param>
+    /// <summary>Gets a kick by its index.</summary>
+    /// <param name="index">The index, from 0 and below <see cref="Count"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such kick.</exception>
     public ref readonly KickInput this[int index]
     {
@@ -44,31 +45,31 @@ public sealed class KickLog
         }
     }
 
-    /// <summary>Puts a kick in its place; one of the same player at the same tick, of the same ball, is replaced.</summary>
+    /// <summary>Adds a kick in order, or replaces one with the same tick, player and ball.</summary>
     /// <param name="kick">The kick.</param>
-    /// <exception cref="ArgumentOutOfRangeException">It is for a ball that the runner, whose log this is, does not have; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The runner that owns this log does not have this ball; nothing has changed.</exception>
     public void Add(in KickInput kick)
     {
-        // A kick may come from outside: one for no ball is refused when it arrives, not in the middle of a step.
+        // A kick may come from the network: reject an unknown ball on arrival, not in the middle of a step.
         Check.Index("kick.ball", kick.Ball, _balls);
 
-        // Sorted as it is added: who arrives first makes no difference to the order in which kicks act.
+        // Sorted on insertion: the order of arrival does not affect the order in which kicks apply.
         _kicks.Put(in kick);
     }
 
-    /// <summary>Takes a kick out, for instance one that was only guessed.</summary>
-    /// <param name="tick">Its tick.</param>
-    /// <param name="player">Its player; default 0.</param>
-    /// <param name="ball">Its ball; default 0.</param>
-    /// <returns>True when there was such a kick.</returns>
+    /// <summary>Removes a kick, for instance one that was only predicted.</summary>
+    /// <param name="tick">The tick.</param>
+    /// <param name="player">The player; default 0.</param>
+    /// <param name="ball">The ball; default 0.</param>
+    /// <returns>True if there was such a kick.</returns>
     public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball);
 
-    /// <summary>Forgets the kicks before a tick, for instance those that can no longer be rolled back.</summary>
+    /// <summary>Removes the kicks before a tick, for instance those beyond the reach of a rollback.</summary>
     /// <param name="tick">The first tick that is kept.</param>
     public void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
 
-    /// <summary>Forgets the kicks at a tick and later, for instance where the ball is put elsewhere.</summary>
-    /// <param name="tick">The first tick that is forgotten.</param>
+    /// <summary>Removes the kicks at a tick and later, for instance when the ball is moved.</summary>
+    /// <param name="tick">The first tick that is removed.</param>
     public void RemoveFrom(long tick)
     {
         int kept = FirstAt(tick);
@@ -79,14 +80,14 @@ public sealed class KickLog
         }
     }
 
-    /// <summary>The index of the first kick at a tick or later; <see cref="Count"/> when there is none.</summary>
+    /// <summary>Returns the index of the first kick at a tick or later; <see cref="Count"/> if there is none.</summary>
     /// <param name="tick">The tick.</param>
     public int FirstAt(long tick) => _kicks.CountBefore(tick, 0, 0);
 
-    /// <summary>Forgets all kicks; keeps the memory.</summary>
+    /// <summary>Removes all kicks, but keeps the capacity.</summary>
     public void Clear() => _kicks.Clear();
 
-    /// <summary>The log as bytes, the same on every machine.</summary>
+    /// <summary>Serialises the log; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
         var writer = new ByteWriter();
@@ -94,9 +95,9 @@ public sealed class KickLog
         return writer.ToArray();
     }
 
-    /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
+    /// <summary>Reads a log written by <see cref="ToBytes"/>.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
-    /// <exception cref="FormatException">The bytes are no log of kicks, or were changed on their way; the message says why.</exception>
+    /// <exception cref="FormatException">The bytes are not a kick log, or are corrupt; the message states the reason.</exception>
     public static KickLog FromBytes(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
@@ -107,7 +108,7 @@ public sealed class KickLog
 
     internal void Write(ref ByteWriter writer)
     {
-        // Count, then of each the ticks since the one before, the player, and the kick itself.
+        // The count, then for each kick: ticks since the last kick, player, ball, velocity and spin.
         writer.Integer((ulong)Count);
         long last = 0;
         for (int i = 0; i < Count; i++)
@@ -127,12 +128,12 @@ public sealed class KickLog
         long tick = 0;
         for (int i = 0; i < count; i++)
         {
-            // A sum beyond 63 bits turns negative, which the kick refuses.
+            // A sum beyond 63 bits turns negative, and KickInput rejects it.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
             if (i > 0 && log._kicks.At(i - 1).Order(kick.Tick, kick.Player, kick.Ball) >= 0)
             {
-                // Each log has one form.
+                // Require sorted kicks without duplicates, so that every log has exactly one encoding.
                 throw ByteReader.Broken("two kicks are not in order, or of one player and one ball at one tick");
             }
 

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Kicks in order of tick, player and ball, as a balanced tree: each is found, added and taken out in a time that grows with the logarithm of their number.</summary>
-/// <remarks>An AVL tree in arrays, whose nodes know how many are below them. Allocates only when it outgrows its memory.</remarks>
+/// <summary>Kicks sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
+/// <remarks>An AVL tree in arrays; each node stores the size of its subtree. Allocates only to grow.</remarks>
 internal sealed class KickTree(int capacity)
 {
     private const int None = -1;
@@ -12,10 +12,10 @@ internal sealed class KickTree(int capacity)
     private int _free = None;
     private int _made;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of kicks.</summary>
     public int Count => CountOf(_root);
 
-    /// <summary>One by its place in the order.</summary>
+    /// <summary>Returns the kick at an index in sorted order.</summary>
     public ref readonly KickInput At(int index)
     {
         int node = _root;
@@ -32,7 +32,7 @@ internal sealed class KickTree(int capacity)
         }
     }
 
-    /// <summary>How many are before (tick, player, ball).</summary>
+    /// <summary>Returns the number of kicks before (tick, player, ball).</summary>
     public int CountBefore(long tick, int player, int ball)
     {
         int count = 0;
@@ -46,11 +46,11 @@ internal sealed class KickTree(int capacity)
         return count;
     }
 
-    /// <summary>Adds a kick, or puts it in the place of that of the same tick, player and ball.</summary>
+    /// <summary>Adds a kick, or replaces the one with the same tick, player and ball.</summary>
     public void Put(in KickInput kick) => _root = Put(_root, in kick);
 
-    /// <summary>Takes one out.</summary>
-    /// <returns>Whether it was there.</returns>
+    /// <summary>Removes a kick.</summary>
+    /// <returns>True if there was such a kick.</returns>
     public bool Remove(long tick, int player, int ball)
     {
         int before = Count;
@@ -58,7 +58,7 @@ internal sealed class KickTree(int capacity)
         return Count < before;
     }
 
-    /// <summary>Takes the first so many out.</summary>
+    /// <summary>Removes the first <c>count</c> kicks.</summary>
     public void RemoveFirst(int count)
     {
         for (int i = 0; i < count; i++)
@@ -68,7 +68,7 @@ internal sealed class KickTree(int capacity)
         }
     }
 
-    /// <summary>Takes all out; keeps the memory.</summary>
+    /// <summary>Removes all kicks, but keeps the capacity.</summary>
     public void Clear()
     {
         _root = None;
@@ -80,6 +80,7 @@ internal sealed class KickTree(int capacity)
 
     private int HeightOf(int node) => node == None ? 0 : _nodes[node].Height;
 
+    /// <summary>Adds or replaces a kick in a subtree, and returns its new root.</summary>
     private int Put(int node, in KickInput kick)
     {
         if (node == None)
@@ -94,7 +95,7 @@ internal sealed class KickTree(int capacity)
             return node;
         }
 
-        // The arrays may move meanwhile: no reference is kept over the call.
+        // The arrays may be reallocated by the call, so keep no reference across it.
         if (order > 0)
         {
             int left = Put(_nodes[node].Left, in kick);
@@ -109,6 +110,7 @@ internal sealed class KickTree(int capacity)
         return Balance(node);
     }
 
+    /// <summary>Removes a kick from a subtree, and returns its new root.</summary>
     private int Remove(int node, long tick, int player, int ball)
     {
         if (node == None)
@@ -135,7 +137,7 @@ internal sealed class KickTree(int capacity)
                 return left;
             }
 
-            // The next in order takes its place.
+            // The next kick in order replaces this node.
             right = TakeFirst(right, out int next);
             _nodes[next].Left = left;
             _nodes[next].Right = right;
@@ -186,7 +188,7 @@ internal sealed class KickTree(int capacity)
         _free = node;
     }
 
-    /// <summary>Two branches whose heights differ by two are turned.</summary>
+    /// <summary>Rotates a node whose subtree heights differ by two, and returns the new root.</summary>
     private int Balance(int node)
     {
         int left = _nodes[node].Left;

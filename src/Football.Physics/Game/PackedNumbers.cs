@@ -1,19 +1,20 @@
 namespace FootballPhysics;
 
-/// <summary>Numbers as bytes: each is left out when it is 0, and takes 4 bytes when single precision holds it. Which it is takes two bits, told before.</summary>
+/// <summary>Encodes numbers: 0 takes no bytes, a single-precision value takes 4, any other takes 8. Two bits, written before, select the
+/// form.</summary>
 internal static class PackedNumbers
 {
     private const int Zero = 0;
     private const int Single = 1;
     private const int Double = 2;
 
-    /// <summary>The forms of a vector's numbers, six bits.</summary>
+    /// <summary>Returns the forms of a vector's components, six bits.</summary>
     public static ulong Forms(in Vector3d vector) => Form(vector.X) | (Form(vector.Y) << 2) | (Form(vector.Z) << 4);
 
-    /// <summary>The form of a number, two bits.</summary>
+    /// <summary>Returns the form of a number, two bits.</summary>
     public static ulong Form(double value)
     {
-        // By the bits: −0 is no zero here, and comes back as −0.
+        // Compare bits: −0 is not zero here, so that it is restored as −0.
         long bits = BitConverter.DoubleToInt64Bits(value);
         return bits == 0 ? Zero : BitConverter.DoubleToInt64Bits((double)(float)value) == bits ? (ulong)Single : Double;
     }

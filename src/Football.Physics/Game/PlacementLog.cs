@@ -1,18 +1,18 @@
 namespace FootballPhysics;
 
-/// <summary>Where the game has put its bodies, by tick: what steps that are played again put there again.</summary>
+/// <summary>The positions of the game's bodies by tick; a resimulation applies them again.</summary>
 internal sealed class PlacementLog
 {
     private Entry[] _entries = new Entry[64];
 
-    // Sorted by tick; what is forgotten at the front stays in the array until half of that is.
+    // Sorted by tick. Removed entries stay at the front of the array until they fill half of it.
     private int _first;
     private int _end;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of entries.</summary>
     public int Count => _end - _first;
 
-    /// <summary>Adds the bodies that the game has moved for a tick's step.</summary>
+    /// <summary>Adds the bodies that the game moved for a tick's step.</summary>
     public void Record(long tick, KinematicBodies bodies)
     {
         for (int i = 0; i < bodies.Count; i++)
@@ -24,7 +24,7 @@ internal sealed class PlacementLog
         }
     }
 
-    /// <summary>Puts the bodies where they were for a tick's step.</summary>
+    /// <summary>Moves the bodies to their recorded positions for a tick's step.</summary>
     public void Apply(long tick, KinematicBodies bodies)
     {
         for (int i = FirstAt(tick); i < _end && _entries[i].Tick == tick; i++)
@@ -33,7 +33,7 @@ internal sealed class PlacementLog
         }
     }
 
-    /// <summary>Forgets what is before a tick.</summary>
+    /// <summary>Removes the entries before a tick.</summary>
     public void RemoveBefore(long tick)
     {
         while (_first < _end && _entries[_first].Tick < tick)
@@ -41,7 +41,7 @@ internal sealed class PlacementLog
             _first++;
         }
 
-        // Moved to the front once more than half is empty: over time each entry is copied about once.
+        // Compact once more than half of the array is unused: each entry is copied about once overall.
         if (2 * _first > _entries.Length)
         {
             Array.Copy(_entries, _first, _entries, 0, Count);
@@ -50,10 +50,10 @@ internal sealed class PlacementLog
         }
     }
 
-    /// <summary>Forgets what is at a tick or later.</summary>
+    /// <summary>Removes the entries at a tick and later.</summary>
     public void RemoveFrom(long tick) => _end = FirstAt(tick);
 
-    /// <summary>Writes what is from one tick to another, that excluded.</summary>
+    /// <summary>Writes the entries from a tick up to, but excluding, another.</summary>
     public void Write(long from, long to, ref ByteWriter writer)
     {
         int start = FirstAt(from);
@@ -62,7 +62,7 @@ internal sealed class PlacementLog
         long last = 0;
         for (int i = start; i < end; i++)
         {
-            // Ticks as differences, which are small: one byte mostly.
+            // Tick differences are small: mostly one byte.
             writer.Integer((ulong)(_entries[i].Tick - last));
             writer.Integer((ulong)_entries[i].Body);
             Write(in _entries[i].Motion, ref writer);
@@ -70,12 +70,12 @@ internal sealed class PlacementLog
         }
     }
 
-    /// <summary>Reads what <see cref="Write(long, long, ref ByteWriter)"/> wrote.</summary>
+    /// <summary>Reads a log written by <see cref="Write(long, long, ref ByteWriter)"/>.</summary>
     public static PlacementLog Read(ref ByteReader reader)
     {
         var log = new PlacementLog();
 
-        // No entry takes fewer bytes, so that a broken count is refused before memory is asked for.
+        // The minimum entry size rejects a corrupt count before any allocation.
         int count = reader.Count(7);
         long tick = 0;
         for (int i = 0; i < count; i++)
@@ -88,7 +88,7 @@ internal sealed class PlacementLog
         return log;
     }
 
-    /// <summary>The highest index of a body in it; −1 where it is empty.</summary>
+    /// <summary>Returns the highest body index; −1 if the log is empty.</summary>
     public int HighestBody()
     {
         int highest = -1;
@@ -100,10 +100,11 @@ internal sealed class PlacementLog
         return highest;
     }
 
-    /// <summary>A motion as bytes: the forms of its numbers, then those.</summary>
+    /// <summary>Writes a motion: the forms of its numbers, then the numbers.</summary>
     public static void Write(in RigidMotion motion, ref ByteWriter writer)
     {
-        // 35 bits of forms in five bytes: place 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6, withdrawn 1. Of the pivot only what it is off the place.
+        // 35 bits of forms in five bytes: position 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6, withdrawn 1. The pivot is stored relative
+        // to the position.
         Quaterniond q = motion.Orientation;
         ulong forms = PackedNumbers.Forms(motion.Origin) | (PackedNumbers.Forms(motion.Velocity) << 6) | (PackedNumbers.Forms(motion.Spin) << 12)
             | (PackedNumbers.Forms(new Vector3d(q.X, q.Y, q.Z)) << 18) | (PackedNumbers.Form(q.W) << 24) | (PackedNumbers.Form(motion.Time) << 26)
@@ -131,14 +132,14 @@ internal sealed class PlacementLog
         Vector3d q = PackedNumbers.Vector(forms >> 18, ref reader);
         motion.Orientation = new Quaterniond(q.X, q.Y, q.Z, PackedNumbers.Number(forms >> 24, ref reader));
 
-        // Not written: it follows from the rotation.
+        // Not stored: it follows from the rotation.
         motion.IsTurned = motion.Orientation != Quaterniond.Identity;
         motion.IsWithdrawn = (forms >> 34 & 1) != 0;
         motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
         motion.Pivot = motion.Origin + PackedNumbers.Vector(forms >> 28, ref reader);
         try
         {
-            // A pushed thing may have gone farther, and faster, than the game may put one.
+            // A pushed obstacle may be farther away, and faster, than a game may place a body.
             Check.Size("body.position", motion.Origin, double.MaxValue, "m");
             Check.Size("body.velocity", motion.Velocity, double.MaxValue, "m/s");
             Check.Size("body.spin", motion.Spin, Limits.Spin, "rad/s");
@@ -164,10 +165,10 @@ internal sealed class PlacementLog
         _entries[_end++] = entry;
     }
 
-    /// <summary>The first that is not before a tick.</summary>
+    /// <summary>Returns the index of the first entry at a tick or later.</summary>
     private int FirstAt(long tick)
     {
-        // Bisection: all before low are of earlier ticks, none from high on is.
+        // Binary search: entries before low have earlier ticks, entries from high on do not.
         int low = _first;
         int high = _end;
         while (low < high)

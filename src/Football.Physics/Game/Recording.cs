@@ -5,17 +5,16 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>
-/// A stretch of a match that can be sent, stored and played again: its start, its kicks, where the game put its bodies, and a hash of the balls after every step.
-/// </summary>
+/// <summary>A recorded segment of a match that can be stored, sent and replayed.</summary>
 /// <remarks>
-/// It grows by 8 bytes a step, by a whole state every <see cref="KeyframeTicks"/> of them, from which <see cref="Seek"/> goes on, and where bodies are moved by some 30 to 100 each
-/// time. The scene is not part of it, but a hash of it: whoever plays it again must have the same one, and is told so where it is another. Nor are an engine's colliders, which whoever
-/// plays it again puts where they were.
+/// It contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per
+/// step, and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks it adds a complete state, from which
+/// <see cref="Seek"/> continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws
+/// <see cref="ArgumentException"/>. An engine's colliders are not included either; the replay must position them.
 /// </remarks>
 public sealed class Recording
 {
-    /// <summary>Ticks from one whole state in a segment to the next: a jump to any tick plays fewer than these.</summary>
+    /// <summary>The number of ticks between two keyframes; a seek simulates fewer ticks than this.</summary>
     public const int KeyframeTicks = 64;
 
     private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
@@ -29,7 +28,7 @@ public sealed class Recording
     private ulong[] _hashes;
     private int _count;
 
-    /// <summary>Begins at a runner's present tick.</summary>
+    /// <summary>Starts a recording at a runner's current tick.</summary>
     internal Recording(FixedStepRunner runner)
         : this(runner.TimeStep, runner.Tick, [.. runner.States], runner.Kicks, new PlacementLog(), new RigidMotion[runner.Simulator.World.Movers], 1024)
     {
@@ -50,40 +49,42 @@ public sealed class Recording
         _hashes = new ulong[Math.Max(capacity, 1)];
     }
 
-    /// <summary>Length of a step, s.</summary>
+    /// <summary>The length of a step, in s.</summary>
     public double TimeStep { get; }
 
-    /// <summary>The tick at which it starts.</summary>
+    /// <summary>The first tick.</summary>
     public long StartTick { get; }
 
-    /// <summary>The tick after its last step.</summary>
+    /// <summary>The tick after the last step.</summary>
     public long EndTick => StartTick + _count;
 
-    /// <summary>The state at its start, of the first of several balls.</summary>
+    /// <summary>The state of the first ball at the start.</summary>
     public BallState Start => _start[0];
 
-    /// <summary>How many balls there are.</summary>
+    /// <summary>The number of balls.</summary>
     public int Balls => _start.Length;
 
-    /// <summary>The hash of its scene, with those of all balls.</summary>
+    /// <summary>The combined scene hash of all balls.</summary>
     public ulong SceneHash { get; private set; }
 
-    /// <summary>The version of the library that recorded it: bits are those of a version.</summary>
+    /// <summary>The version of the library that made the recording.</summary>
+    /// <remarks>Replays are bit-identical only within one version.</remarks>
     public string Version { get; private set; } = LibraryVersion;
 
-    /// <summary><see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>
+    /// <summary>The <see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>
     public int QuantizationInterval { get; private set; }
 
-    /// <summary>True when an engine's colliders moved in it: they are not part of it.</summary>
+    /// <summary>True if an engine's colliders moved during the recording.</summary>
+    /// <remarks>The positions of these colliders are not recorded.</remarks>
     public bool HasMovingColliders { get; private set; }
 
-    /// <summary>The kicks; those before <see cref="StartTick"/> and from <see cref="EndTick"/> on do not count.</summary>
+    /// <summary>The kicks; those before <see cref="StartTick"/>, or from <see cref="EndTick"/> on, are ignored.</summary>
     public KickLog Kicks { get; }
 
-    /// <summary>Where the game put its bodies.</summary>
+    /// <summary>The recorded positions of the game's bodies.</summary>
     internal PlacementLog Bodies { get; }
 
-    /// <summary>The hash of the states at a tick.</summary>
+    /// <summary>Returns the hash of the states at a tick.</summary>
     /// <param name="tick">From <see cref="StartTick"/> to <see cref="EndTick"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the segment.</exception>
     public ulong HashAt(long tick)
@@ -92,40 +93,43 @@ public sealed class Recording
         return tick == StartTick ? Snapshot.Hash(_start) : _hashes[(int)(tick - StartTick) - 1];
     }
 
-    /// <summary>Plays the segment again and compares.</summary>
+    /// <summary>Replays the segment and compares every state hash with the recorded one.</summary>
     /// <inheritdoc cref="Replay(Simulator, Action{double})"/>
-    /// <returns>The first tick whose states are not the recorded ones to the last bit; null when all are.</returns>
+    /// <returns>The first tick whose states differ from the recording; null if all are bit-identical.</returns>
     public long? FirstDivergence(Simulator simulator, Action<double>? bodiesAt = null) => FirstDivergence(Replay(simulator, bodiesAt));
 
-    /// <summary>Plays the segment of several balls again and compares.</summary>
+    /// <summary>Replays a segment with several balls and compares every state hash with the recorded one.</summary>
     /// <inheritdoc cref="Replay(BallGroup, Action{double})"/>
-    /// <returns>The first tick whose states are not the recorded ones to the last bit; null when all are.</returns>
+    /// <returns>The first tick whose states differ from the recording; null if all are bit-identical.</returns>
     public long? FirstDivergence(BallGroup group, Action<double>? bodiesAt = null) => FirstDivergence(Replay(group, bodiesAt));
 
-    /// <summary>A runner at the start of the segment, with its kicks, and the bodies where they were: stepping it plays the segment again.</summary>
-    /// <param name="simulator">The scene of the match, with its settings.</param>
-    /// <param name="bodiesAt">Puts bodies, and an engine's colliders, to where they were at a time, s; default none: bodies are put where the segment says.</param>
+    /// <summary>Creates a runner at the start of the segment; stepping the runner replays the segment.</summary>
+    /// <remarks>The runner has the recorded kicks and body positions.</remarks>
+    /// <param name="simulator">The scene of the match, with the same settings.</param>
+    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
-    /// <exception cref="InvalidOperationException">An engine's colliders moved, and nothing says where they were.</exception>
+    /// <exception cref="ArgumentException">The scene or its settings differ from those of the recording.</exception>
+    /// <exception cref="InvalidOperationException">An engine's colliders moved, and <paramref name="bodiesAt"/> is null.</exception>
     public FixedStepRunner Replay(Simulator simulator, Action<double>? bodiesAt = null) =>
         Replay(new FixedStepRunner(simulator ?? throw new ArgumentNullException(nameof(simulator)), TimeStep, LongestFrame), bodiesAt);
 
-    /// <summary>A runner of several balls at the start of the segment, with its kicks, and the bodies where they were: stepping it plays the segment again.</summary>
-    /// <param name="group">The balls of the match, in its scene, with its settings.</param>
-    /// <param name="bodiesAt">Puts bodies, and an engine's colliders, to where they were at a time, s; default none: bodies are put where the segment says.</param>
+    /// <summary>Creates a runner of several balls at the start of the segment; stepping the runner replays the segment.</summary>
+    /// <remarks>The runner has the recorded kicks and body positions.</remarks>
+    /// <param name="group">The balls of the match, with the same scene and settings.</param>
+    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
-    /// <exception cref="ArgumentException">The scene, the balls, or the settings are not those of the segment.</exception>
-    /// <exception cref="InvalidOperationException">An engine's colliders moved, and nothing says where they were.</exception>
+    /// <exception cref="ArgumentException">The scene, the balls or the settings differ from those of the recording.</exception>
+    /// <exception cref="InvalidOperationException">An engine's colliders moved, and <paramref name="bodiesAt"/> is null.</exception>
     public FixedStepRunner Replay(BallGroup group, Action<double>? bodiesAt = null) =>
         Replay(new FixedStepRunner(group ?? throw new ArgumentNullException(nameof(group)), TimeStep, LongestFrame), bodiesAt);
 
-    /// <summary>Goes to any tick of the segment, forwards or back: at most <see cref="KeyframeTicks"/> − 1 steps are played again.</summary>
+    /// <summary>Moves a replay to any tick of the segment, forwards or backwards.</summary>
+    /// <remarks>Simulates at most <see cref="KeyframeTicks"/> − 1 steps.</remarks>
     /// <param name="replay">A runner of this segment, from <see cref="Replay(Simulator, Action{double})"/>.</param>
     /// <param name="tick">From <see cref="StartTick"/> to <see cref="EndTick"/>.</param>
-    /// <returns>How many steps were played again.</returns>
+    /// <returns>The number of steps simulated.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="replay"/> is null.</exception>
-    /// <exception cref="ArgumentException">The runner plays no segment, or another one; nothing has changed.</exception>
+    /// <exception cref="ArgumentException">The runner does not replay this segment; nothing has changed.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not part of the segment; nothing has changed.</exception>
     public int Seek(FixedStepRunner replay, long tick)
     {
@@ -139,10 +143,10 @@ public sealed class Recording
         int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
         long from = StartTick + ((long)keyframe * KeyframeTicks);
 
-        // Played on from where the runner is, if that lies between and is a state of the segment.
+        // Continue from the runner's current tick if it lies between and holds a recorded state.
         if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
         {
-            // Else from the last keyframe before. Bodies first: a rollback that follows the runner begins anew with what is there.
+            // Otherwise start at the last keyframe before the tick. Set bodies first: a rollback that follows the runner restarts with them.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
             if (world.Movers > 0)
@@ -162,10 +166,10 @@ public sealed class Recording
         return steps;
     }
 
-    /// <summary>The segment as bytes, the same on every machine.</summary>
+    /// <summary>Serialises the segment; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
-        // The runner may have kicks from before and after: only those of the segment are written.
+        // The runner may have kicks outside the segment; write only those inside it.
         var kicks = new KickLog();
         for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
         {
@@ -174,7 +178,7 @@ public sealed class Recording
 
         var writer = new ByteWriter();
 
-        // Head: format, library version, hash of the scene, length of a step, first tick, rounding, whether an engine moved its colliders.
+        // Header: format, library version, scene hash, step, first tick, quantisation, and whether an engine moved colliders.
         writer.Bits(Format, 5);
         writer.Integer((ulong)Version.Length);
         foreach (char letter in Version)
@@ -188,7 +192,7 @@ public sealed class Recording
         writer.Integer((ulong)QuantizationInterval);
         writer.Bits(HasMovingColliders ? 1UL : 0, 1);
 
-        // The start: the balls, then all that is moved.
+        // The start state: the balls, then the bodies and movable obstacles.
         writer.Integer((ulong)_start.Length);
         for (int i = 0; i < _start.Length; i++)
         {
@@ -201,11 +205,11 @@ public sealed class Recording
             PlacementLog.Write(in _motions[i], ref writer);
         }
 
-        // What happened: kicks, then where the game put its bodies.
+        // The inputs: kicks, then body positions.
         kicks.Write(ref writer);
         Bodies.Write(StartTick, EndTick, ref writer);
 
-        // What came of it: a hash after every step, and keyframes. ToArray adds the checksum of all.
+        // The results: a hash after every step, and the keyframes. ToArray appends the checksum.
         writer.Integer((ulong)_count);
         for (int i = 0; i < _count; i++)
         {
@@ -216,14 +220,16 @@ public sealed class Recording
         return writer.ToArray();
     }
 
-    /// <summary>
-    /// A zip file to attach to an issue: <c>match.json</c> with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of <see cref="ToBytes"/>.
-    /// <c>football bundle FILE</c> plays it again.
-    /// </summary>
-    /// <param name="simulator">The scene of the match, with its settings.</param>
+    /// <summary>Creates a zip file to attach to a bug report.</summary>
+    /// <remarks>
+    /// It contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
+    /// <see cref="ToBytes"/>. <c>football bundle FILE</c> replays it.
+    /// </remarks>
+    /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">The scene, or its settings, are not those of the segment.</exception>
-    /// <exception cref="InvalidOperationException">There are several balls, or the scene has something that is code: a force, a wind, a shape of the game's own, an engine's colliders.</exception>
+    /// <exception cref="ArgumentException">The scene or its settings differ from those of the recording.</exception>
+    /// <exception cref="InvalidOperationException">There are several balls, or a part of the scene is code: a custom force, wind or shape, or an
+    /// engine's colliders.</exception>
     public byte[] ToBundle(Simulator simulator)
     {
         if (Balls > 1)
@@ -234,7 +240,7 @@ public sealed class Recording
         Replay(simulator, HasMovingColliders ? static _ => { }
         : null);
 
-        // A text for people, which a scenario can be made of; what is played again is the segment beside it.
+        // A readable text that can serve as a scenario; the replay uses the segment.
         string about = new SceneText().Begin()
             .Text("library", Version)
             .Text("runtime", RuntimeInformation.FrameworkDescription)
@@ -251,14 +257,14 @@ public sealed class Recording
         return memory.ToArray();
     }
 
-    /// <summary>Reads what <see cref="ToBytes"/> wrote.</summary>
+    /// <summary>Reads a recording written by <see cref="ToBytes"/>.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
-    /// <exception cref="FormatException">The bytes are no match segment, or were changed on their way; the message says why.</exception>
+    /// <exception cref="FormatException">The bytes are not a recording, or are corrupt; the message states the reason.</exception>
     public static Recording FromBytes(ReadOnlySpan<byte> bytes)
     {
         var reader = new ByteReader(bytes);
 
-        // In the order of ToBytes; each number is checked as it is read, for the bytes may come from anywhere.
+        // Same order as ToBytes. Check each number as it is read: the bytes are untrusted.
         ReadFormat(ref reader);
         string version = ReadVersion(ref reader);
         ulong sceneHash = reader.Bits(8);
@@ -272,7 +278,7 @@ public sealed class Recording
         int wireTicks = reader.Int();
         bool engineMoves = reader.Bits(1) != 0;
 
-        // A count is checked against the bytes that are left, so that a broken one asks for no memory.
+        // Check each count against the bytes left, so that a corrupt count allocates nothing.
         int balls = reader.Count(Snapshot.Size);
         if (balls is 0 or > MostBalls)
         {
@@ -287,7 +293,7 @@ public sealed class Recording
 
         try
         {
-            // What a runner would refuse is refused here, as broken bytes.
+            // Report values that a runner would reject as corrupt bytes.
             Check.Within("wireTicks", wireTicks, 0, FixedStepRunner.MostWireTicks);
             Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
             Check.Advances("timeStep", timeStep, start[0].Time);
@@ -318,7 +324,7 @@ public sealed class Recording
 
         PlacementLog bodies = PlacementLog.Read(ref reader);
 
-        // An index that no body has would only be met in the middle of a replay.
+        // Check here: an unknown body index would otherwise fail in the middle of a replay.
         if (bodies.HighestBody() >= motions.Length)
         {
             throw ByteReader.Broken("a body is moved that is none of those at the start");
@@ -331,7 +337,7 @@ public sealed class Recording
             segment.Add(reader.Bits(8));
         }
 
-        // The hashes are known by now, so that the keyframes can be compared with them.
+        // The hashes are complete now, so compare the keyframes with them.
         segment._keyframes.Read(ref reader);
         segment.CheckKeyframes();
         reader.End();
@@ -343,7 +349,7 @@ public sealed class Recording
     {
         Add(Snapshot.Hash(states));
 
-        // Keyframe i is of tick StartTick + 64 (i + 1): the start itself is kept apart.
+        // Keyframe i holds tick StartTick + 64 (i + 1); the start itself is stored separately.
         if (_count % KeyframeTicks == 0)
         {
             _keyframes.Add(states, world);
@@ -360,10 +366,10 @@ public sealed class Recording
         _hashes[_count++] = hash;
     }
 
-    /// <summary>An engine's colliders moved.</summary>
+    /// <summary>Records that an engine's colliders moved.</summary>
     internal void MovesEngine() => HasMovingColliders = true;
 
-    /// <summary>Forgets what came after a tick; false when the states at that tick are not the recorded ones.</summary>
+    /// <summary>Removes the steps after a tick; returns false if the states at that tick differ from the recorded ones.</summary>
     internal bool TryRewind(long tick, ulong hash)
     {
         if (tick < StartTick || tick > EndTick || HashAt(tick) != hash)
@@ -371,14 +377,14 @@ public sealed class Recording
             return false;
         }
 
-        // Hashes, keyframes and bodies from there on are of a way that was not gone.
+        // Later hashes, keyframes and body positions belong to a discarded timeline.
         _count = (int)(tick - StartTick);
         _keyframes.Keep(_count / KeyframeTicks);
         Bodies.RemoveFrom(tick);
         return true;
     }
 
-    /// <summary>The version of this library, without what a build adds.</summary>
+    /// <summary>The version of this library, without build metadata.</summary>
     private static string LibraryVersion { get; } =
         (typeof(Recording).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "").Split('+')[0];
 
@@ -388,7 +394,7 @@ public sealed class Recording
     {
         ZipArchiveEntry entry = zip.CreateEntry(name);
 
-        // One date for all, so that the same match gives the same bytes.
+        // Use a fixed date, so that the same match gives the same bytes.
         entry.LastWriteTime = new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero);
         using Stream file = entry.Open();
         file.Write(bytes);
@@ -426,7 +432,7 @@ public sealed class Recording
         return new string(letters);
     }
 
-    /// <summary>A keyframe is the state of its tick, and there are as many as the ticks have.</summary>
+    /// <summary>Checks the number of keyframes, and each keyframe against the hash of its tick.</summary>
     private void CheckKeyframes()
     {
         if (_keyframes.Count != _count / KeyframeTicks)
@@ -436,7 +442,7 @@ public sealed class Recording
 
         for (int i = 0; i < _keyframes.Count; i++)
         {
-            // A keyframe with a valid checksum of its own may still be of another match: Seek would land beside the recording.
+            // A valid keyframe may still come from another match; Seek would then leave the recording.
             if (Snapshot.Hash(_keyframes.StatesOf(i).ToArray()) != _hashes[((i + 1) * KeyframeTicks) - 1])
             {
                 throw ByteReader.Broken("a keyframe is not the state of its tick");
@@ -449,7 +455,7 @@ public sealed class Recording
     {
         var key = new SceneKey();
 
-        // All that a step depends on besides state, kicks and bodies: two peers with the same hash make the same bits.
+        // Everything that affects a step besides state, kicks and bodies: peers with equal hashes produce identical bits.
         key.Add(runner.TimeStep);
         key.Add(runner.QuantizationInterval);
         key.Add(runner.Balls);
@@ -466,7 +472,7 @@ public sealed class Recording
         ulong hash = 0;
         for (int i = 0; i < runner.Balls; i++)
         {
-            // Mixed in order, so that two balls that are exchanged give another hash; one ball has its own.
+            // Mix in order, so that exchanging two balls changes the hash; a single ball keeps its own hash.
             ulong own = runner.SimulatorOf(i).SceneHash;
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -474,7 +480,7 @@ public sealed class Recording
         return runner.Group is null ? hash : hash ^ FootballPhysics.SceneHash.Of(runner.Group.Contact);
     }
 
-    /// <summary>How many bodies and obstacles that have a mass the scene has.</summary>
+    /// <summary>The number of bodies and movable obstacles in the scene.</summary>
     internal int Movers => _motions.Length;
 
     private long? FirstDivergence(FixedStepRunner runner)
@@ -491,9 +497,10 @@ public sealed class Recording
         return null;
     }
 
+    /// <summary>Sets a runner to the start of the segment, with its kicks and body positions, after checking its scene.</summary>
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
-        // Another scene, or other settings, would only end in a divergence that nobody could explain.
+        // Reject a different scene or different settings now, instead of a divergence without explanation later.
         ulong hash = HashOf(runner);
         World world = runner.Simulator.World;
         if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)
@@ -513,13 +520,13 @@ public sealed class Recording
             runner.Kicks.Add(in Kicks[i]);
         }
 
-        // All that is moved, then the balls, as they were at the start.
+        // Restore the start: bodies and movable obstacles first, then the balls.
         if (world.Movers > 0)
         {
             world.WriteMotions(_motions);
         }
 
-        // No kick is forgotten: Seek goes back to any tick.
+        // Keep all kicks: Seek can return to any tick.
         runner.KickTicks = Limits.Tick;
         runner.QuantizationInterval = QuantizationInterval;
         runner.MoveBodies = bodiesAt;

@@ -1,11 +1,12 @@
 namespace FootballPhysics.Netcode;
 
-/// <summary>Keeps the last states of a runner, and plays them again when a kick of the past becomes known, or was guessed wrongly.</summary>
+/// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>
 /// <remarks>
-/// It follows every step that the runner makes, in <see cref="FixedStepRunner.Step"/> as in <see cref="FixedStepRunner.Advance"/>; where the
-/// runner goes elsewhere by itself, it begins anew from there. Steps that are played again have the game's bodies where they were: by
-/// <see cref="FixedStepRunner.MoveBodies"/>, or by the places that it keeps of the last ticks. An engine's colliders that moved need the former; without it they are refused.
-/// Nothing is allocated but where events, kicks or places outgrow their memory.
+/// It follows every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state is
+/// set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies: from
+/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. Colliders of an engine that moved require
+/// <see cref="FixedStepRunner.MoveBodies"/>; without it, resimulation throws. It allocates only when events, kicks or positions outgrow their
+/// buffers.
 /// </remarks>
 public sealed class Rollback
 {
@@ -18,15 +19,16 @@ public sealed class Rollback
     private readonly int _movers;
     private readonly int _ticks;
     private long _bodiesMoved = -1;
-    /// <summary>Where the last steps that were played again first came out otherwise.</summary>
+    /// <summary>The first difference found by the last resimulation.</summary>
     private StateDifference? _difference;
 
     private bool _replays;
 
-    /// <summary>Begins to follow a runner, from its present tick on.</summary>
-    /// <param name="runner">The runner; one rollback follows it, the last that was made.</param>
-    /// <param name="ticks">How many ticks back it can go. 1 … 1 000 000; default 32.</param>
-    /// <param name="keepsBodies">Whether it keeps where the game has put its bodies at each tick; default it does. A game that sets <see cref="FixedStepRunner.MoveBodies"/> need not.</param>
+    /// <summary>Starts to follow a runner, from its current tick.</summary>
+    /// <param name="runner">The runner; a new rollback replaces an earlier one.</param>
+    /// <param name="ticks">The number of ticks that it can go back. 1 … 1 000 000; default 32.</param>
+    /// <param name="keepsBodies">True to store the bodies' positions at each tick; default true. Not needed if the game sets
+    /// <see cref="FixedStepRunner.MoveBodies"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="ticks"/> is out of range.</exception>
     public Rollback(FixedStepRunner runner, int ticks = 32, bool keepsBodies = true)
@@ -38,7 +40,7 @@ public sealed class Rollback
         _movers = runner.Simulator.World.Movers;
         _bodies = keepsBodies ? new PlacementLog() : null;
 
-        // Rings of ticks + 1 places, the present among them: tick t lies at t mod (ticks + 1).
+        // Ring buffers of ticks + 1 slots, including the present: tick t is stored at t mod (ticks + 1).
         _states = new BallState[(ticks + 1) * _balls];
         _motions = new RigidMotion[(ticks + 1) * _movers];
         _from = new BallState[_balls];
@@ -49,19 +51,19 @@ public sealed class Rollback
     /// <summary>The runner that it follows.</summary>
     public FixedStepRunner Runner { get; }
 
-    /// <summary>How many ticks back it can go.</summary>
+    /// <summary>The number of ticks that it can go back.</summary>
     public int Ticks => _ticks;
 
     /// <summary>The oldest tick that it can go back to.</summary>
     public long OldestTick { get; private set; }
 
-    /// <summary>The events of the steps that the last correction played again, in order of time.</summary>
+    /// <summary>The events of the steps that the last correction resimulated, in order of time.</summary>
     public EventBuffer Events { get; } = new();
 
-    /// <summary>The state at the start of a tick.</summary>
+    /// <summary>Returns the state at the start of a tick.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, or there is no such ball.</exception>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not stored, or there is no such ball.</exception>
     public BallState StateAt(long tick, int ball = 0)
     {
         Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
@@ -69,9 +71,9 @@ public sealed class Rollback
         return _states[PlaceOf(tick) + ball];
     }
 
-    /// <summary>The hash of the states of all balls at the start of a tick: what two machines compare.</summary>
+    /// <summary>Returns the hash of all states at the start of a tick, which machines can compare.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not stored.</exception>
     public ulong HashAt(long tick)
     {
         Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
@@ -79,11 +81,13 @@ public sealed class Rollback
         return Snapshot.Hash(_from);
     }
 
-    /// <summary>Puts a kick in its place, or in the place of one of the same player, tick and ball, and plays what followed again.</summary>
-    /// <param name="kick">The kick; of a tick not before <see cref="OldestTick"/>. One to come only waits.</param>
-    /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    /// <summary>Adds or replaces a kick, and resimulates the steps since its tick.</summary>
+    /// <remarks>It replaces a kick with the same player, tick and ball.</remarks>
+    /// <param name="kick">The kick; its tick is <see cref="OldestTick"/> or later. A future kick waits for its tick.</param>
+    /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is no longer stored; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
     public long? ApplyKick(in KickInput kick)
     {
         Check.AtLeast(nameof(kick), kick.Tick, OldestTick);
@@ -93,13 +97,14 @@ public sealed class Rollback
         return PlayAgain(kick.Tick);
     }
 
-    /// <summary>Takes a kick back that was only guessed, and plays what followed again.</summary>
-    /// <param name="tick">Its tick; not before <see cref="OldestTick"/>.</param>
-    /// <param name="player">Its player; default 0.</param>
-    /// <param name="ball">Its ball; default 0.</param>
-    /// <returns>The first tick whose state is not what it was, to the last bit; null where all are, or there was no such kick.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept any more; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    /// <summary>Removes a mispredicted kick, and resimulates the steps since its tick.</summary>
+    /// <param name="tick">The tick; <see cref="OldestTick"/> or later.</param>
+    /// <param name="player">The player; default 0.</param>
+    /// <param name="ball">The ball; default 0.</param>
+    /// <returns>The first tick whose state changed; null if all are bit-identical, or there was no such kick.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is no longer stored; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
     public long? Remove(long tick, int player = 0, int ball = 0)
     {
         Check.AtLeast(nameof(tick), tick, OldestTick);
@@ -107,14 +112,17 @@ public sealed class Rollback
         return Runner.Kicks.Remove(tick, player, ball) ? PlayAgain(tick) : null;
     }
 
-    /// <summary>Sets the state at a tick, for instance a server's, and plays what followed again.</summary>
+    /// <summary>Sets the state at a tick, for instance from a server, and resimulates the following steps.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
-    /// <param name="state">The state at its start.</param>
-    /// <param name="ball">Which of several balls; default the first.</param>
-    /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept, there is no such ball, or none of this scene can have the state; nothing has changed.</exception>
-    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or is of another time than the other balls; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    /// <param name="state">The state at the start of the tick.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not stored, there is no such ball, or no ball of this scene can have the state;
+    /// nothing has changed.</exception>
+    /// <exception cref="ArgumentException"><paramref name="state"/> was never launched, or its time differs from that of the other balls; nothing has
+    /// changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
     public long? ApplyServerState(long tick, in BallState state, int ball = 0)
     {
         BallState before = StateAt(tick, ball);
@@ -128,7 +136,7 @@ public sealed class Rollback
         return Put(tick, in state, ball);
     }
 
-    /// <summary>Sets a state that has been looked at, and plays what followed again.</summary>
+    /// <summary>Sets a validated state, and resimulates the following steps.</summary>
     internal long? Put(long tick, in BallState state, int ball)
     {
         BallState before = StateAt(tick, ball);
@@ -139,10 +147,10 @@ public sealed class Rollback
 
         RefuseUnknownPlaces(tick);
 
-        // Put into the ring: PlayAgain starts from there.
+        // Store it in the ring buffer, from which PlayAgain starts.
         _states[PlaceOf(tick) + ball] = state;
 
-        // Nothing follows the present that could be played: the runner itself is set, without forgetting the past for it.
+        // No step follows the present tick: set the runner itself, but keep the history.
         if (tick == Runner.Tick)
         {
             _replays = true;
@@ -155,11 +163,13 @@ public sealed class Rollback
         return tick;
     }
 
-    /// <summary>Plays again from a tick on, after what <see cref="FixedStepRunner.MoveBodies"/> says, or what is in <see cref="FixedStepRunner.Kicks"/>, has changed: once for all that has.</summary>
+    /// <summary>Resimulates from a tick after changes to <see cref="FixedStepRunner.Kicks"/> or <see cref="FixedStepRunner.MoveBodies"/>.</summary>
+    /// <remarks>A single call handles any number of changes since that tick.</remarks>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
-    /// <returns>The first tick whose state is not what it was, to the last bit; null where all are.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The tick is not kept; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The tick is not stored; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
     public long? ResimulateFrom(long tick)
     {
         Check.Within(nameof(tick), tick, OldestTick, Runner.Tick);
@@ -167,14 +177,16 @@ public sealed class Rollback
         return PlayAgain(tick);
     }
 
-    /// <summary>
-    /// Plays the last ticks again from the state that was kept, and compares: for tests, in every tick of a match. A difference means that something is not
-    /// in the state: a force or a body of the game's that depends on more than the time, or an engine's collider that moved.
-    /// </summary>
-    /// <param name="ticks">How many ticks to go back; 1 … <see cref="Ticks"/>. Fewer where fewer are kept.</param>
-    /// <returns>The first tick, ball and field that came out otherwise; null where all are the same to the last bit.</returns>
+    /// <summary>Resimulates the last ticks from a stored state, and compares the results.</summary>
+    /// <remarks>
+    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Examples are a custom
+    /// force or a body that depends on more than time, and an engine's collider that moved.
+    /// </remarks>
+    /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. Fewer are resimulated if fewer are stored.</param>
+    /// <returns>The first tick, ball and field that differ; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The number of ticks is out of range.</exception>
-    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and nothing says where they were; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
+    /// changed.</exception>
     public StateDifference? SyncTest(int ticks)
     {
         Check.Within(nameof(ticks), ticks, 1, Ticks);
@@ -184,10 +196,10 @@ public sealed class Rollback
         return _difference;
     }
 
-    /// <summary>Begins anew where the runner went.</summary>
+    /// <summary>Restarts the history at the runner's new tick.</summary>
     internal void Begin(long tick)
     {
-        // A runner that plays again comes here too: then the ring is still that of the match.
+        // A resimulation also calls this; its ring buffer still belongs to the match.
         if (!_replays)
         {
             OldestTick = tick;
@@ -197,7 +209,7 @@ public sealed class Rollback
         }
     }
 
-    /// <summary>Keeps the states after a step.</summary>
+    /// <summary>Stores the states after a step.</summary>
     internal void Keep(long tick)
     {
         if (_replays)
@@ -205,14 +217,14 @@ public sealed class Rollback
             return;
         }
 
-        // The oldest place is written over, and what was kept of bodies before it is not needed any more.
+        // Overwrite the oldest slot; body positions before the oldest tick are no longer needed.
         OldestTick = Math.Max(OldestTick, tick - Ticks);
         Array.Copy(Runner.States, 0, _states, PlaceOf(tick), _balls);
         KeepMotions(tick);
         _bodies?.RemoveBefore(OldestTick);
     }
 
-    /// <summary>Keeps where the game has put its bodies for a tick's step.</summary>
+    /// <summary>Stores the positions of the game's bodies for a tick's step.</summary>
     internal void KeepBodies(long tick, KinematicBodies bodies)
     {
         if (_replays)
@@ -222,14 +234,14 @@ public sealed class Rollback
 
         _bodies?.Record(tick, bodies);
 
-        // Known even where they are not kept: the last tick at which one moved says how far back nobody can go.
+        // Track this even without stored positions: the last tick with a moved body limits how far a rollback can go.
         for (int i = 0; i < bodies.Count && _bodiesMoved < tick; i++)
         {
             _bodiesMoved = bodies.IsTold(i) ? tick : _bodiesMoved;
         }
     }
 
-    /// <summary>Puts the bodies where they were for a step that is played again.</summary>
+    /// <summary>Moves the bodies to their stored positions for a resimulated step.</summary>
     internal void PutBodies(long tick, KinematicBodies bodies)
     {
         if (_replays)
@@ -250,10 +262,10 @@ public sealed class Rollback
         }
     }
 
-    /// <summary>Refuses to play steps again in which something moved of which nobody says where it was.</summary>
+    /// <summary>Throws if an object moved in the steps to resimulate and its past positions are unknown.</summary>
     private void RefuseUnknownPlaces(long from)
     {
-        // The game that says where bodies are at any time can be asked again.
+        // MoveBodies can position the bodies at any past time.
         if (Runner.MoveBodies is not null || from >= Runner.Tick)
         {
             return;
@@ -272,7 +284,7 @@ public sealed class Rollback
         }
     }
 
-    /// <summary>Plays from a tick to the present.</summary>
+    /// <summary>Resimulates from a tick to the present, with the current kicks; returns the first tick that differs.</summary>
     private long? PlayAgain(long from)
     {
         Events.Clear();
@@ -284,7 +296,7 @@ public sealed class Rollback
             return null;
         }
 
-        // Bodies that the game has moved for the step to come are put there again afterwards.
+        // Save the bodies that the game has already moved for the next step, and restore them afterwards.
         World world = Runner.Simulator.World;
         _waiting.RemoveFrom(0);
         if (world.Bodies is { } bodies)
@@ -296,7 +308,7 @@ public sealed class Rollback
         _replays = true;
         try
         {
-            // Bodies, then balls, as they were at that tick; from there with the kicks that are known now.
+            // Restore bodies, then balls, at that tick, and simulate from there with the current kicks.
             if (_movers > 0)
             {
                 world.WriteMotions(MotionsAt(from));
@@ -309,7 +321,7 @@ public sealed class Rollback
                 Runner.Step();
                 Events.Add(Runner.Events);
 
-                // What comes out takes the place of what was kept; the first tick that differs is told.
+                // Store the new results, and remember the first tick that differs.
                 bool same = true;
                 for (int i = 0; i < _balls; i++)
                 {
@@ -332,7 +344,7 @@ public sealed class Rollback
             _replays = false;
         }
 
-        // The step to come finds the bodies where the game put them before all this.
+        // Restore the body positions that the game set for the next step.
         if (world.Bodies is { } moved)
         {
             _waiting.Apply(now, moved);

@@ -3,24 +3,24 @@ using System.Text;
 
 namespace FootballPhysics;
 
-/// <summary>A scene as JSON, in the words of a scenario, all numbers to the last bit; what is code has no words, and is refused by name.</summary>
+/// <summary>Writes a scene as scenario JSON with exact numbers; rejects parts that are code, by name.</summary>
 internal sealed class SceneText
 {
     private readonly StringBuilder _text = new();
 
-    /// <summary>Whether the next member of the object, or item of the list, is the first.</summary>
+    /// <summary>True if the next member of the object, or item of the list, is the first.</summary>
     private bool _first = true;
 
-    /// <summary>The text so far.</summary>
+    /// <summary>Returns the text so far.</summary>
     public override string ToString() => _text.ToString();
 
-    /// <summary>Scene, settings and bodies of a simulator, as members of an object: solver, scene, bodies.</summary>
-    /// <exception cref="InvalidOperationException">The scene has something that is code.</exception>
+    /// <summary>Adds the settings, scene and bodies of a simulator, as the members solver, scene and bodies.</summary>
+    /// <exception cref="InvalidOperationException">A part of the scene is code.</exception>
     public SceneText Add(Simulator simulator)
     {
         SolverSettings settings = simulator.Settings;
 
-        // A scenario has no word for it.
+        // The scenario format has no field for this setting.
         if (!settings.LocateJump)
         {
             throw Code("solver.locateJump");
@@ -34,7 +34,7 @@ internal sealed class SceneText
         return this;
     }
 
-    /// <summary>Adds a text.</summary>
+    /// <summary>Adds a string member.</summary>
     public SceneText Text(string name, string value)
     {
         Name(name);
@@ -42,14 +42,14 @@ internal sealed class SceneText
         return this;
     }
 
-    /// <summary>Begins the whole.</summary>
+    /// <summary>Begins the document.</summary>
     public SceneText Begin()
     {
         _text.Append('{');
         return this;
     }
 
-    /// <summary>Ends the whole.</summary>
+    /// <summary>Ends the document.</summary>
     public SceneText End()
     {
         _text.Append("}\n");
@@ -90,7 +90,7 @@ internal sealed class SceneText
             return;
         }
 
-        // A field of the library has words; one of the game's own, or a steady wind on top, has not.
+        // The format supports the library's wind profile, but not a custom field, nor a steady wind added to one.
         if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != (ground.IsNone ? 0 : ground.Height))
         {
             throw Code("air.windField");
@@ -133,7 +133,7 @@ internal sealed class SceneText
         Numbers(SceneFields.GroundMaterial, ground.Material).Numbers(SceneFields.Ground, ground)
             .Numbers("tangentialRestitution", along, ground.TangentialRestitutionZ ?? along);
 
-        // JSON has no number for the height of no ground: the name of the preset stands for it, and nothing else says where it is.
+        // JSON has no number for the height of missing ground: write the preset "none" instead.
         SceneText place = ground.IsNone ? Text("surface", "none") : Number("height", ground.Height).Vector("normal", ground.Normal);
         place.Word("aerodynamics", ground.Aerodynamics);
         if (ground.Heights is { } heights)
@@ -175,10 +175,10 @@ internal sealed class SceneText
 
     private SceneText Number(string name, double value) => Raw(name, Digits(value));
 
-    /// <summary>A number that may be infinite; JSON writes that as null.</summary>
+    /// <summary>Adds a number that may be infinite; JSON writes infinity as null.</summary>
     private SceneText Limit(string name, double value) => Raw(name, double.IsPositiveInfinity(value) ? "null" : Digits(value));
 
-    /// <summary>All numbers of a part of the scene.</summary>
+    /// <summary>Adds all numeric fields of a part of the scene.</summary>
     private SceneText Numbers<T>(NumberField<T>[] fields, T part)
     {
         foreach (NumberField<T> field in fields)
@@ -198,7 +198,7 @@ internal sealed class SceneText
     private SceneText Word<T>(string name, T value)
         where T : struct, Enum
     {
-        // Files keep the word that a scenario uses.
+        // Files keep the spelling of the scenario format.
         string word = value is AerodynamicModel.Regularized ? "regularised" : value.ToString();
         return Text(name, char.ToLowerInvariant(word[0]) + word[1..]);
     }
@@ -233,7 +233,7 @@ internal sealed class SceneText
 
     private void Braced(Action members)
     {
-        // Nested objects each begin with their own first member.
+        // Each nested object starts with its own first member.
         bool before = _first;
         _first = true;
         _text.Append('{');
@@ -255,7 +255,7 @@ internal sealed class SceneText
         _text.Append('"');
         foreach (char letter in text)
         {
-            // Quotes, backslashes and control characters as \uXXXX, which every reader of JSON knows.
+            // Write quotes, backslashes and control characters as \uXXXX, which every JSON reader supports.
             if (letter is '"' or '\\' or < ' ')
             {
                 _text.Append("\\u").Append(((int)letter).ToString("x4", CultureInfo.InvariantCulture));
@@ -269,10 +269,10 @@ internal sealed class SceneText
         _text.Append('"');
     }
 
-    /// <summary>The shortest text of a number, or seventeen digits where that is another number on one of Unity's runtimes.</summary>
+    /// <summary>Returns the shortest text that reads back as the same number, or 17 digits if a Unity runtime rounds the shortest one.</summary>
     private static string Digits(double value)
     {
-        // The shortest text, where it reads back as the same number.
+        // Use the shortest text if it reads back as the same number.
         string brief = value.ToString("R", CultureInfo.InvariantCulture);
         return double.Parse(brief, CultureInfo.InvariantCulture).Equals(value) ? brief : value.ToString("G17", CultureInfo.InvariantCulture);
     }

@@ -2,19 +2,20 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>Operations that rollback and lockstep need of a <see cref="BallState"/>: sameness to the bit, a hash, and bytes to send.</summary>
-/// <remarks>The snapshot itself is a copy of the struct. Hash and bytes are the same on every runtime, byte order included.</remarks>
+/// <summary>Operations on a <see cref="BallState"/> for rollback and lockstep: bitwise equality, hash and serialisation.</summary>
+/// <remarks>Copy the struct to take a snapshot. Hash and bytes are the same on every runtime, including byte order.</remarks>
 public static class Snapshot
 {
-    /// <summary>How many bytes <see cref="Write"/> makes of a state: its fields, and a checksum of four bytes.</summary>
+    /// <summary>The number of bytes that <see cref="Write"/> writes: the fields and a 4-byte checksum.</summary>
     public const int Size = Fields + Crc32.Size;
 
-    /// <summary>How many bytes <see cref="FixedStepRunner.TryWriteQuantized"/> makes of a state.</summary>
+    /// <summary>The number of bytes that <see cref="FixedStepRunner.TryWriteQuantized"/> writes.</summary>
     public const int QuantizedSize = WireForm.Size;
 
     private const int Fields = StateFields.Count * sizeof(ulong);
 
-    /// <summary>A 64-bit hash over the bits of every field: equal states have equal hashes, and one flipped bit changes it.</summary>
+    /// <summary>Returns a 64-bit hash over the bits of every field.</summary>
+    /// <remarks>Equal states have equal hashes, and a single flipped bit changes the hash.</remarks>
     /// <param name="state">The state.</param>
     public static ulong Hash(in BallState state)
     {
@@ -24,7 +25,7 @@ public static class Snapshot
         return hasher.Result;
     }
 
-    /// <summary>The hash of several states: that of the one where there is one.</summary>
+    /// <summary>Returns the hash of several states; for one state, it equals that state's hash.</summary>
     /// <param name="states">The states.</param>
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
     public static ulong Hash(BallState[] states)
@@ -33,7 +34,7 @@ public static class Snapshot
         ulong hash = 0;
         for (int i = 0; i < states.Length; i++)
         {
-            // A hash of hashes: multiplied in between, so that the order of the balls counts.
+            // Hash the hashes, with a multiplication between, so that the order of the balls matters.
             ulong own = Hash(in states[i]);
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -41,12 +42,13 @@ public static class Snapshot
         return hash;
     }
 
-    /// <summary>True when two states are the same to the last bit; unlike ==, 0 and −0 differ and NaN equals itself.</summary>
-    /// <param name="a">One state.</param>
-    /// <param name="b">The other state.</param>
+    /// <summary>True if two states are bit-identical.</summary>
+    /// <remarks>Unlike ==, 0 and −0 differ, and NaN equals itself.</remarks>
+    /// <param name="a">The first state.</param>
+    /// <param name="b">The second state.</param>
     public static bool Same(in BallState a, in BallState b)
     {
-        // Words are compared, not numbers: every field counts, and each bit of it.
+        // Compare words, not numbers, so that every bit of every field counts.
         Span<ulong> left = stackalloc ulong[StateFields.Count];
         Span<ulong> right = stackalloc ulong[StateFields.Count];
         StateFields.Read(in a, left);
@@ -54,10 +56,10 @@ public static class Snapshot
         return left.SequenceEqual(right);
     }
 
-    /// <summary>Tells in which field two states differ first, to the last bit.</summary>
-    /// <param name="expected">One state.</param>
-    /// <param name="actual">The other state.</param>
-    /// <returns>The field and both values; null where the states are the same.</returns>
+    /// <summary>Returns the first field in which two states differ bitwise.</summary>
+    /// <param name="expected">The first state.</param>
+    /// <param name="actual">The second state.</param>
+    /// <returns>The field and both values; null if the states are bit-identical.</returns>
     public static StateDifference? Difference(in BallState expected, in BallState actual)
     {
         Span<ulong> left = stackalloc ulong[StateFields.Count];
@@ -77,7 +79,7 @@ public static class Snapshot
 
     /// <summary>Writes a state as bytes, little-endian on every machine.</summary>
     /// <param name="state">The state.</param>
-    /// <param name="destination">Where to; at least <see cref="Size"/> bytes.</param>
+    /// <param name="destination">The destination; at least <see cref="Size"/> bytes.</param>
     /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
     public static void Write(in BallState state, Span<byte> destination)
     {
@@ -90,7 +92,7 @@ public static class Snapshot
         StateFields.Read(in state, words);
         for (int i = 0; i < Fields; i++)
         {
-            // Byte i is byte i mod 8 of word i/8, lowest first, whatever the machine.
+            // Byte i is byte i mod 8 of word i/8, lowest first, independent of the machine's byte order.
             destination[i] = (byte)(words[i >> 3] >> ((i & 7) << 3));
         }
 
@@ -98,13 +100,11 @@ public static class Snapshot
         Crc32.Seal(destination.Slice(0, Size));
     }
 
-    /// <summary>Reads what <see cref="Write"/> wrote.</summary>
+    /// <summary>Reads a state written by <see cref="Write"/>.</summary>
     /// <param name="source">At least <see cref="Size"/> bytes; more are ignored.</param>
     /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
-    /// <exception cref="FormatException">
-    /// The bytes are no state of a ball, and the message says why: the checksum does not hold, an enumeration has no such member, or a number is
-    /// not finite or so large that no ball gets there: 1e45 m, 1e30 m/s, 1e35 rad/s, 1e15 s.
-    /// </exception>
+    /// <exception cref="FormatException">The bytes are not a valid state; the message states the reason. The checksum is wrong, an enum value is
+    /// unknown, or a number is not finite or exceeds 1e45 m, 1e30 m/s, 1e35 rad/s or 1e15 s.</exception>
     public static BallState Read(ReadOnlySpan<byte> source)
     {
         if (source.Length < Size)
@@ -112,7 +112,7 @@ public static class Snapshot
             throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
         }
 
-        // A copy: whoever else may write there cannot change it after it was checked.
+        // Copy the bytes, so that no other thread can change them after the check.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);
         if (!Crc32.Holds(bytes))
@@ -124,7 +124,7 @@ public static class Snapshot
         words.Clear();
         for (int i = 0; i < Fields; i++)
         {
-            // Byte by byte: neither the order of bytes nor the alignment of a machine matters.
+            // Byte by byte, independent of the machine's byte order and alignment.
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
@@ -132,7 +132,7 @@ public static class Snapshot
         StateFields.Write(words, ref state);
         try
         {
-            // A right checksum says only that the bytes are what was written: a sender may write NaN.
+            // A valid checksum does not imply a valid state: a sender may write NaN.
             StateCheck.Validate(in state);
         }
         catch (ArgumentOutOfRangeException refusal)
@@ -143,7 +143,7 @@ public static class Snapshot
         return state;
     }
 
-    /// <summary>Mixes the fields into one number.</summary>
+    /// <summary>Combines the fields into one hash.</summary>
     private struct FieldHasher : IFieldVisitor
     {
         public const ulong Start = 0x9E3779B97F4A7C15UL;
@@ -156,7 +156,7 @@ public static class Snapshot
         {
             get
             {
-                // The finaliser of MurmurHash3: every bit of the input reaches every bit of the output.
+                // The finaliser of MurmurHash3: every input bit affects every output bit.
                 ulong h = Hash;
                 h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
                 h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
@@ -173,7 +173,7 @@ public static class Snapshot
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Bits(ref ulong value)
         {
-            // Without a set bit it is as if the field were not there: its place counts instead, with the bits.
+            // Skip a zero field, so that fields unused by a plain ball leave its hash unchanged. Mix the index in with any other.
             _place++;
             if (value != 0)
             {

@@ -1,25 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>Sees, and may change, one field after the other.</summary>
+/// <summary>Visits the fields of a state in order, and may change them.</summary>
 internal interface IFieldVisitor
 {
-    /// <summary>A number.</summary>
+    /// <summary>Visits a number.</summary>
     void Number(ref double value);
 
-    /// <summary>A member of an enumeration.</summary>
+    /// <summary>Visits an enum value.</summary>
     void Member(ref int value);
 
-    /// <summary>A set of flags, an index, or a number that is 0 for a ball on a level pitch with nothing else.</summary>
+    /// <summary>Visits flags, an index, or a number that is 0 for a plain ball on a level pitch.</summary>
     void Bits(ref ulong value);
 }
 
-/// <summary>The one list of what a <see cref="BallState"/> consists of; hash, comparison and bytes all go through it.</summary>
+/// <summary>The single list of the fields of a <see cref="BallState"/>, used by hash, comparison and serialisation.</summary>
 internal static class StateFields
 {
-    /// <summary>How many scalars there are; a test compares it with the struct itself.</summary>
+    /// <summary>The number of scalars; a test compares it with the struct.</summary>
     public const int Count = 28;
 
-    // In the order of Visit. ClearUntil, AirDistance and the squeeze's numbers are visited as bits, since they are 0 for a plain ball, but are numbers too.
+    // In the order of Visit. ClearUntil, AirDistance and the squeeze fields are numbers visited as bits, because they are 0 for a plain ball.
     private static readonly (string Name, bool IsNumber)[] s_names =
     [
         ("time", true), ("position.x", true), ("position.y", true), ("position.z", true), ("velocity.x", true), ("velocity.y", true), ("velocity.z", true),
@@ -29,17 +29,17 @@ internal static class StateFields
         ("airDistance", true), ("goalsEntered", false), ("squeezeSpeed", true), ("squeezeUntil", true),
     ];
 
-    /// <summary>The name of a scalar, and whether it is a number rather than flags or an index.</summary>
+    /// <summary>Returns the name of a scalar, and true if it is a number rather than flags or an index.</summary>
     public static (string Name, bool IsNumber) NameOf(int field) => s_names[field];
 
-    /// <summary>The place of a name.</summary>
+    /// <summary>Returns the index of a name.</summary>
     public static int IndexOf(string name) => Array.FindIndex(s_names, field => field.Name == name);
 
     /// <summary>Visits every scalar, in a fixed order.</summary>
     public static void Visit<TVisitor>(ref BallState state, ref TVisitor visitor)
         where TVisitor : struct, IFieldVisitor
     {
-        // Properties are read, visited and set again: what a visitor changes, such as the one that puts bits in, gets back.
+        // Read each property, visit it and write it back, so that a visitor's changes are kept.
         double time = state.Time;
         visitor.Number(ref time);
         state.Time = time;
@@ -69,7 +69,7 @@ internal static class StateFields
         Bits(ref state.SqueezeUntil, ref visitor);
     }
 
-    /// <summary>Takes the bits of a state out.</summary>
+    /// <summary>Copies the bits of a state into words.</summary>
     public static unsafe void Read(in BallState state, Span<ulong> words)
     {
         BallState copy = state;
@@ -80,7 +80,7 @@ internal static class StateFields
         }
     }
 
-    /// <summary>Puts the bits of a state in, whatever they say; see <see cref="StateCheck"/>.</summary>
+    /// <summary>Sets the bits of a state without validation; see <see cref="StateCheck"/>.</summary>
     public static unsafe void Write(Span<ulong> words, ref BallState state)
     {
         fixed (ulong* first = words)
@@ -90,7 +90,7 @@ internal static class StateFields
         }
     }
 
-    /// <summary>A number that is 0 for a ball on a level pitch with nothing else.</summary>
+    /// <summary>Visits a number that is 0 for a plain ball on a level pitch.</summary>
     private static void Bits<TVisitor>(ref double value, ref TVisitor visitor)
         where TVisitor : struct, IFieldVisitor
     {
@@ -144,7 +144,7 @@ internal static class StateFields
 
         public void Member(ref int value)
         {
-            // No enumeration has so large a member, and none a negative one: the check refuses −1.
+            // No enum value is that large or negative: StateCheck rejects −1.
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }

@@ -1,35 +1,34 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A state in 24 bytes. Numbers are whole multiples of a unit; what follows from others is left out: the height of a ball on the ground, the spin of one that rolls. A state is rounded by
-/// writing and reading it until it stays; then it is written without loss.
-/// </summary>
+/// <summary>A state in 24 bytes, with numbers as integer multiples of a unit.</summary>
 /// <remarks>
-/// From the lowest bit on: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18, z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of
-/// 1/8 rad/s; rotation 23 bits: which of its four parts is the largest, and the three others, 7 each.
+/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. Encoding and decoding a state until it no longer
+/// changes rounds the state; it is then stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
+/// z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of 1/8 rad/s; rotation 23 bits: the index of the largest
+/// component, and the other three with 7 bits each.
 /// </remarks>
 internal static class WireForm
 {
     public const int Size = 24;
 
-    // Units per metre, m/s and rad/s: powers of two, so that decoding a whole number of units is exact.
+    // Units per m, m/s and rad/s: powers of two, so that decoding an integer is exact.
     private const double PerMetre = 1024;
     private const double PerSpeed = 512;
     private const double PerSpin = 8;
 
-    /// <summary>The three smaller parts of a unit quaternion are within ±√½.</summary>
+    /// <summary>The scale of the three smaller components of a unit quaternion, which are within ±√½.</summary>
     private const double PerPart = 63 * 1.4142135623730951;
 
-    /// <summary>Heights begin below the ground by so much, m: 64 m are held.</summary>
+    /// <summary>The lowest height, in m below the ground; the range is 64 m.</summary>
     private const double Lowest = -4;
 
-    /// <summary>So near a whole number of units a spin is that number, whatever the dither: put together from axis and size it is off by rounding.</summary>
+    /// <summary>The tolerance, in units, within which a spin is not dithered: a spin from axis and magnitude has rounding errors.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>To stay the same a state is rounded so often at most; nearly all do after one, some whose rotation has two parts of a size after a second.</summary>
+    /// <summary>The maximum number of rounding passes; nearly all states need one, some with two equal rotation components need two.</summary>
     private const int MostRounds = 4;
 
-    /// <summary>A clock that is farther from a tick, as a share of 1 s and of the time, does not go by the ticks: it is left.</summary>
+    /// <summary>The tolerance of the clock against a tick, relative to 1 s plus the time; a clock farther off is left unchanged.</summary>
     private const double ClockRounding = 1e-9;
 
     /// <summary>Rounds all balls of a runner, or none.</summary>
@@ -37,7 +36,7 @@ internal static class WireForm
     {
         BallState[] states = runner.States;
 
-        // The clock of every ball, of one that the form does not hold too: the game tells its bodies by it, and whoever guesses a kick wrong has the same.
+        // Round every clock, even of a ball that is not quantised: bodies follow it, and it must agree after a mispredicted kick.
         for (int i = 0; i < states.Length; i++)
         {
             double tick = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
@@ -54,7 +53,7 @@ internal static class WireForm
             return;
         }
 
-        // Several balls have one time.
+        // Several balls share one clock: round all or none.
         for (int i = 0; i < states.Length; i++)
         {
             if (!TryRound(runner.SimulatorOf(i), runner.TimeStep, in states[i], out _))
@@ -69,7 +68,7 @@ internal static class WireForm
         }
     }
 
-    /// <summary>Writes a state, where the bytes are the state itself.</summary>
+    /// <summary>Writes a state if the bytes represent it exactly; returns false otherwise.</summary>
     public static bool TryWrite(Simulator simulator, double timeStep, in BallState state, Span<byte> destination)
     {
         if (destination.Length < Size)
@@ -79,7 +78,7 @@ internal static class WireForm
 
         var bits = default(WireBits);
 
-        // Only what comes out again to the last bit is written: a ball that was not rounded, or that has more state than the form, is not.
+        // Write only states that decode bit-identically: an unrounded ball, or one with more state than the format, fails.
         if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
         {
             return false;
@@ -89,7 +88,7 @@ internal static class WireForm
         return true;
     }
 
-    /// <summary>Reads a state, and refuses bytes that none makes.</summary>
+    /// <summary>Reads a state, and rejects bytes that no state produces.</summary>
     public static BallState Read(Simulator simulator, double timeStep, ReadOnlySpan<byte> source)
     {
         if (source.Length < Size)
@@ -97,11 +96,11 @@ internal static class WireForm
             throw new ArgumentException($"source has {source.Length} bytes; allowed: {Size} or more.", nameof(source));
         }
 
-        // The items of a read-only span cannot be asked for on older runtimes of Mono.
+        // Older Mono runtimes cannot index a read-only span.
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);
 
-        // Each state has one form: bytes that would be written otherwise are refused.
+        // Each state has exactly one encoding: reject bytes that would be written differently.
         var bits = WireBits.Read(bytes);
         var again = default(WireBits);
         if (!TryDecode(simulator, timeStep, in bits, out BallState state) || !TryEncode(simulator, timeStep, in state, ref again) || !again.Equals(in bits))
@@ -121,7 +120,7 @@ internal static class WireForm
         return state;
     }
 
-    /// <summary>The nearest state that is written without loss.</summary>
+    /// <summary>Finds the nearest state that the format represents exactly.</summary>
     private static bool TryRound(Simulator simulator, double timeStep, in BallState state, out BallState rounded)
     {
         rounded = state;
@@ -133,10 +132,10 @@ internal static class WireForm
                 return false;
             }
 
-            // A fixed point of encoding and decoding is what can be sent without loss.
+            // A fixed point of encoding and decoding can be sent without loss.
             if (Snapshot.Same(in next, in rounded))
             {
-                // Rounded through the mouth of a goal it has entered that, or left it; the form holds that of two goals.
+                // Rounding may move the ball through a goal mouth: update the goals entered. The format holds two goals.
                 Passages.PassMouths(simulator.World, ref rounded, state.Position);
                 return rounded.GoalsEntered < 4;
             }
@@ -147,11 +146,12 @@ internal static class WireForm
         return false;
     }
 
+    /// <summary>Encodes a state in rounded numbers; returns false if the format cannot represent it.</summary>
     private static bool TryEncode(Simulator simulator, double timeStep, in BallState s, ref WireBits bits)
     {
         bool flies = s.Motion == MotionState.Airborne;
 
-        // No bits for nets, contacts off the level ground, a knuckle force under way or a squeeze: such a ball stays as it is.
+        // The format has no bits for nets, contacts off level ground, an active knuckle force or a squeeze: do not round such balls.
         bool holds = (flies || (s.Motion != MotionState.Pinned && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
             && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
@@ -159,12 +159,13 @@ internal static class WireForm
             return false;
         }
 
-        // Layout, 191 of 192 bits from the lowest on: motion 3, goals 2 + 2, time 22, x 18, z 18, height 16, velocity 3 × 16, spin 3 × 13, rotation 2 + 3 × 7.
+        // Layout, 191 of 192 bits, lowest first: motion 3, goals 2 + 2, time 22, x 18, z 18, height 16, velocity 3 × 16, spin 3 × 13, rotation 2 + 3
+        // × 7.
         bits.Put((ulong)s.Motion, 3);
         bits.Put(s.GoalsEntered, 2);
         bits.Put(s.GoalsPassed, 2);
 
-        // Time in whole steps; on the ground the height is that of contact, and takes its bits as 0.
+        // Time in whole steps. On the ground the height is the contact height, and its bits are 0.
         double steps = Math.Round(s.Time / timeStep);
         holds = PutWhole(steps, 22, ref bits)
             & PutSigned(s.Position.X * PerMetre, 18, ref bits)
@@ -173,7 +174,7 @@ internal static class WireForm
         Vector3d v = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Velocity;
         holds = holds & PutSigned(v.X * PerSpeed, 16, ref bits) & PutSigned(flies ? v.Y * PerSpeed : 0, 16, ref bits) & PutSigned(v.Z * PerSpeed, 16, ref bits);
 
-        // A ball that rolls has the spin of its velocity, but for that about the vertical.
+        // The spin of a rolling ball follows from its velocity, except about the vertical axis.
         Vector3d w = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Spin;
         bool rolls = s.Motion == MotionState.Rolling;
         long clock = steps >= 0 && steps < 1e9 ? (long)steps : 0;
@@ -186,13 +187,14 @@ internal static class WireForm
         return holds;
     }
 
+    /// <summary>Decodes a state, and derives the numbers that are not stored; returns false for invalid bits.</summary>
     private static bool TryDecode(Simulator simulator, double timeStep, in WireBits written, out BallState s)
     {
         WireBits bits = written.FromStart();
         s = default;
         ulong motion = bits.Take(3);
 
-        // Three bits could also name a squeezed ball, which has no wire form, or no motion at all.
+        // Three bits can also encode a pinned ball, which the format does not support, or no motion at all.
         if (motion > (ulong)MotionState.Rest)
         {
             return false;
@@ -200,7 +202,7 @@ internal static class WireForm
 
         s.Motion = (MotionState)motion;
 
-        // Each is taken as it was put: the same order, and the inverse of each scale.
+        // Decode in the order of encoding, with the inverse scales.
         s.GoalsEntered = bits.Take(2);
         s.GoalsPassed = bits.Take(2);
         s.Time = bits.Take(22) * timeStep;
@@ -227,7 +229,7 @@ internal static class WireForm
             return false;
         }
 
-        // A flight keeps its spin axis and counts an angle about it; on the ground the spin is a vector.
+        // A flight stores a spin axis and an angle about it; on the ground the spin is a vector.
         s.Velocity = velocity;
         if (flies)
         {
@@ -239,17 +241,16 @@ internal static class WireForm
         return true;
     }
 
-    /// <summary>The height of a ball in the air, in units: above the ground, where that is level.</summary>
+    /// <summary>Returns the height of an airborne ball in units; above the contact height if the ground is level.</summary>
     private static double Height(Simulator simulator, double y)
     {
-        // At least one unit above contact: rounded down the ball would start the next step in the ground.
+        // At least one unit above contact: rounding down would start the next step inside the ground.
         double least = Math.Floor((simulator.World.LevelContact - Lowest) * PerMetre) + 1;
         return Math.Max(Math.Round((y - Lowest) * PerMetre), least);
     }
 
-    /// <summary>
-    /// A number of the spin in units, dithered: up or down by chance, the nearer the likelier, so that a slow decay is not lost to rounding. The chance is drawn from the clock, the same on every machine.
-    /// </summary>
+    /// <summary>Returns a spin component in units, dithered: rounded up or down at random, so that rounding does not lose a slow decay.</summary>
+    /// <remarks>The nearer unit is more likely. The random number comes from the clock, so it is the same on every machine.</remarks>
     private static double Dither(double spin, long clock, int component) =>
         Math.Floor((spin * PerSpin) + Rounding + ((1 - (2 * Rounding)) * SplitMix64.At(clock, component)));
 
@@ -257,7 +258,7 @@ internal static class WireForm
 
     private static bool PutWhole(double units, int count, ref WireBits bits)
     {
-        // NaN and what is out of range fail both comparisons, and put zeros.
+        // NaN and values out of range fail the comparison, and write zeros.
         bool holds = units >= 0 && units < 1L << count;
         bits.Put(holds ? (ulong)units : 0, count);
         return holds;
@@ -265,7 +266,7 @@ internal static class WireForm
 
     private static void PutRotation(Quaterniond q, ref WireBits bits)
     {
-        // Smallest three: the largest part is left out, for it follows from the norm 1, and the others are within ±√½.
+        // Smallest three: omit the largest component, which follows from the norm 1; the others are within ±√½.
         Span<double> parts = stackalloc double[] { q.X, q.Y, q.Z, q.W };
         int largest = 0;
         for (int i = 1; i < 4; i++)
@@ -273,7 +274,7 @@ internal static class WireForm
             largest = Math.Abs(parts[i]) > Math.Abs(parts[largest]) ? i : largest;
         }
 
-        // q and −q are one rotation: the largest part is taken as positive.
+        // q and −q are the same rotation: make the largest component positive.
         double sign = parts[largest] < 0 ? -1 : 1;
 
         int truncated = Exceeding(parts, largest);
@@ -288,7 +289,9 @@ internal static class WireForm
         }
     }
 
-    /// <summary>The part that, rounded up, would exceed the largest one, which the reader computes from the others; −1 for none. Rounded down, reading and writing it again changes nothing.</summary>
+    /// <summary>Returns the index of the component that must be rounded down; −1 if none.</summary>
+    /// <remarks>Rounded to the nearest, it would exceed the largest component, which the reader computes from the others. Rounded down, encoding and
+    /// decoding change nothing.</remarks>
     private static int Exceeding(ReadOnlySpan<double> parts, int largest)
     {
         double rest = 1;
@@ -321,14 +324,14 @@ internal static class WireForm
             }
         }
 
-        // q² sums to 1; the largest part was taken as positive.
+        // The squares sum to 1; the largest component was made positive.
         parts[largest] = Math.Sqrt(Math.Max(rest, 0));
         q = new Quaterniond(parts[0], parts[1], parts[2], parts[3]);
         return rest > 0;
     }
 }
 
-/// <summary>192 bits, put and taken from the lowest on.</summary>
+/// <summary>A buffer of 192 bits, written and read from the lowest bit.</summary>
 internal struct WireBits
 {
     private ulong _low;
@@ -336,12 +339,12 @@ internal struct WireBits
     private ulong _high;
     private int _at;
 
-    /// <summary>Puts the lowest bits of a word.</summary>
+    /// <summary>Writes the lowest bits of a word.</summary>
     public void Put(ulong word, int count)
     {
         for (int i = 0; i < count; i++, _at++)
         {
-            // Three words without a branch: the bit goes to the one that holds place _at.
+            // Three words without a branch: the bit goes to the word that contains position _at.
             ulong bit = (word >> i & 1) << (_at & 63);
             _low |= _at < 64 ? bit : 0;
             _middle |= _at is >= 64 and < 128 ? bit : 0;
@@ -349,7 +352,7 @@ internal struct WireBits
         }
     }
 
-    /// <summary>Takes so many bits.</summary>
+    /// <summary>Reads a number of bits.</summary>
     public ulong Take(int count)
     {
         ulong word = 0;
@@ -361,7 +364,7 @@ internal struct WireBits
         return word;
     }
 
-    /// <summary>The same bits, to be taken from the first on.</summary>
+    /// <summary>Returns the same bits, with the read position at the start.</summary>
     public readonly WireBits FromStart()
     {
         WireBits bits = this;
@@ -369,13 +372,13 @@ internal struct WireBits
         return bits;
     }
 
-    /// <summary>Takes a number of both signs.</summary>
+    /// <summary>Reads a signed number.</summary>
     public long TakeSigned(int count) => (long)Take(count) - (1L << (count - 1));
 
-    /// <summary>True when two have the same bits.</summary>
+    /// <summary>True if two buffers have the same bits.</summary>
     public readonly bool Equals(in WireBits other) => _low == other._low && _middle == other._middle && _high == other._high;
 
-    /// <summary>Writes all as bytes.</summary>
+    /// <summary>Writes all bits as bytes.</summary>
     public readonly void Write(Span<byte> destination)
     {
         WireBits bits = FromStart();
@@ -385,7 +388,7 @@ internal struct WireBits
         }
     }
 
-    /// <summary>Reads all.</summary>
+    /// <summary>Reads all bits from bytes.</summary>
     public static WireBits Read(Span<byte> source)
     {
         var bits = default(WireBits);

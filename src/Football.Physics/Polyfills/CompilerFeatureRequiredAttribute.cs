@@ -1,6 +1,6 @@
 namespace System.Runtime.CompilerServices;
 
-/// <summary>Tells a compiler which language feature it must know to use a member; goes with <c>required</c>.</summary>
+/// <summary>Names the language feature that a compiler must support to use a member; used with <c>required</c>.</summary>
 [AttributeUsage(AttributeTargets.All, AllowMultiple = true, Inherited = false)]
 internal sealed class CompilerFeatureRequiredAttribute : Attribute
 {

@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
 
-// Programs compiled against the netstandard2.1 assembly name this type in every init accessor and look for it here; on newer
-// targets it is the runtime's own. Without the forward their calls would find no such method.
+// Programs compiled against the netstandard2.1 assembly reference this type here in every init accessor. Newer targets have it in the runtime: the
+// forward makes these references resolve.
 [assembly: TypeForwardedTo(typeof(IsExternalInit))]

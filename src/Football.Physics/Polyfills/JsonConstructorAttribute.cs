@@ -1,5 +1,5 @@
 namespace System.Text.Json.Serialization;
 
-/// <summary>Stands in for the attribute of newer targets, which have a JSON serializer of their own.</summary>
+/// <summary>Replaces the attribute of newer targets, which include a JSON serializer.</summary>
 [AttributeUsage(AttributeTargets.Constructor)]
 internal sealed class JsonConstructorAttribute : Attribute;

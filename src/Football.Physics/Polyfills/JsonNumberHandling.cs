@@ -1,12 +1,12 @@
 namespace System.Text.Json.Serialization;
 
-/// <summary>Stands in for the enumeration of newer targets, which have a JSON serializer of their own.</summary>
+/// <summary>Replaces the enumeration of newer targets, which include a JSON serializer.</summary>
 [Flags]
 internal enum JsonNumberHandling
 {
-    /// <summary>Numbers are numbers.</summary>
+    /// <summary>Numbers are written as JSON numbers.</summary>
     Strict = 0,
 
-    /// <summary>Infinities and NaN are their names.</summary>
+    /// <summary>Infinities and NaN are written by name.</summary>
     AllowNamedFloatingPointLiterals = 4,
 }

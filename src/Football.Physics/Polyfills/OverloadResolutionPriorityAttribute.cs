@@ -1,11 +1,11 @@
 #if !NET9_0_OR_GREATER
 namespace System.Runtime.CompilerServices;
 
-/// <summary>Of several overloads that would do, that of the highest priority is meant.</summary>
+/// <summary>Makes the compiler prefer the applicable overload with the highest priority.</summary>
 [AttributeUsage(AttributeTargets.Method | AttributeTargets.Constructor | AttributeTargets.Property, Inherited = false)]
 internal sealed class OverloadResolutionPriorityAttribute(int priority) : Attribute
 {
-    /// <summary>The priority; 0 where there is no attribute.</summary>
+    /// <summary>The priority; 0 without the attribute.</summary>
     public int Priority { get; } = priority;
 }
 #endif

@@ -1,6 +1,6 @@
 namespace System.Runtime.CompilerServices;
 
-/// <summary>Tells the compiler not to have locals zeroed.</summary>
+/// <summary>Stops the compiler from zeroing local variables.</summary>
 [AttributeUsage(AttributeTargets.Module | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Method, Inherited = false)]
 internal sealed class SkipLocalsInitAttribute : Attribute
 {

@@ -1,14 +1,14 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Which way a plane is crossed.</summary>
+/// <summary>The direction in which a plane is crossed.</summary>
 public enum CrossingDirection
 {
-    /// <summary>Either way.</summary>
+    /// <summary>Either direction.</summary>
     Any = 0,
 
-    /// <summary>The way that its normal points.</summary>
+    /// <summary>The direction of the plane's normal.</summary>
     AlongNormal = 1,
 
-    /// <summary>The other way.</summary>
+    /// <summary>Against the plane's normal.</summary>
     AgainstNormal = 2,
 }

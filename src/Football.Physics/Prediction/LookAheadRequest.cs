@@ -1,37 +1,39 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>How far to look ahead, and in which steps. It ends at the first of the conditions that are set.</summary>
+/// <summary>The duration, step and stop conditions of a look-ahead.</summary>
+/// <remarks>It ends at the first condition that is met.</remarks>
 public sealed record LookAheadRequest
 {
-    /// <summary>How long to look ahead at most, s. Above 0, at most 1e12; default 10.</summary>
+    /// <summary>The maximum duration, in s. Above 0, at most 1e12; default 10.</summary>
     public double Duration { get; init; } = 10;
 
-    /// <summary>
-    /// Length of a step, s. Above 0, at least 1e-12 of the duration; default 0.08, which with RK4 is within a few micrometres of the
-    /// truth. Through forces of a game's own, which may be stiffer than air, a step above 40 ms is divided until a step and its halves agree
-    /// to 1 µm, and what no step can follow is refused. With the game's own integrator and step the prediction is the future bit for bit.
-    /// </summary>
+    /// <summary>The length of a step, in s. Above 0, at least 1e-12 of the duration; default 0.08.</summary>
+    /// <remarks>
+    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air: with them, a step above 40 ms is divided until
+    /// a step and its two halves agree to 1 µm. A force too stiff for this throws. With the game's own integrator and step, the prediction is
+    /// bit-identical to the future.
+    /// </remarks>
     public double TimeStep { get; init; } = 0.08;
 
-    /// <summary>The event that ends it. Default <see cref="StopAt.Rest"/>.</summary>
+    /// <summary>The event that ends the look-ahead. Default <see cref="StopAt.Rest"/>.</summary>
     public StopAt StopAt { get; init; } = StopAt.Rest;
 
-    /// <summary>A plane whose crossing ends it; default none.</summary>
+    /// <summary>A plane whose crossing ends the look-ahead; default none.</summary>
     public Plane3d? UntilPlane { get; init; }
 
-    /// <summary>
-    /// A point that ends it once the ball has passed it: once it is further away over the ground than at its closest, recedes, and neither wind, spin nor
-    /// things in the way can bring it back. Default none.
-    /// </summary>
+    /// <summary>A point that ends the look-ahead once the ball has passed it; default none.</summary>
+    /// <remarks>
+    /// The ball has passed the point when it is horizontally farther away than at its closest, and recedes. In addition, neither wind, spin nor
+    /// obstacles can bring it back.
+    /// </remarks>
     public Vector3d? UntilPassing { get; init; }
 
-    /// <summary>
-    /// Moves the game's bodies (<see cref="Scene.Bodies"/>) to where they will be at a time, s: called with the time of the start and after every step.
-    /// They are put back when the look-ahead is over. Default none: they go on as they go now.
-    /// </summary>
+    /// <summary>The callback that positions the game's bodies for a time, in s; default null: bodies keep their motion.</summary>
+    /// <remarks>It moves the bodies (<see cref="Scene.Bodies"/>). It is called with the start time and after every step; the bodies are restored
+    /// after the look-ahead.</remarks>
     public Action<double>? MoveBodies { get; init; }
 
-    /// <summary>Refuses steps that the ball's clock would not notice.</summary>
+    /// <summary>Throws if the ball's clock is too large for a step to change it.</summary>
     internal void CheckClock(in BallState from) => Check.Advances("lookAhead.timeStep", TimeStep, from.Time + Duration);
 
     internal void Validate()

@@ -1,36 +1,36 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Looks ahead through forces of a game's own, which may be stiffer than air, in steps that follow them.</summary>
-/// <remarks>Step doubling: a step is taken once whole and once in halves, and halved until the two agree.</remarks>
+/// <summary>Runs a look-ahead with custom forces, which may be stiffer than air, in adaptive steps.</summary>
+/// <remarks>Step doubling: compares a full step with two half steps, and halves the step until they agree.</remarks>
 internal static class OwnForceSteps
 {
-    /// <summary>By how much a step and its halves may differ, m; and m/s times the length of a tenth of a second.</summary>
+    /// <summary>The tolerance between a step and its halves, in m; velocities, in m/s, are multiplied by 0.1 s.</summary>
     private const double Tolerance = 1e-6;
     private const double VelocityTime = 0.1;
 
-    /// <summary>A difference below this share of the tolerance makes the next step twice as long: that of RK4 grows by 2⁵.</summary>
+    /// <summary>The share of the tolerance below which the next step doubles; the error of RK4 grows by 2⁵.</summary>
     private const double Plenty = 1.0 / 64.0;
 
-    /// <summary>The first step, s, and the share of the longest one below which none goes.</summary>
+    /// <summary>The first step, in s, and the shortest step as a share of the longest.</summary>
     private const double FirstStep = 0.005;
     private const double Shortest = 1e-5;
 
-    /// <summary>A difference in the shortest step that is too large to go on, m.</summary>
+    /// <summary>The largest error that is accepted in the shortest step, in m.</summary>
     private const double Lost = 1e-3;
 
-    /// <summary>Advances a ball to a time, or to what ends the look-ahead.</summary>
+    /// <summary>Advances a ball to a time, or to the event that ends the look-ahead.</summary>
     /// <param name="simulator">The scene.</param>
     /// <param name="state">The ball.</param>
-    /// <param name="request">How far to look, and the longest step.</param>
-    /// <param name="log">Where the pieces and events go.</param>
-    /// <param name="trial">For steps that are taken to compare.</param>
+    /// <param name="request">The duration, and the longest step.</param>
+    /// <param name="log">Receives the segments and events.</param>
+    /// <param name="trial">A log for the trial steps.</param>
     /// <exception cref="InvalidOperationException">A force is too stiff for any step.</exception>
     public static void Run(Simulator simulator, ref BallState state, LookAheadRequest request, StepLog log, StepLog trial)
     {
         double shortest = request.TimeStep * Shortest;
         double end = state.Time + request.Duration;
 
-        // An end that is reached to rounding is reached: no last step of nothing.
+        // Stop within rounding of the end, so that no empty last step is made.
         double last = end - (1e-9 * request.TimeStep);
         double step = Math.Min(FirstStep, request.TimeStep);
         log.Halted = false;
@@ -39,7 +39,7 @@ internal static class OwnForceSteps
         {
             double length = Math.Min(step, end - state.Time);
 
-            // Tried on copies first: the step is made once it is known to be short enough.
+            // Try the step on copies first, and make it only once it is short enough.
             double difference = Difference(simulator, in state, length, trial);
             if (difference > Tolerance && length > shortest)
             {
@@ -47,7 +47,7 @@ internal static class OwnForceSteps
                 continue;
             }
 
-            // Not even the shortest follows, or what comes out is no number.
+            // Even the shortest step is too inaccurate, or the result is NaN.
             if (!(difference <= Lost))
             {
                 throw new InvalidOperationException(FormattableString.Invariant(
@@ -56,7 +56,7 @@ internal static class OwnForceSteps
 
             simulator.Advance(ref state, length, log);
 
-            // Far below the tolerance: the next is tried twice as long, up to what was asked for.
+            // The error is far below the tolerance: double the next step, up to the requested length.
             if (difference < Plenty * Tolerance)
             {
                 step = Math.Min(2.0 * step, request.TimeStep);
@@ -64,7 +64,7 @@ internal static class OwnForceSteps
         }
     }
 
-    /// <summary>How far a step is from the same in halves, m.</summary>
+    /// <summary>Returns the difference between a step and its two halves, in m.</summary>
     private static double Difference(Simulator simulator, in BallState state, double length, StepLog trial)
     {
         BallState whole = state;
@@ -75,7 +75,7 @@ internal static class OwnForceSteps
         simulator.Step(ref halves, 0.5 * length, trial);
         double place = Vector3d.Distance(whole.Position, halves.Position);
 
-        // A velocity that is off would soon be a place that is off.
+        // A velocity error soon becomes a position error.
         double velocity = VelocityTime * Vector3d.Distance(whole.Velocity, halves.Velocity);
         return place > velocity ? place : velocity;
     }

@@ -1,20 +1,20 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Tells when a ball that passed a point comes no closer to it any more.</summary>
+/// <summary>Decides if a ball that passed a point can no longer come closer.</summary>
 /// <remarks>
-/// Over the ground the ball is further away than it was at its closest, and recedes. Drag only slows it, towards the wind; the Magnus force turns its
-/// velocity by Ω = lift |u|/|v|; a bounce or a slide turns it only where the ball spins back fast. Where those, over the time that is
-/// left, could bring it back, it has not passed.
+/// The ball is horizontally farther away than at its closest, and recedes. Drag only slows the ball towards the wind. The Magnus force turns its
+/// velocity at Ω = lift |u|/|v|, and a bounce or a slide turns it only with fast backspin. If these effects could bring the ball back in the
+/// remaining time, it has not passed.
 /// </remarks>
 internal sealed class PassingCriterion
 {
-    /// <summary>How much more than now the Magnus force may turn the velocity while the ball grows slower.</summary>
+    /// <summary>The margin for a stronger turn by the Magnus force while the ball slows down.</summary>
     private const double TurnMargin = 1.5;
 
-    /// <summary>How much longer than in vacuum a fall may take.</summary>
+    /// <summary>The margin for a fall that takes longer than in vacuum.</summary>
     private const double FallMargin = 1.25;
 
-    /// <summary>Share of the speed over the ground up to which the speed of a ball's surface does not turn it back on the ground.</summary>
+    /// <summary>The share of the horizontal speed up to which a ball's surface speed cannot turn it back on the ground.</summary>
     private const double BackspinShare = 0.2;
 
     private const double MostElastic = 0.99;
@@ -46,14 +46,14 @@ internal sealed class PassingCriterion
         _untilImpact = request.StopAt == StopAt.Impact;
         _hasGround = !scene.Ground.IsNone;
 
-        // Things throw a ball back, and what a game's own forces and winds that change may do is not known.
+        // Obstacles can throw a ball back, and the effects of custom forces and variable winds are unknown.
         _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.HasOwnForces || SceneAir.HasFieldIn(scene);
     }
 
-    /// <summary>True when the ball comes no closer after a piece.</summary>
+    /// <summary>True if the ball comes no closer after a segment.</summary>
     public bool HasPassed(in PathSegment piece)
     {
-        // Squared. It has not passed while it comes closer, or is no farther off than at its closest, or where the wind blows it back.
+        // Squared distances. Not passed while it approaches, is at its closest, or the wind blows it back.
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
         Vector3d away = (piece.EndPosition - _point).Horizontal;
         Vector3d flat = piece.EndVelocity.Horizontal;
@@ -63,7 +63,7 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // A ball that spins back fast may be turned by the ground: now where it slides, later where it still flies and will bounce.
+        // The ground may turn a ball with fast backspin: now if it slides, later if it will bounce.
         double speed = flat.Length;
         bool flies = piece.Motion == MotionState.Airborne;
         double radius = _simulator!.Scene.Ball.Radius;
@@ -73,28 +73,28 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // The Magnus acceleration, lift · |u|, may turn the velocity for as long as the ball flies.
+        // The Magnus acceleration, lift · |u|, can turn the velocity as long as the ball flies.
         double air = (piece.EndVelocity - _wind).Length;
         _simulator.AirFactors(air, _spinRate, out _, out double lift);
         double across = Math.Abs(lift) * air;
         double left = Math.Max(0, _end - piece.EndTime);
 
-        // A flight has an end only if the ball falls for certain, to a ground, and in still air if it bounces on.
+        // The flight time is bounded only if the ball certainly falls to a ground, and bounces in still air.
         if (flies && _hasGround && -_upward > across && (_untilImpact || _wind == Vector3d.Zero))
         {
             left = Math.Min(left, FallMargin * TimeInAir(piece.EndPosition.Y - _simulator.ContactHeight, piece.EndVelocity.Y, -_upward - across));
         }
         else if (!flies && _wind == Vector3d.Zero)
         {
-            // What rolls or slides in still air is slowed, and its spin too, long before it could turn round.
+            // In still air, rolling or sliding slows the ball and its spin long before it could turn round.
             return true;
         }
 
-        // The angle by which the velocity may turn before it no longer recedes is at least its sine.
+        // The angle at which the velocity stops receding is at least its sine.
         return TurnMargin * across * left < receding / away.Length;
     }
 
-    /// <summary>How long a ball flies, s: to its first impact, or with all hops after it, each lower by the restitution.</summary>
+    /// <summary>Returns the flight time, in s: to the first impact, or including all hops, each lower by the restitution.</summary>
     private double TimeInAir(double height, double climb, double gravity)
     {
         // v² = c² + 2 g h; hops of 2 v eⁿ/g each sum to 2 v e/((1 − e) g).

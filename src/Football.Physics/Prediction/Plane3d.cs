@@ -4,12 +4,12 @@ using System.Text.Json.Serialization;
 namespace FootballPhysics.Prediction;
 
 /// <summary>A plane through a point, such as a goal line's vertical plane.</summary>
-/// <remarks>Its default value has no normal, and is no plane: whatever is given one refuses it.</remarks>
+/// <remarks>The default value has no normal and is not a plane; methods reject it.</remarks>
 public readonly struct Plane3d : IFormattable
 {
-    /// <summary>Makes a plane.</summary>
-    /// <param name="point">A point of it, m; components within ±1e6.</param>
-    /// <param name="normal">Its normal; any length but zero.</param>
+    /// <summary>Creates a plane.</summary>
+    /// <param name="point">A point on the plane, in m; components within ±1e6.</param>
+    /// <param name="normal">The normal; any length except zero.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     [JsonConstructor]
     public Plane3d(Vector3d point, Vector3d normal)
@@ -19,13 +19,13 @@ public readonly struct Plane3d : IFormattable
         Normal = KickVectors.Unit(normal);
     }
 
-    /// <summary>A point of the plane, m.</summary>
+    /// <summary>A point on the plane, in m.</summary>
     public Vector3d Point { get; }
 
-    /// <summary>Its unit normal.</summary>
+    /// <summary>The unit normal.</summary>
     public Vector3d Normal { get; }
 
-    /// <summary>Refuses a plane that was never made.</summary>
+    /// <summary>Throws if the plane is the default value.</summary>
     internal void Validate(string field)
     {
         if (Normal == Vector3d.Zero)
@@ -37,9 +37,9 @@ public readonly struct Plane3d : IFormattable
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Its point and its normal, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Returns the point and the normal as text, in a given number format.</summary>
+    /// <param name="format">A number format; null or empty for at most three decimals, "R" for all digits.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);

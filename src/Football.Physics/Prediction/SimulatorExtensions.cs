@@ -1,25 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>Looking ahead, which is the simulation itself on a copy of the state, and warming up.</summary>
-/// <remarks>Extensions, since a simulator knows nothing of trajectories; in its namespace, so that they are found as its members are.</remarks>
+/// <summary>Predicts paths with the simulation itself, on a copy of the state, and warms up a simulator.</summary>
 public static class SimulatorExtensions
 {
-    /// <summary>Longest step through forces of a game's own that is taken as it was asked for, s.</summary>
+    /// <summary>The longest step with custom forces that is not divided, in s.</summary>
     internal const double LongestOwnStep = 0.04;
 
-    /// <summary>A frame of a warm-up, s, and how many of them a ball has to come to rest in.</summary>
+    /// <summary>The step of a warm-up, in s, and the maximum number of steps until a ball rests.</summary>
     private const double Frame = 1.0 / 60.0;
     private const int MostFrames = 1200;
 
-    /// <summary>Looks ahead. Allocates nothing once its trajectory has room.</summary>
-    /// <param name="simulator">The scene, compiled for the integrator to look ahead with.</param>
-    /// <param name="from">The ball; unchanged.</param>
-    /// <param name="request">How far to look, and what to stop at.</param>
-    /// <param name="into">Where the path and the events go.</param>
-    /// <remarks>What a force of the game's own throws comes through; the path then ends before the step in which it did.</remarks>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <summary>Predicts the path of a ball.</summary>
+    /// <param name="simulator">The scene, compiled for the integrator of the prediction.</param>
+    /// <param name="from">The state of the ball; unchanged.</param>
+    /// <param name="request">The duration and the stop conditions.</param>
+    /// <param name="into">Receives the path and the events.</param>
+    /// <remarks>Does not allocate once the trajectory is large enough. An exception from a custom force propagates; the path then ends before the
+    /// failed step.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite, or too stiff for any step.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite, or is too stiff for any step.</exception>
     public static void LookAhead(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
         Check.Given(nameof(simulator), simulator);
@@ -30,23 +30,26 @@ public static class SimulatorExtensions
         BallState.Launched(in from);
         Run(simulator, in from, request, into, endsWhenFull: false);
 
-        // A path that fills the memory exactly is complete: only one for which it was too small is flown a second time.
+        // A path that exactly fills the buffer is complete. Only one that overflows is simulated again.
         if (into.Overflows)
         {
-            // Again, up to where there is room.
+            // Simulate again, up to the last segment that fits.
             Run(simulator, in from, request, into, endsWhenFull: true);
         }
     }
 
-    /// <summary>Looks ahead with several balls, each among the others as they will be.</summary>
+    /// <summary>Predicts the paths of several balls, including their contacts with each other.</summary>
     /// <param name="group">The balls.</param>
-    /// <param name="from">Where they are; unchanged.</param>
-    /// <param name="request">How far to look: to the first impact of any of them, to the rest of all, or for a time; not to a plane, nor past a point.</param>
-    /// <param name="into">Where the path and the events of each go; a path whose memory is full is not complete, and the ball goes on without.</param>
+    /// <param name="from">The states of the balls; unchanged.</param>
+    /// <param name="request">The duration, and the event that ends it: the first impact of any ball, or the rest of all. A plane or a point is not
+    /// supported.</param>
+    /// <param name="into">Receives the path and events of each ball. A path whose buffer is full stays incomplete; its ball continues without
+    /// it.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The states, or the trajectories, are not as many as the balls; or the states are not of one time, or one was never launched.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    /// <exception cref="ArgumentException">The number of states or trajectories differs from the number of balls, the times of the states differ, or
+    /// one was never launched.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public static void LookAhead(this BallGroup group, BallState[] from, LookAheadRequest request, Trajectory[] into)
     {
         Check.Given(nameof(group), group);
@@ -59,7 +62,7 @@ public static class SimulatorExtensions
             throw new ArgumentException($"from has {from.Length} balls, into {into.Length} trajectories; allowed: {group.Count} of both, as many as the group.");
         }
 
-        // One ball at its plane would end the path of all.
+        // A single ball that reaches the plane would end all paths.
         if (request.UntilPlane is not null || request.UntilPassing is not null)
         {
             throw Check.Refusal(request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane", "given", "none where there are several balls");
@@ -67,14 +70,14 @@ public static class SimulatorExtensions
 
         request.CheckClock(in from[0]);
 
-        // All balls of a group have one step: where forces of a game's own act, the longest that is taken as it is.
+        // All balls share one step: with custom forces, at most the longest step that is not divided.
         double step = group.SimulatorOf(0).Scene.HasOwnForces ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
         BallState[] states = [.. from];
         for (int i = 0; i < into.Length; i++)
         {
             Check.GivenItem(nameof(into), i, into[i], "a trajectory");
 
-            // Each path keeps the pieces and events of its own ball.
+            // Each path stores the segments and events of its own ball.
             into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false, goesOn: true);
         }
 
@@ -85,7 +88,7 @@ public static class SimulatorExtensions
         }
         finally
         {
-            // Also where something throws: bodies go back to where the game has them, and each path ends where its ball got to.
+            // Also after an exception: restore the bodies, and end each path where its ball is.
             EndMoving(group.SimulatorOf(0), into[0]);
             for (int i = 0; i < into.Length; i++)
             {
@@ -95,15 +98,16 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Steps, impacts, slides, rolls and looks ahead with balls that nobody sees, so that no frame of a game has to compile the code or make the tables.</summary>
+    /// <summary>Compiles the code and builds the tables in advance, so that no frame of a game has to.</summary>
     /// <remarks>
-    /// Where code is compiled just in time, the first impact, the first roll and the first look-ahead cost milliseconds each. To be called while a level
-    /// loads; nothing that can be seen changes. Forces of a game's own are asked meanwhile. A runtime compiles in full what runs often, but counts from
-    /// a tenth of a second later: called once more by the end of the loading, it makes the first roll and the first look-ahead several times faster.
+    /// It simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
+    /// look-ahead cost milliseconds each. Call it while a level loads; it has no visible effect, but it calls custom forces. A runtime optimises
+    /// frequently called code only after about a tenth of a second. A second call at the end of loading therefore makes the first roll and look-ahead
+    /// several times faster.
     /// </remarks>
     /// <param name="simulator">The scene.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public static void WarmUp(this Simulator simulator)
     {
         Check.Given(nameof(simulator), simulator);
@@ -116,7 +120,7 @@ public static class SimulatorExtensions
         foreach ((Vector3d velocity, Vector3d spin) in ((Vector3d, Vector3d)[])
             [(new Vector3d(2, 7, -22), new Vector3d(10, 30, 0)), (new Vector3d(0, 2, -12), Vector3d.Zero), (new Vector3d(0, 0, -8), Vector3d.Zero)])
         {
-            // Ahead and step by step, to its rest: what both of them compile.
+            // Run both the look-ahead and the steps, to compile both.
             BallState ball = simulator.Launch(from, velocity, spin);
             simulator.LookAhead(in ball, look, path);
             for (int i = 0; i < MostFrames && ball.Motion != MotionState.Rest; i++)
@@ -129,7 +133,7 @@ public static class SimulatorExtensions
             path.ClosestApproach(at.Position);
         }
 
-        // Contacts of several things at once, pushes and nets happen only where there are things.
+        // Contacts of several objects, pushes and nets only occur in scenes with objects.
         if (!simulator.World.IsBare)
         {
             WarmUpScenes.Press(simulator.Settings, log);
@@ -139,6 +143,7 @@ public static class SimulatorExtensions
         WarmUpScenes.Group(simulator.Settings, log);
     }
 
+    /// <summary>Runs a look-ahead: in fixed steps if bodies move, in adaptive steps if custom forces meet a long step, otherwise as requested.</summary>
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
         into.Begin(simulator, in from, request, endsWhenFull);
@@ -146,7 +151,7 @@ public static class SimulatorExtensions
         BeginMoving(simulator, into, in state);
         try
         {
-            // Bodies are moved between steps that are known before, short ones where forces of a game's own act; else stiff forces may divide a step.
+            // With moving bodies the steps must be known in advance, so use short ones for custom forces. Otherwise stiff forces may divide a step.
             if (into.OnStep is { } move)
             {
                 double longest = simulator.Scene.HasOwnForces ? LongestOwnStep : request.TimeStep;
@@ -163,7 +168,7 @@ public static class SimulatorExtensions
         }
         catch
         {
-            // The pieces of the step that threw are taken back.
+            // Remove the segments of the failed step.
             into.Break(in state);
             throw;
         }
@@ -175,22 +180,22 @@ public static class SimulatorExtensions
         into.End(in state);
     }
 
-    /// <summary>The bodies of the game begin to move along their own paths, and what the ball pushes goes on.</summary>
+    /// <summary>Starts the motion of the game's bodies and of movable obstacles for a look-ahead.</summary>
     private static void BeginMoving(Simulator simulator, Trajectory path, in BallState from)
     {
-        // What has a mass is pushed in the look-ahead too, and put back.
+        // Movable objects are pushed in the look-ahead too, and restored afterwards.
         World world = simulator.World;
         path.Log.Pushes = world.MayGiveWay;
         if (path.OnStep is not null || world.MayGiveWay)
         {
             world.KeepMotions();
 
-            // To where they are at the start: the game may have moved them for another time.
+            // Move the bodies to the start time: the game may have moved them for another time.
             path.OnStep?.Invoke(in from);
         }
     }
 
-    /// <summary>They are put back.</summary>
+    /// <summary>Restores the bodies and movable obstacles.</summary>
     private static void EndMoving(Simulator simulator, Trajectory path)
     {
         if (path.OnStep is not null || simulator.World.MayGiveWay)
@@ -199,14 +204,14 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Looks ahead in whole steps, of which the last may end after the request does.</summary>
+    /// <summary>Predicts in whole steps; the last step may end after the requested duration.</summary>
     internal static void LookAheadInWholeSteps(this Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into)
     {
         into.Begin(simulator, in from, request, endsWhenFull: true);
         simulator.Extend(into, from.Time + request.Duration, request.TimeStep, request.StopAt);
     }
 
-    /// <summary>Extends a trajectory in whole steps up to a time or the event that ends it.</summary>
+    /// <summary>Extends a trajectory in whole steps up to a time, or to the event that ends it.</summary>
     internal static void Extend(this Simulator simulator, Trajectory path, double end, double timeStep, StopAt stopAt)
     {
         BallState state = path.Final;
@@ -217,13 +222,13 @@ public static class SimulatorExtensions
         {
             while (state.Time < end && !path.Log.Halted && !simulator.StaysAtRest(in state))
             {
-                // Kept for where the memory ends within the step: then it is as if that had not been made.
+                // Save the state: if the buffer fills up within the step, the step is undone.
                 BallState before = state;
                 StepLogMark mark = path.Log.Mark();
                 simulator.Advance(ref state, timeStep, path.Log);
                 if (!path.IsComplete && path.StartTime < before.Time)
                 {
-                    // The memory ends within this step: it is taken back, so that the path can go on from its start when there is room again.
+                    // The buffer filled up within this step: undo the step, so that the path can continue from its start later.
                     path.Log.TakeBack(in mark);
                     path.Break(in before);
                     return;

@@ -1,13 +1,13 @@
 namespace FootballPhysics.Prediction;
 
-/// <content>Questions that a path answers: the highest point, crossings, closest approaches, places at equal times.</content>
+/// <content>Queries on a path: apex, plane crossings, closest approaches and samples.</content>
 public sealed partial class Trajectory
 {
-    /// <summary>Parts that a piece is looked at in, for the closest of several approaches to a segment.</summary>
+    /// <summary>The number of parts of a segment that are searched separately for the closest approach.</summary>
     private const int Parts = 8;
     private const int MostHalvings = 60;
 
-    /// <summary>The highest point of a path: when and where, and how fast the ball is there.</summary>
+    /// <summary>Returns the highest point of the path, with its time and velocity.</summary>
     public PathPoint ApexPoint()
     {
         BallState end = Final;
@@ -25,13 +25,14 @@ public sealed partial class Trajectory
         return best;
     }
 
-    /// <summary>One of the crossings of a plane.</summary>
+    /// <summary>Finds a crossing of a plane by its index.</summary>
     /// <param name="plane">The plane.</param>
-    /// <param name="index">Which, from 0, of those in the direction.</param>
-    /// <param name="direction">Which way.</param>
-    /// <param name="crossing">Where and when.</param>
-    /// <returns>False where there are not so many.</returns>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> was never made, <paramref name="index"/> is negative, or <paramref name="direction"/> none of the enumeration.</exception>
+    /// <param name="index">The index, from 0, among the crossings in the direction.</param>
+    /// <param name="direction">The direction of the crossing.</param>
+    /// <param name="crossing">The point of the crossing.</param>
+    /// <returns>False if there are fewer crossings.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> is the default value, <paramref name="index"/> is negative, or
+    /// <paramref name="direction"/> is not a value of the enumeration.</exception>
     public bool TryGetCrossing(in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
     {
         plane.Validate(nameof(plane));
@@ -45,7 +46,7 @@ public sealed partial class Trajectory
                 continue;
             }
 
-            // The first crossing of a piece goes the way from the side on which it starts, a second one back.
+            // The first crossing of a segment leaves the side on which it starts; a second one returns.
             bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
             if (IsWanted(direction, along) && index-- == 0)
             {
@@ -64,9 +65,9 @@ public sealed partial class Trajectory
         return false;
     }
 
-    /// <summary>The closest approach to a segment: a bar, a leg, a line on the pitch.</summary>
-    /// <param name="from">One end, m.</param>
-    /// <param name="to">The other end, m.</param>
+    /// <summary>Returns the closest approach to a line segment, such as a bar, a leg or a line on the pitch.</summary>
+    /// <param name="from">The first end, in m.</param>
+    /// <param name="to">The second end, in m.</param>
     public PathPoint ClosestApproach(Vector3d from, Vector3d to)
     {
         BallState end = Final;
@@ -75,7 +76,7 @@ public sealed partial class Trajectory
         {
             ref readonly PathSegment piece = ref Piece(i);
 
-            // A curve may come near a segment several times within a piece: each part is searched by itself.
+            // A curve may approach the segment several times, so search each part separately.
             double part = piece.Length / Parts;
             for (int k = 0; k < Parts; k++)
             {
@@ -91,10 +92,10 @@ public sealed partial class Trajectory
         return best;
     }
 
-    /// <summary>Writes places of the path at equal intervals: for a line that is drawn.</summary>
-    /// <param name="places">Where they go, m.</param>
-    /// <param name="interval">Time between two of them, s; above 0.</param>
-    /// <returns>How many were written: the first is the start; none is after the end of the path, which is the last where there is room.</returns>
+    /// <summary>Samples the positions of the path at equal intervals, for instance to draw a line.</summary>
+    /// <param name="places">Receives the positions, in m.</param>
+    /// <param name="interval">The time between two samples, in s; above 0.</param>
+    /// <returns>The number of positions written. The first is the start; the last is the end of the path if there is room.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="interval"/> is out of range.</exception>
     public int Sample(Span<Vector3d> places, double interval)
     {
@@ -105,11 +106,11 @@ public sealed partial class Trajectory
         {
             places[count++] = PositionAt(time);
 
-            // Not summed up, so that rounding does not grow.
+            // Multiply instead of summing, so that rounding errors do not accumulate.
             time = StartTime + (count * interval);
         }
 
-        // The end itself, where there is room for it.
+        // Add the end itself if there is room.
         if (count < places.Length)
         {
             places[count++] = Final.Position;
@@ -123,10 +124,10 @@ public sealed partial class Trajectory
 
     private static PathPoint At(in PathSegment piece, double time) => new(time, piece.PositionAt(time), piece.VelocityAt(time), 0);
 
-    /// <summary>Golden section over a part of a piece.</summary>
+    /// <summary>Golden-section search for the closest approach over a part of a segment.</summary>
     private static double Closest(in PathSegment piece, double a, double b, in Vector3d from, in Vector3d to)
     {
-        // (3 − √5)/2: each step keeps one of the two inner points, and needs one new distance.
+        // (3 − √5)/2: each step reuses one of the two inner points, and needs one new distance.
         const double Golden = 0.38196601125010515;
         double x = a + (Golden * (b - a));
         double y = b - (Golden * (b - a));
@@ -155,13 +156,13 @@ public sealed partial class Trajectory
         return fx <= fy ? x : y;
     }
 
-    /// <summary>Distance of a point from a segment, m.</summary>
+    /// <summary>Returns the distance of a point from a line segment, in m.</summary>
     private static double Distance(in Vector3d point, in Vector3d from, in Vector3d to)
     {
         Vector3d along = to - from;
         double squared = along.LengthSquared;
 
-        // The foot of the perpendicular, kept between the ends.
+        // The foot of the perpendicular, clamped to the segment.
         double share = squared > 0 ? Vector3d.Dot(point - from, in along) / squared : 0;
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         return Vector3d.Distance(in point, from + (share * along));

@@ -1,6 +1,7 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A predicted way of the ball, dense in time. Its memory is made once and used again by every look-ahead.</summary>
+/// <summary>A predicted path of the ball, dense in time.</summary>
+/// <remarks>Create one and reuse it: a look-ahead overwrites the path without allocating.</remarks>
 public sealed partial class Trajectory
 {
     private readonly PathSegment[] _pieces;
@@ -8,16 +9,16 @@ public sealed partial class Trajectory
     private BallState _final;
     private Action<double>? _bodiesAt;
 
-    /// <summary>A trajectory with memory of its own.</summary>
-    /// <param name="capacity">Pieces to make room for, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
+    /// <summary>Creates a trajectory with its own buffer.</summary>
+    /// <param name="capacity">The number of segments that fit, at least 1; default 512, enough for 10 s in steps of 20 ms.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1.</exception>
     public Trajectory(int capacity = 512)
         : this(new PathSegment[capacity >= 1 ? capacity : throw Check.Refusal(nameof(capacity), capacity.ToString(System.Globalization.CultureInfo.InvariantCulture), "1 or more")])
     {
     }
 
-    /// <summary>A trajectory in the caller's memory.</summary>
-    /// <param name="memory">Room for pieces, at least 1; a look-ahead ends where it is full, and says so in <see cref="IsComplete"/>.</param>
+    /// <summary>Creates a trajectory in a buffer that you provide.</summary>
+    /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when it is full, and <see cref="IsComplete"/> is then false.</param>
     /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
     public Trajectory(PathSegment[] memory)
@@ -32,7 +33,7 @@ public sealed partial class Trajectory
         Log.Observer = _recorder;
     }
 
-    /// <summary>The pieces, in order, without a gap.</summary>
+    /// <summary>The segments of the path, in order and without gaps.</summary>
     public ReadOnlySpan<PathSegment> Pieces => _pieces.AsSpan(0, Count);
 
     /// <summary>The events, in order.</summary>
@@ -41,40 +42,40 @@ public sealed partial class Trajectory
     /// <summary>The state at the end.</summary>
     public BallState Final => _final;
 
-    /// <summary>When it starts, s since the launch.</summary>
+    /// <summary>The start time, in s since the launch.</summary>
     public double StartTime { get; private set; }
 
-    /// <summary>When it ends, s since the launch.</summary>
+    /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False where the memory was full, or a force of the game's own threw, before the look-ahead was over.</summary>
+    /// <summary>False if the buffer filled up, or a custom force threw, before the look-ahead ended.</summary>
     public bool IsComplete { get; private set; }
 
-    /// <summary>Right-hand sides evaluated.</summary>
+    /// <summary>The number of right-hand-side evaluations.</summary>
     public long Evaluations => Log.Evaluations;
 
     internal StepLog Log { get; } = new();
 
-    /// <summary>For steps that are no part of the path.</summary>
+    /// <summary>The log for trial steps that are not part of the path.</summary>
     internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
     internal int Count { get; private set; }
 
-    /// <summary>A piece where it lies.</summary>
+    /// <summary>Returns a reference to a segment.</summary>
     internal ref readonly PathSegment Piece(int index) => ref _pieces[index];
 
-    /// <summary>Moves what the game moves to where it will be after a step; null where that goes on as it goes now.</summary>
+    /// <summary>The callback that positions the game's bodies after a step; null if they keep their motion.</summary>
     internal Simulator.StepCallback? OnStep { get; private set; }
 
-    /// <summary>True when a piece had no room.</summary>
+    /// <summary>True if a segment did not fit.</summary>
     internal bool Overflows => _recorder.Overflows;
 
-    /// <summary>The greatest height of the centre, m.</summary>
+    /// <summary>The maximum height of the ball's centre, in m.</summary>
     public double Apex
     {
         get
         {
-            // Each piece knows its own highest point; without any the ball stays where it is.
+            // Each segment stores its own apex; without segments the ball stays in place.
             double apex = Count > 0 ? double.NegativeInfinity : _final.Position.Y;
             for (int i = 0; i < Count; i++)
             {
@@ -85,39 +86,41 @@ public sealed partial class Trajectory
         }
     }
 
-    /// <summary>Time from the start to the first touchdown, s; NaN-free: infinite where there is none.</summary>
+    /// <summary>The time from the start to the first touchdown, in s; infinite if there is none.</summary>
     public double HangTime => TryGetTouchdown(0, out BallEvent touchdown) ? touchdown.Time - StartTime : double.PositiveInfinity;
 
-    /// <summary>Horizontal distance from the start to the first touchdown, m; infinite where there is none.</summary>
+    /// <summary>The horizontal distance from the start to the first touchdown, in m; infinite if there is none.</summary>
     public double Carry => TryGetTouchdown(0, out BallEvent touchdown) && Count > 0
         ? (touchdown.Position - _pieces[0].StartPosition).Horizontal.Length
         : double.PositiveInfinity;
 
-    /// <summary>One of the touchdowns: impacts with the ground.</summary>
-    /// <param name="index">Which, from 0.</param>
+    /// <summary>Finds a touchdown, which is an impact with the ground, by its index.</summary>
+    /// <param name="index">The index, from 0.</param>
     /// <param name="touchdown">The impact.</param>
-    /// <returns>False where there is no such touchdown.</returns>
+    /// <returns>False if there is no such touchdown.</returns>
     public bool TryGetTouchdown(int index, out BallEvent touchdown) => TryGetImpact(isTouchdown: true, index, out touchdown);
 
-    /// <summary>One of the hits: impacts with anything but the ground, of which <see cref="BallEvent.ColliderIndex"/> tells.</summary>
-    /// <param name="index">Which, from 0.</param>
+    /// <summary>Finds a hit, which is an impact with any object except the ground, by its index.</summary>
+    /// <remarks><see cref="BallEvent.ColliderIndex"/> identifies the object.</remarks>
+    /// <param name="index">The index, from 0.</param>
     /// <param name="hit">The impact.</param>
-    /// <returns>False where there is no such hit.</returns>
+    /// <returns>False if there is no such hit.</returns>
     public bool TryGetHit(int index, out BallEvent hit) => TryGetImpact(isTouchdown: false, index, out hit);
 
-    /// <summary>Where and when the ball comes to rest.</summary>
+    /// <summary>Finds the point at which the ball comes to rest.</summary>
     /// <param name="rest">The event.</param>
-    /// <returns>False where it does not within the look-ahead.</returns>
+    /// <returns>False if the ball does not come to rest within the look-ahead.</returns>
     public bool TryGetRest(out BallEvent rest)
     {
-        // Nothing happens after rest: it can only be the last event.
+        // No event follows rest, so it can only be the last event.
         rest = Events.Count > 0 ? Events[Events.Count - 1] : default;
         return Events.Count > 0 && rest.Kind == BallEventKind.Rest;
     }
 
-    /// <summary>Where the ball is at a time, m. Before the start and after the end it is where it starts and ends.</summary>
-    /// <param name="time">Time since the launch, s.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is not a number.</exception>
+    /// <summary>Returns the position of the ball at a time, in m.</summary>
+    /// <remarks>Times before the start or after the end are clamped.</remarks>
+    /// <param name="time">The time since the launch, in s.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is NaN.</exception>
     public Vector3d PositionAt(double time)
     {
         RefuseNaN(time);
@@ -127,14 +130,14 @@ public sealed partial class Trajectory
             return _final.Position;
         }
 
-        // Where two pieces meet it is where the earlier one ends: a body that was put over the ball moves it between two steps.
+        // At a boundary use the end of the earlier segment: a body placed over the ball moves it between steps.
         bool isBetween = i > 0 && time == _pieces[i].Time && _pieces[i - 1].EndTime == time;
         return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
 
-    /// <summary>The velocity at a time, m/s; after the end that of the end.</summary>
-    /// <param name="time">Time since the launch, s.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is not a number.</exception>
+    /// <summary>Returns the velocity of the ball at a time, in m/s; after the end, the final velocity.</summary>
+    /// <param name="time">The time since the launch, in s.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="time"/> is NaN.</exception>
     public Vector3d VelocityAt(double time)
     {
         RefuseNaN(time);
@@ -142,11 +145,11 @@ public sealed partial class Trajectory
         return i < 0 || (i == Count - 1 && time > _pieces[i].EndTime) ? _final.Velocity : _pieces[i].VelocityAt(Clamp(time, in _pieces[i]));
     }
 
-    /// <summary>The first crossing of a plane.</summary>
+    /// <summary>Finds the first crossing of a plane.</summary>
     /// <param name="plane">The plane.</param>
-    /// <param name="crossing">Where and when.</param>
-    /// <returns>False where the ball does not cross it.</returns>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> was never made: its normal is zero.</exception>
+    /// <param name="crossing">The point of the crossing.</param>
+    /// <returns>False if the ball does not cross the plane.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> is the default value, whose normal is zero.</exception>
     public bool TryGetCrossing(in Plane3d plane, out PathPoint crossing)
     {
         plane.Validate(nameof(plane));
@@ -164,11 +167,11 @@ public sealed partial class Trajectory
         return false;
     }
 
-    /// <summary>The closest approach to a point.</summary>
+    /// <summary>Returns the closest approach to a point.</summary>
     /// <param name="point">The point, m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
-        // By squares: a root for the best alone.
+        // Compare squared distances; take the root of the best only.
         var best = new PathPoint(_final.Time, _final.Position, _final.Velocity, Vector3d.Distance(_final.Position, in point));
         double bestSquared = best.Distance * best.Distance;
         for (int i = 0; i < Count; i++)
@@ -187,16 +190,17 @@ public sealed partial class Trajectory
 
     /// <summary>Prepares for a look-ahead.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="from">Where it begins.</param>
-    /// <param name="request">How far it goes.</param>
-    /// <param name="endsWhenFull">Whether it ends with the memory's last piece; else the first piece without room tells that it is too small.</param>
-    /// <param name="goesOn">Whether the ball goes on without a path once the memory is full, as one of several does.</param>
+    /// <param name="from">The initial state.</param>
+    /// <param name="request">The duration and stop conditions.</param>
+    /// <param name="endsWhenFull">True to end with the last segment that fits; false to end at the first that does not, and report an
+    /// overflow.</param>
+    /// <param name="goesOn">True if the ball continues without a path once the buffer is full, as one of several does.</param>
     internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull, bool goesOn = false)
     {
         _recorder.EndsWhenFull = endsWhenFull;
         _recorder.GoesOn = goesOn;
 
-        // The same delegate as long as the request has the same one: a look-ahead allocates nothing.
+        // Reuse the delegate while the request has the same one, so that a look-ahead does not allocate.
         if (_bodiesAt != request.MoveBodies)
         {
             Action<double>? bodiesAt = request.MoveBodies;
@@ -215,23 +219,23 @@ public sealed partial class Trajectory
 
     internal void End(in BallState final) => _final = final;
 
-    /// <summary>It is not complete where a piece had no room.</summary>
+    /// <summary>Marks the path incomplete if a segment did not fit.</summary>
     internal void EndFull() => IsComplete &= !_recorder.Overflows;
 
-    /// <summary>True when a path that is to be extended ends with whole steps, not where an event or its memory ended it within one.</summary>
+    /// <summary>True if the path ends with a whole step, rather than at an event or a full buffer within a step.</summary>
     internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;
 
-    /// <summary>Prepares for going on from the end.</summary>
+    /// <summary>Prepares to continue from the end.</summary>
     internal void Resume()
     {
         Log.Halted = false;
         IsComplete = true;
     }
 
-    /// <summary>Ends it with the state before a step that failed: the pieces of that step are none.</summary>
+    /// <summary>Ends the path with the state before a failed step, and removes the segments of that step.</summary>
     internal void Break(in BallState final)
     {
-        // What began at or after that state belongs to the step that failed.
+        // Segments that start at or after that state belong to the failed step.
         while (Count > 0 && _pieces[Count - 1].Time >= final.Time)
         {
             Count--;
@@ -241,17 +245,17 @@ public sealed partial class Trajectory
         _final = final;
     }
 
-    /// <summary>Forgets the pieces and events before a time.</summary>
+    /// <summary>Removes the segments and events before a time.</summary>
     internal void Forget(double before)
     {
-        // The piece that the time falls into stays, and so the path begins at or before it.
+        // Keep the segment that contains the time, so that the path starts at or before it.
         int gone = 0;
         while (gone < Count - 1 && _pieces[gone].EndTime <= before)
         {
             gone++;
         }
 
-        // Moved to the front; the events of the time before go too.
+        // Move the rest to the front, and remove the earlier events.
         if (gone > 0)
         {
             Array.Copy(_pieces, gone, _pieces, 0, Count - gone);
@@ -261,12 +265,12 @@ public sealed partial class Trajectory
         }
     }
 
-    /// <summary>One of the impacts, with the ground or with anything else.</summary>
+    /// <summary>Finds an impact by its index, with the ground or with any other object.</summary>
     private bool TryGetImpact(bool isTouchdown, int index, out BallEvent impact)
     {
         for (int i = 0; i < Events.Count; i++)
         {
-            // The ground is thing 0.
+            // The ground is collider 0.
             ref readonly BallEvent e = ref Events[i];
             if (e.Kind == BallEventKind.Impact && (e.ColliderIndex == 0) == isTouchdown && index-- == 0)
             {
@@ -289,10 +293,10 @@ public sealed partial class Trajectory
 
     private static double Clamp(double time, in PathSegment piece) => Math.Min(Math.Max(time, piece.Time), piece.EndTime);
 
-    /// <summary>The piece that a time falls into: the later one where two meet; −1 where there is none.</summary>
+    /// <summary>Returns the index of the segment that contains a time; the later one at a boundary; −1 if there are none.</summary>
     private int Find(double time)
     {
-        // Bisection for the last piece that begins at or before the time; the first for all that is earlier.
+        // Binary search for the last segment that starts at or before the time; earlier times give the first.
         int low = 0;
         int high = Count - 1;
         while (low < high)
@@ -311,7 +315,7 @@ public sealed partial class Trajectory
         return high;
     }
 
-    /// <summary>Keeps the pieces, and ends the look-ahead as soon as its question is answered.</summary>
+    /// <summary>Stores the segments, and ends the look-ahead as soon as a stop condition is met.</summary>
     private sealed class Recorder : PieceObserver
     {
         private readonly Trajectory _owner;
@@ -324,13 +328,13 @@ public sealed partial class Trajectory
 
         public override bool WantsEndAcceleration => true;
 
-        /// <summary>True when it ends with the memory's last piece, not with the first that has no room.</summary>
+        /// <summary>True to end with the last segment that fits; false to end at the first that does not.</summary>
         public bool EndsWhenFull { get; set; } = true;
 
-        /// <summary>True if the ball goes on without a path once the memory is full.</summary>
+        /// <summary>True if the ball continues without a path once the buffer is full.</summary>
         public bool GoesOn { get; set; }
 
-        /// <summary>True when there was a piece without room.</summary>
+        /// <summary>True if a segment did not fit.</summary>
         public bool Overflows { get; private set; }
 
         public void Begin(Simulator simulator, in BallState from, LookAheadRequest request)
@@ -350,8 +354,8 @@ public sealed partial class Trajectory
         {
             PathSegment[] pieces = _owner._pieces;
 
-            // There is no room: the step ends, and the caller may look ahead again up to where there is. The step of one of several balls goes on: ended
-            // after every piece, it would begin again with all the pieces and evaluations that a step may have, and might never be over.
+            // No room: end the step; the caller may repeat the look-ahead with less. One of several balls continues: ending after every segment would
+            // restart the step each time, possibly without end.
             if (_owner.Count == pieces.Length)
             {
                 Overflows = true;
@@ -360,7 +364,7 @@ public sealed partial class Trajectory
 
             pieces[_owner.Count++] = piece;
 
-            // Ends with the last place of memory, at the plane, or where the ball comes no closer any more.
+            // End at the last segment that fits, at the plane, or when the ball comes no closer.
             bool full = EndsWhenFull && _owner.Count == pieces.Length;
             _owner.IsComplete = !full;
             return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));

@@ -1,24 +1,24 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Keeps a prediction of a moving ball up to date, doing as little as it can.</summary>
+/// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>
 /// <remarks>
-/// While the real ball keeps to the predicted path, the past is dropped and the end extended; only a kick, or a path that leaves the
-/// tolerance, starts it again. With the game's own integrator and step the prediction is the future bit for bit.
+/// While the ball follows the predicted path, an update only drops the past and extends the end. A kick, or a deviation above the tolerance,
+/// recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the future.
 /// </remarks>
 public sealed class TrajectoryCache
 {
-    /// <summary>A velocity may differ by the tolerance times this, 1/s, before the ball counts as kicked.</summary>
+    /// <summary>The factor from the position tolerance to the velocity tolerance, in 1/s; a larger deviation counts as a kick.</summary>
     private const double VelocityShare = 100;
 
     private readonly Simulator _simulator;
     private readonly LookAheadRequest _request;
     private bool _valid;
 
-    /// <summary>Makes a prediction for balls of one scene.</summary>
-    /// <param name="simulator">The scene, compiled for the integrator to predict with.</param>
-    /// <param name="request">How far to look ahead, and in which steps.</param>
-    /// <param name="tolerance">How far, m, the real ball may be off the path before it is predicted again; not negative, default 1e-5.</param>
-    /// <param name="capacity">Pieces of path to make room for; default 512.</param>
+    /// <summary>Creates a prediction for a ball of one scene.</summary>
+    /// <param name="simulator">The scene, compiled for the integrator of the prediction.</param>
+    /// <param name="request">The duration and step of the prediction.</param>
+    /// <param name="tolerance">The maximum deviation of the ball from the path before it is recomputed, in m; not negative, default 1e-5.</param>
+    /// <param name="capacity">The number of path segments that fit; default 512.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     public TrajectoryCache(Simulator simulator, LookAheadRequest request, double tolerance = 1e-5, int capacity = 512)
@@ -31,29 +31,30 @@ public sealed class TrajectoryCache
         Path = new Trajectory(capacity);
     }
 
-    /// <summary>The predicted path. It starts at or before the ball's last known time.</summary>
+    /// <summary>The predicted path; it starts at or before the ball's last known time.</summary>
     public Trajectory Path { get; }
 
-    /// <summary>How far, m, the real ball may be off the path before it is predicted again.</summary>
+    /// <summary>The maximum deviation of the ball from the path before it is recomputed, in m.</summary>
     public double Tolerance { get; }
 
-    /// <summary>How often the path was predicted anew.</summary>
+    /// <summary>The number of times the path was recomputed.</summary>
     public int Recomputations { get; private set; }
 
-    /// <summary>Forgets the path, so that the next update predicts anew.</summary>
+    /// <summary>Discards the path, so that the next update recomputes it.</summary>
     public void Invalidate() => _valid = false;
 
-    /// <summary>Brings the prediction up to the real ball. Allocates nothing.</summary>
-    /// <param name="real">The real ball.</param>
-    /// <returns>True when the path was predicted anew, false when it was kept and, where needed, extended.</returns>
-    /// <remarks>What a force of the game's own throws comes through; the path then ends before the step in which it did, and the next update predicts anew.</remarks>
-    /// <exception cref="ArgumentOutOfRangeException">The ball's clock stands so high that the steps of the request would not move it.</exception>
+    /// <summary>Updates the prediction to the current state of the ball.</summary>
+    /// <param name="real">The current state of the ball.</param>
+    /// <returns>True if the path was recomputed; false if it was kept and, if necessary, extended.</returns>
+    /// <remarks>Does not allocate. An exception from a custom force propagates; the path then ends before the failed step, and the next update
+    /// recomputes it.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The ball's clock is so large that the steps of the request would not advance it.</exception>
     public bool Update(in BallState real)
     {
         _request.CheckClock(in real);
         bool keeps = _valid && OnPath(in real);
 
-        // What throws in between leaves a path that is not used again.
+        // If an exception interrupts the update, the path is not reused.
         _valid = false;
         if (!keeps)
         {
@@ -63,10 +64,10 @@ public sealed class TrajectoryCache
             return true;
         }
 
-        // The ball keeps to the path: its past is dropped, and its end extended in whole steps.
+        // The ball follows the path: drop its past, and extend its end in whole steps.
         Path.Forget(real.Time);
 
-        // A path that an event ended, or its memory within a step, has nothing to be extended by.
+        // A path that ended at an event, or in a full buffer within a step, cannot be extended.
         if (Path.EndsWhole)
         {
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);
@@ -78,13 +79,13 @@ public sealed class TrajectoryCache
 
     private bool OnPath(in BallState real)
     {
-        // Before the path, or beyond an end at which it still moves, there is nothing to compare with.
+        // No comparison is possible before the path, or beyond an end in motion.
         if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Rest)))
         {
             return false;
         }
 
-        // The velocity too: a kick is seen at once, not when the ball has gone somewhere else.
+        // Compare the velocity too, so that a kick is detected at once.
         return Vector3d.Distance(Path.PositionAt(real.Time), real.Position) <= Tolerance
             && Vector3d.Distance(Path.VelocityAt(real.Time), real.Velocity) <= Tolerance * VelocityShare;
     }

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Scenes of their own in which a warm-up plays what seldom happens: so that no frame of a game has to compile its code.</summary>
+/// <summary>Separate scenes in which a warm-up runs rare code paths, so that no frame of a game has to compile them.</summary>
 internal static class WarmUpScenes
 {
     private const double Frame = 1.0 / 60.0;
@@ -8,7 +8,7 @@ internal static class WarmUpScenes
     private const int ShotFrames = 240;
     private const double PushedMass = 75;
 
-    /// <summary>A player without end walks at a ball before a board, and stands; one of finite mass is pushed; what two things squeeze has no room.</summary>
+    /// <summary>An immovable player presses a ball against a board, a movable one is pushed away, and two objects squeeze the ball.</summary>
     public static void Press(SolverSettings settings, StepLog log)
     {
         var press = new Obstacle { Name = "press", Shape = new SphereShape(new Vector3d(0, 0.2, 0.4), 0.25), Velocity = new Vector3d(0, 0, -1) };
@@ -17,7 +17,7 @@ internal static class WarmUpScenes
         BallState ball = squeezing.Launch(new Vector3d(0.02, squeezing.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
         Play(squeezing, ref ball, PressedFrames, log);
 
-        // A board, with wind and without, and a corner. The last two scenes use the general law of several contacts, and two balls.
+        // A board with and without wind, and a corner. The last scenes use the general solver for several contacts, and two balls.
         var side = new Obstacle { Name = "side", Shape = new PlaneShape(new Vector3d(-0.5, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board };
         var corner = new Scene { Obstacles = [side], Air = new Air { Wind = new Vector3d(-6, 0, -3) } };
         Walk(new Scene(), settings, double.PositiveInfinity, 1, log);
@@ -28,7 +28,7 @@ internal static class WarmUpScenes
         Walk(corner, settings, PushedMass, 2, log);
         Walk(new Scene(), settings, double.PositiveInfinity, 2, log);
 
-        // Hollows of two and three slopes, in which the ball rests.
+        // Valleys of two and three slopes, in which the ball comes to rest.
         Obstacle[] slopes =
         [
             new Obstacle { Name = "left", Shape = new PlaneShape(Vector3d.Zero, new Vector3d(1, 1, 0)) },
@@ -44,10 +44,8 @@ internal static class WarmUpScenes
         }
     }
 
-    /// <summary>
-    /// A player walks at a ball before a board until no room is left, and stands; one of finite mass turns, and is pushed off. Then the ball is shot on a box, which
-    /// gives way.
-    /// </summary>
+    /// <summary>A player walks at a ball in front of a board until it is squeezed; then the ball is kicked at a movable box.</summary>
+    /// <remarks>A player of finite mass turns, and is pushed away.</remarks>
     private static void Walk(Scene scene, SolverSettings settings, double mass, int count, StepLog log)
     {
         var bodies = new KinematicBodies();
@@ -86,11 +84,11 @@ internal static class WarmUpScenes
             group.Step(balls, Frame, log);
         }
 
-        // From where the player stands now.
+        // Look ahead from the start state, with the player at his final position.
         simulator.LookAhead(in start, look, path);
     }
 
-    /// <summary>A shot into a goal: mouth, line, nets, and rest in them.</summary>
+    /// <summary>A shot into a goal: mouth, line, nets, and rest in the net.</summary>
     public static void Net(SolverSettings settings, StepLog log)
     {
         var simulator = new Simulator(new Scene { Goals = [new Goal { Center = Vector3d.Zero, Facing = new Vector3d(0, 0, 1) }] }, settings);
@@ -102,7 +100,7 @@ internal static class WarmUpScenes
         Play(simulator, ref ball, PressedFrames, log);
     }
 
-    /// <summary>Three balls, of which two meet in the air, and come to lie on the third.</summary>
+    /// <summary>Three balls: two collide in the air and come to rest on the third.</summary>
     public static void Group(SolverSettings settings, StepLog log)
     {
         var simulator = new Simulator(null, settings);

@@ -2,18 +2,18 @@ using System.Globalization;
 
 namespace FootballPhysics.Aiming;
 
-/// <summary>Finds kicks that reach a target after bounces, and off named things: one bounce and in, off the wall, in off the post.</summary>
+/// <summary>Finds kicks that reach a target after given impacts, for instance one bounce, a wall or a post.</summary>
 /// <remarks>
-/// A kick is put together from legs: from the ball to a guess of where it touches the first thing, from there on, and to the target. Newton's method moves the kick and
-/// the places until all legs meet (multiple shooting), and what is found is flown. Where that leads to no hit, kicks are tried over all directions. Made once for a scene
-/// and used again, without allocating. Not for several threads at once.
+/// A kick is divided into legs: from the ball to a guess of the first contact, from there to the next, and to the target. Newton's method adjusts the
+/// kick and the contacts until all legs join (multiple shooting), and the result is simulated. If that finds no hit, it tries kicks in all
+/// directions. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class BankShotAimer
 {
-    /// <summary>Step of a leg in steps of a measurement.</summary>
+    /// <summary>The step of a leg, as a multiple of the step of a measurement.</summary>
     private const double LegStep = 4;
 
-    /// <summary>Kicks are the same that differ by less than this, rad.</summary>
+    /// <summary>The difference below which two kicks are the same, in rad.</summary>
     private const double Same = 1e-3;
 
     private readonly Simulator _simulator;
@@ -27,16 +27,16 @@ public sealed class BankShotAimer
     private readonly BankShotGrid _grid;
     private readonly Kick[] _kicks = new Kick[BankShotGuess.Count];
 
-    /// <summary>Chains, by how many contacts they have.</summary>
+    /// <summary>The leg problems, by their number of contacts.</summary>
     private readonly Dictionary<int, BankShotProblem> _chains = [];
 
-    /// <summary>The chains of things to be met, by their length.</summary>
+    /// <summary>Buffers for the objects to hit, by their number.</summary>
     private readonly Dictionary<int, int[]> _things = [];
     private int _flown;
 
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public BankShotAimer(Scene? scene = null)
     {
         _simulator = new Simulator(scene);
@@ -53,15 +53,19 @@ public sealed class BankShotAimer
         _grid = new BankShotGrid(_flight, world, made.Ball.Radius);
     }
 
-    /// <summary>Finds a kick.</summary>
+    /// <summary>Finds a kick that hits given objects before the target.</summary>
     /// <param name="request">
-    /// What the kick is to do: from, target, speed, spin, elevations, tolerance, time of the kick. Without a point on the way. <see cref="AimRequest.MaximumIterations"/> are
-    /// those from one start; there are many.
+    /// The request, without a waypoint: start, target, speed, spin, elevations, tolerance and time of the kick.
+    /// <see cref="AimRequest.MaximumIterations"/> limits the iterations from each of many starts.
     /// </param>
-    /// <param name="after">The names of what it is to meet before, in order: "ground", an obstacle's, "left post", "crossbar" …; at least one. Of things of one name "left post[0]" is the first, "left post[1]" the second: obstacles and goals in the order in which the scene has them.</param>
-    /// <returns>The best kick found. A hit passes the target within the tolerance after having met just these; all else is not converged: no other kick is ruled out.</returns>
+    /// <param name="after">The names of the objects to hit first, in order, such as "ground", "left post" or "crossbar"; at least one. If several
+    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. They are ordered as the obstacles and goals of the
+    /// scene.</param>
+    /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is not converged:
+    /// other kicks are not excluded.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, nothing is to be met, or the scene has nothing or several things of a name; the message says what it has.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, no object is given, or the scene has no object, or several, with a
+    /// name. The message lists the names of the scene.</exception>
     public AimResult Find(AimRequest request, params string[] after)
     {
         Check.Given(nameof(request), request);
@@ -72,7 +76,7 @@ public sealed class BankShotAimer
             throw Check.Refusal("aim.waypoint", point.ToString(), "none, where something is to be met before");
         }
 
-        // 1. Chains of legs from several guesses, closed and then corrected by what they miss. 2. Where none hits, kicks over all directions.
+        // 1. Solve chains of legs from several guesses, and correct the results by their miss. 2. If none hits, search over all directions.
         int[] things = Things(after);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
         _flight.Begin(request, in frame, things);
@@ -87,10 +91,10 @@ public sealed class BankShotAimer
         return new AimResult(status, in velocity, in spin, _flight.Miss, AimArc.Low, rolls: false, _flight.Iterations, _flight.Simulations, blockedBy: null);
     }
 
-    /// <summary>Puts kicks together from where they may touch things, and corrects them by what they miss.</summary>
+    /// <summary>Solves kicks from guesses of their contacts, and corrects them by their miss.</summary>
     private void FlyChains(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // Each guess is closed as far as it goes: what is left open, a net on the way may close.
+        // Close the gaps of each guess as far as possible; the full flight, with nets, corrects the rest.
         BankShotProblem legs = Legs(things);
         _flown = 0;
         for (int i = 0; i < BankShotGuess.Count && !_flight.Hits; i++)
@@ -108,10 +112,10 @@ public sealed class BankShotAimer
         }
     }
 
-    /// <summary>The legs that lead over things.</summary>
+    /// <summary>Sets up the legs that lead over the objects.</summary>
     private BankShotProblem Legs(int[] things)
     {
-        // Bounces off the ground belong to the leg that makes them: only other things are places of their own.
+        // A leg includes its bounces off the ground; only the other objects are contacts.
         int contacts = 0;
         foreach (int thing in things)
         {
@@ -142,7 +146,7 @@ public sealed class BankShotAimer
         return legs;
     }
 
-    /// <summary>True when no chain has led to a kick before; it is then remembered.</summary>
+    /// <summary>True if the kick differs from all earlier ones; it is then stored.</summary>
     private bool IsNew(in Kick kick)
     {
         for (int i = 0; i < _flown; i++)
@@ -178,7 +182,7 @@ public sealed class BankShotAimer
         return things;
     }
 
-    /// <summary>The thing that is called so, or the k-th of those of one name by "name[k]".</summary>
+    /// <summary>Returns the object with a name, or the k-th of several with "name[k]".</summary>
     private int Thing(string name, int place)
     {
         int found = Find(name, 0, out int same);
@@ -187,7 +191,7 @@ public sealed class BankShotAimer
             throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}]: the scene has {same} of that name"));
         }
 
-        // "name[k]" is the k-th of that name, unless a thing is called just so.
+        // "name[k]" is the k-th object of that name, unless an object has exactly this name.
         int bracket = name.LastIndexOf('[');
         if (same == 0 && bracket > 0 && name[^1] == ']'
             && int.TryParse(name.AsSpan(bracket + 1, name.Length - bracket - 2), NumberStyles.None, CultureInfo.InvariantCulture, out int index))
@@ -206,7 +210,7 @@ public sealed class BankShotAimer
         return found;
     }
 
-    /// <summary>The index-th thing of a name, and how many there are.</summary>
+    /// <summary>Returns the object of a name at an index, and the number of objects with that name.</summary>
     private int Find(string name, int index, out int same)
     {
         int found = -1;

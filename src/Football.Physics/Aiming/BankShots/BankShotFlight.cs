@@ -1,21 +1,21 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Kicks among all there is in a scene, nets included, flown until they have met what they are to meet and come closest to the target: that miss, by elevation and azimuth, is a
-/// problem of least squares. The best of all kicks is remembered.
-/// </summary>
+/// <summary>Flies bank shots in the full scene; their miss by elevation and azimuth is a least-squares problem.</summary>
+/// <remarks>
+/// A kick flies until it has hit the required objects and come closest to the target. The best of all kicks is stored.
+/// </remarks>
 internal sealed class BankShotFlight : ILeastSquares
 {
-    /// <summary>Step of a look, s.</summary>
+    /// <summary>The step of a coarse flight, in s.</summary>
     public const double CoarseStep = 0.04;
 
-    /// <summary>A miss that is not worth a correction, of the tolerance.</summary>
+    /// <summary>The miss that needs no correction, as a share of the tolerance.</summary>
     public const double Enough = 0.1;
 
-    /// <summary>A kick is given up after this, s.</summary>
+    /// <summary>The maximum duration of a flight, in s.</summary>
     private const double LongestFlight = 8;
 
-    /// <summary>Derivatives are difference quotients over so much of a turn, and that is the most that a direction is turned at once, rad.</summary>
+    /// <summary>The width of difference quotients, and the maximum change of a direction in one iteration, in rad.</summary>
     private const double Width = 1e-6;
     private const double LargestTurn = 0.1;
 
@@ -39,22 +39,22 @@ internal sealed class BankShotFlight : ILeastSquares
         _solver = new LeastSquares(this, Equations);
     }
 
-    /// <summary>Forward simulations since the search began.</summary>
+    /// <summary>The number of forward simulations since the search began.</summary>
     public int Simulations { get; set; }
 
-    /// <summary>Corrections since the search began.</summary>
+    /// <summary>The number of corrections since the search began.</summary>
     public int Iterations { get; set; }
 
-    /// <summary>The kick that came closest in steps of a measurement; where none met what it is to meet, of those in long steps.</summary>
+    /// <summary>The closest kick in fine steps or, if none met all objects, in coarse steps.</summary>
     public Kick Best { get; private set; }
 
-    /// <summary>The miss of the flight.</summary>
+    /// <summary>The miss of the best kick.</summary>
     public MeasuredMiss Miss { get; private set; }
 
-    /// <summary>True when it was flown in steps of a measurement.</summary>
+    /// <summary>True if the best kick was simulated in fine steps.</summary>
     public bool IsFine { get; private set; }
 
-    /// <summary>True when it does what is asked.</summary>
+    /// <summary>True if the best kick hits.</summary>
     public bool Hits => IsFine && Miss.Distance <= _request.Tolerance;
 
     public int Unknowns => 2;
@@ -63,7 +63,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public bool IsSpent => _solver.Iterations >= _request.MaximumIterations;
 
-    /// <summary>Step of a measurement, s.</summary>
+    /// <summary>The fine step, which a measurement uses, in s.</summary>
     public double FineStep { get; private set; }
 
     /// <summary>Begins a search.</summary>
@@ -77,17 +77,17 @@ internal sealed class BankShotFlight : ILeastSquares
         Simulations = 0;
         Iterations = 0;
 
-        // A kick that meets nothing, for want of a better one.
+        // A default kick, in case no kick meets the objects.
         IsFine = false;
         Best = Kick.Of(request, _bounds.Clamp(0.3), 0);
         Miss = new MeasuredMiss(Vector3d.Distance(frame.From, in frame.Target), null, 0, frame.From);
     }
 
-    /// <summary>Flies a kick in long steps.</summary>
-    /// <returns>What it misses by; infinite where it does not meet what it is to meet.</returns>
+    /// <summary>Flies a kick in coarse steps.</summary>
+    /// <returns>The miss; infinite if the kick does not meet the required objects.</returns>
     public double Look(double elevation, double azimuth) => Fly(elevation, azimuth, CoarseStep) ? _flight.Miss : double.PositiveInfinity;
 
-    /// <summary>Corrects a kick by what it misses.</summary>
+    /// <summary>Corrects a kick by its miss.</summary>
     public void Improve(double elevation, double azimuth)
     {
         _x[0] = _bounds.Clamp(elevation);
@@ -117,7 +117,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // Both columns are measured.
+        // Both columns are measured by differences.
     }
 
     private bool Fly(double elevation, double azimuth, double step)
@@ -127,7 +127,7 @@ internal sealed class BankShotFlight : ILeastSquares
         BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
         Simulations++;
         _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
-        // What was flown in steps of a measurement counts for more than any look.
+        // A kick flown in fine steps always takes precedence over one in coarse steps.
         bool isFine = step == FineStep;
         if (_flight.HasMetAll && (isFine == IsFine ? _flight.Miss < Miss.Distance : isFine))
         {

@@ -1,12 +1,13 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The last resort: kicks over all directions that can meet the first thing are flown in long steps, few at first, more where those lead to no hit; from the closest of
-/// those that meet all of them, Newton's method goes on through the impacts.
-/// </summary>
+/// <summary>The fallback for bank shots: a grid search over all directions that can meet the first object.</summary>
+/// <remarks>
+/// Kicks fly in coarse steps, and the grid is refined while it finds no hit. Newton's method continues from the closest kicks that meet all objects.
+/// </remarks>
 internal sealed class BankShotGrid
 {
-    /// <summary>The looks, from the widest to the closest: so many directions and elevations, each look twice as close as the one before.</summary>
+    /// <summary>The number of grids, the directions and elevations of the first one, and the kicks kept as starts; each grid halves the
+    /// spacing.</summary>
     private const int Looks = 4;
     private const int Directions = 5;
     private const int Elevations = 8;
@@ -25,10 +26,10 @@ internal sealed class BankShotGrid
         _radius = radius;
     }
 
-    /// <summary>Looks for a kick that is closer than the best so far.</summary>
+    /// <summary>Searches for a kick closer than the best so far.</summary>
     public void Find(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // A grid that a closer look halves; the best of those that meet everything are the starts of corrections.
+        // Each grid halves the spacing; the best kicks that meet all objects are the starts of corrections.
         var bounds = ElevationBounds.Of(request);
         Azimuths(in frame, things, out double from, out double to);
         for (int closeness = 1; closeness < 1 << Looks && !_flight.Hits; closeness *= 2)
@@ -40,7 +41,7 @@ internal sealed class BankShotGrid
             {
                 (int column, int row) = (i / (elevations + 1), i % (elevations + 1));
 
-                // What a wider look has flown need not be flown again.
+                // Skip the kicks that a coarser grid has flown.
                 if (closeness == 1 || (column & 1) != 0 || (row & 1) != 0)
                 {
                     Look(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * row / elevations), from + ((to - from) * column / directions));
@@ -54,13 +55,14 @@ internal sealed class BankShotGrid
         }
     }
 
-    /// <summary>The directions in which the first thing but the ground is met: those of its box as seen from the ball, or all where it has none.</summary>
+    /// <summary>Returns the range of directions to the first object except the ground, from its bounding box; all directions if it is
+    /// unbounded.</summary>
     private void Azimuths(in TargetFrame frame, int[] things, out double from, out double to)
     {
         int thing = Array.Find(things, item => item != 0);
         if (thing == 0)
         {
-            // Over the ground alone: to the target, and beside it for a ball that bends.
+            // Ground only: towards the target, with a margin for a ball that bends.
             from = -0.5;
             to = 0.5;
             return;
@@ -80,17 +82,17 @@ internal sealed class BankShotGrid
         double half = (0.5 * size.Horizontal.Length) + _radius;
         double distance = middle.Horizontal.Length;
 
-        // Twice as wide as it looks: the ball may bend.
+        // Twice the apparent width, because the ball may bend.
         double angle = distance > half ? Elementary.Atan2(half, Math.Sqrt((distance * distance) - (half * half))) : 0.5 * Math.PI;
         double spread = Math.Min(Math.PI, (2.0 * angle) + 0.02);
         from = around - spread;
         to = around + spread;
     }
 
-    /// <summary>Flies a kick, and keeps it among the starts if it is one of the closest.</summary>
+    /// <summary>Flies a kick, and stores it as a start if it is one of the closest.</summary>
     private void Look(double elevation, double azimuth)
     {
-        // Sorted by insertion: the list is short, and most looks meet nothing.
+        // Insertion sort: the list is short, and most kicks meet nothing.
         double miss = _flight.Look(elevation, azimuth);
         int place = miss < double.PositiveInfinity ? Math.Min(_count, Starts - 1) : -1;
         if (place < 0 || (_count == Starts && miss >= _starts[place].Miss))

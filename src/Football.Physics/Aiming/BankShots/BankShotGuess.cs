@@ -1,28 +1,29 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Guesses where a kick touches what it is to touch: the ground in hops that get shorter, all else where the way from what is before to what comes after is shortest,
-/// which is where a mirror would show the one in the other (Fermat's principle). From there <see cref="BankShotProblem"/> finds it.
-/// </summary>
+/// <summary>Guesses the contacts of a bank shot; <see cref="BankShotProblem"/> refines them.</summary>
+/// <remarks>
+/// Hops on the ground get shorter by a ratio. Other contacts minimise the path length between the points before and after, as in a mirror (Fermat's
+/// principle).
+/// </remarks>
 internal sealed class BankShotGuess
 {
-    /// <summary>Usual ratios: a hop to the one before it, a speed after an impact to that before.</summary>
+    /// <summary>Typical ratios: of a hop to the previous one, and of the speed after an impact to the speed before.</summary>
     private const double NextHop = 0.6;
     private const double Kept = 0.65;
 
-    /// <summary>Speed of a way through the air, of that at its start.</summary>
+    /// <summary>The mean speed of a path through the air, as a share of its initial speed.</summary>
     private const double Slowed = 0.9;
 
     private const int Sweeps = 4;
     private const int MirrorSteps = 10;
 
-    /// <summary>The most that the normal of a contact turns at once, rad.</summary>
+    /// <summary>The maximum rotation of a contact's normal in one step, in rad.</summary>
     private const double LargestBend = 0.7;
 
-    /// <summary>How much steeper than thrown a kick is that may come to the ground behind a throw, rad.</summary>
+    /// <summary>The additional elevation of a kick that may land behind a throw, in rad.</summary>
     private const double Steeper = 0.15;
 
-    /// <summary>The guesses: of the last hop as large a share, the last leg a flat one or a lob, the kick as much steeper.</summary>
+    /// <summary>The guesses: the share of the last hop, true for a lob as the last leg, and the additional elevation.</summary>
     private static readonly (double Share, bool IsLob, double Steeper)[] Ways =
     [
         (0.5, false, 0), (0.5, true, 0), (0.12, false, 0), (0.12, false, Steeper), (0.85, false, 0), (0.12, true, 0), (0.85, true, 0),
@@ -38,21 +39,21 @@ internal sealed class BankShotGuess
         _upward = Weight.UpwardAcceleration(scene);
     }
 
-    /// <summary>How many guesses there are.</summary>
+    /// <summary>The number of guesses.</summary>
     public static int Count => Ways.Length;
 
-    /// <summary>Puts the contacts of some legs, of which each has its thing, where they may be, and makes a kick for them.</summary>
+    /// <summary>Places the contacts of the legs at a guess, and returns a matching kick.</summary>
     /// <param name="legs">The legs.</param>
     /// <param name="ground">The ground.</param>
-    /// <param name="request">What the kick is to do.</param>
+    /// <param name="request">The request.</param>
     /// <param name="frame">Ball and target.</param>
-    /// <param name="index">Which guess.</param>
+    /// <param name="index">The index of the guess.</param>
     /// <param name="kick">The kick.</param>
-    /// <returns>False where it is no other than one before.</returns>
+    /// <returns>False if the guess equals an earlier one.</returns>
     public bool Make(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, out Kick kick)
     {
-        // 1. Every contact to where its thing is nearest. 2. By turns to where a mirror would show what comes after in what comes before. 3. The kick that is thrown
-        // to the first of them.
+        // 1. Move each contact to the nearest point of its object. 2. In turn, move each to the mirror point between its neighbours. 3. Throw the
+        // kick at the first contact.
         (double share, bool lob, double steeper) = Ways[index];
         bool hops = false;
         kick = default;
@@ -84,7 +85,7 @@ internal sealed class BankShotGuess
         return true;
     }
 
-    /// <summary>The first or last place on the ground of a leg, or where it leads to or comes from where it has none.</summary>
+    /// <summary>Returns the first or last bounce of a leg on the ground, or the leg's end or start if it has none.</summary>
     private Vector3d Hop(BankShotProblem legs, Collider? ground, in TargetFrame frame, int leg, double share, bool isLast)
     {
         Vector3d from = leg == 0 ? frame.From : legs.Contacts[leg - 1].Place;
@@ -95,7 +96,7 @@ internal sealed class BankShotGuess
             return isLast ? from : to;
         }
 
-        // Hops are a geometric series; the leg ends in the middle of one.
+        // The hops form a geometric series; the leg ends within the last hop.
         double gone = 0;
         double hop = 1;
         for (int i = 0; i < bounces; i++)
@@ -111,7 +112,7 @@ internal sealed class BankShotGuess
         return place.Place;
     }
 
-    /// <summary>Puts a contact to where the way over it is shortest, both ends raised by what the ball falls on its way: least |A − c| + |c − B|.</summary>
+    /// <summary>Moves a contact to minimise the path length |A − c| + |c − B|, with both ends raised by the fall of the ball on the path.</summary>
     private void Mirror(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, double share, bool lob)
     {
         ref BankShotContact c = ref legs.Contacts[index];
@@ -137,10 +138,10 @@ internal sealed class BankShotGuess
             a /= la;
             b /= lb;
 
-            // ∇f of the two lengths; along the surface it is zero where angle in equals angle out.
+            // ∇f of the two lengths: its tangential part is zero if the angles of incidence and reflection are equal.
             Vector3d slope = a + b;
 
-            // Of ∇∇f = (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H along the surface what makes no step too long: without aaᵀ and bbᵀ (Weiszfeld)
+            // The tangential Hessian (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H, without aaᵀ and bbᵀ (Weiszfeld) so that steps are not too long.
             double flat = (1.0 / la) + (1.0 / lb);
             double bent = Math.Max(0, -Vector3d.Dot(in slope, in c.Normal));
             double xx = flat + (bent * Math.Max(0, Vector3d.Dot(in c.Level, c.Curvature * c.Level)));
@@ -154,14 +155,14 @@ internal sealed class BankShotGuess
                 return;
             }
 
-            // Newton along the surface, but turning the normal no farther than it can be trusted.
+            // A Newton step along the surface, limited by the rotation of the normal.
             Vector3d move = (((xy * gy) - (yy * gx)) / determinant * c.Level) + (((xy * gx) - (xx * gy)) / determinant * c.Steep);
             double bend = (c.Curvature * move).Length;
             c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius, _time);
         }
     }
 
-    /// <summary>A way from a point that is raised by what a ball falls on the way, ½ g t²: its time is that of a throw at a speed, a flat one or a lob.</summary>
+    /// <summary>Raises a path by the fall of the ball, ½ g t², where t is the time of a throw, flat or as a lob.</summary>
     private Vector3d Raised(in Vector3d way, double speed, bool lob)
     {
         // |w + ½ a t²| = v t:  ¼ a² t⁴ − (v² − a w_y) t² + w² = 0
@@ -173,7 +174,7 @@ internal sealed class BankShotGuess
         return way + new Vector3d(0, 0.5 * a * squared, 0);
     }
 
-    /// <summary>The kick that is thrown over a way, the low one: tan ε = (v² − √(v⁴ − g (g x² + 2 y v²)))/(g x).</summary>
+    /// <summary>Returns the low throw that covers a path: tan ε = (v² − √(v⁴ − g (g x² + 2 y v²)))/(g x).</summary>
     private Kick Thrown(AimRequest request, in TargetFrame frame, in Vector3d way, double steeper)
     {
         double x = way.Horizontal.Length;
@@ -186,36 +187,36 @@ internal sealed class BankShotGuess
     }
 }
 
-/// <summary>A place at which the ball is to touch something: of its centre, on the surface that lies a radius off the thing. It moves along that surface by two numbers.</summary>
+/// <summary>A contact of the ball, on the surface one ball radius off an object; it moves along that surface by two numbers.</summary>
 internal struct BankShotContact
 {
-    /// <summary>A place is put back onto a surface that is curved in so many steps.</summary>
+    /// <summary>The maximum number of steps that project a point onto a curved surface.</summary>
     private const int MostRaises = 8;
 
-    /// <summary>The thing touched.</summary>
+    /// <summary>The object.</summary>
     public Collider Thing;
 
-    /// <summary>Centre of the ball, m.</summary>
+    /// <summary>The centre of the ball, in m.</summary>
     public Vector3d Place;
 
-    /// <summary>Normal of the thing there.</summary>
+    /// <summary>The normal of the object at the contact.</summary>
     public Vector3d Normal;
 
-    /// <summary>How the normal turns with the place, 1/m.</summary>
+    /// <summary>The rate at which the normal turns with the position, in 1/m.</summary>
     public SymmetricMatrix3d Curvature;
 
-    /// <summary>The directions along the surface: level, and as steep as it gets.</summary>
+    /// <summary>The tangential directions: horizontal, and steepest.</summary>
     public Vector3d Level;
     public Vector3d Steep;
 
-    /// <summary>Goes to the place on the surface nearest to one.</summary>
+    /// <summary>Moves to the point on the surface nearest to a given point.</summary>
     public void GoTo(in Vector3d near, double radius, double time)
     {
         Place = near;
         ShapePoint at = Thing.At(in Place, time);
         for (int i = 0; i < MostRaises && Math.Abs(at.Distance - radius) > 1e-12; i++)
         {
-            // Along the normal, again and again, until the ball just touches.
+            // Project along the normal repeatedly, until the ball just touches.
             Place += (radius - at.Distance) * at.Normal;
             at = Thing.At(in Place, time);
         }
@@ -225,7 +226,7 @@ internal struct BankShotContact
         Axes(in Normal, out Level, out Steep);
     }
 
-    /// <summary>Two directions across a third one, of which the first is level.</summary>
+    /// <summary>Returns two directions perpendicular to a third; the first is horizontal.</summary>
     public static void Axes(in Vector3d direction, out Vector3d level, out Vector3d steep)
     {
         var flat = new Vector3d(direction.Z, 0, -direction.X);

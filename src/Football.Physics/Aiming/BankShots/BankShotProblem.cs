@@ -1,12 +1,11 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// A kick in legs, each from one contact to the next and the last to the target, flown among nothing but the ground, and that only where it is to be met: there is always
-/// something to miss by (multiple shooting). Unknown are the kick's elevation and azimuth, how long each leg lasts, and two numbers
-/// for the place of each contact on the surface that it is on; what is left over are the gaps at the ends of the legs.
-/// </summary>
+/// <summary>A bank shot as a chain of legs, from contact to contact and to the target, solved by multiple shooting.</summary>
 /// <remarks>
-/// The kicks that meet a post are a hair's breadth of elevations and azimuths, but a post's whole side of places: in these unknowns Newton's method comes from far.
+/// Each leg flies in an empty scene, with the ground only for its bounces, so it always has a gap to measure. The unknowns are elevation and azimuth
+/// of the kick, the duration of each leg, and two numbers for each contact's position on its surface. The residuals are the gaps at the ends of the
+/// legs. Only a tiny range of elevations and azimuths hits a post, but a large range of contact positions does: in these unknowns, Newton's method
+/// converges from far away.
 /// </remarks>
 internal sealed class BankShotProblem : ILeastSquares
 {
@@ -14,26 +13,28 @@ internal sealed class BankShotProblem : ILeastSquares
     public const int Azimuth = 1;
     private const int FirstTime = 2;
 
-    /// <summary>A leg takes no less time after its last bounce, and no more, s.</summary>
+    /// <summary>The minimum and maximum duration of a leg after its last bounce, in s.</summary>
     private const double ShortestLeg = 1e-4;
     private const double LongestLeg = 8;
 
-    /// <summary>A leg is at least as fast as this share of the ball, where its time is guessed.</summary>
+    /// <summary>The minimum speed of a leg in the guess of its duration, as a share of the ball's speed.</summary>
     private const double LeastShare = 0.3;
 
-    /// <summary>The most that an iteration turns the kick, or the normal of a contact, rad; and of the length of the leg to it, that it moves a contact; and that a time changes, s.</summary>
+    /// <summary>The maximum changes per iteration.</summary>
+    /// <remarks>They limit the angles of the kick and the normal of a contact, in rad; a contact, as a share of its leg; and a time, in s.</remarks>
     private const double LargestTurn = 1;
     private const double LargestBend = 1.2;
     private const double LargestShare = 2;
     private const double LargestDelay = 2;
 
-    /// <summary>Columns are difference quotients over so much, rad, m or s.</summary>
+    /// <summary>The width of difference quotients, in rad, m or s.</summary>
     private const double Width = 1e-5;
 
-    /// <summary>
-    /// Legs are closed within this share of the tolerance: a post spreads what is left, which is corrected by the whole flight then. At 1e-3 that is no cheaper
-    /// (<c>football lab bankshots --requests 60</c>).
-    /// </summary>
+    /// <summary>The share of the tolerance to which legs are closed.</summary>
+    /// <remarks>
+    /// A post amplifies the remaining gap, but the full flight corrects that anyway. A value of 1e-3 is no cheaper (<c>football lab bankshots
+    /// --requests 60</c>).
+    /// </remarks>
     private const double Closed = 3e-2;
 
     private readonly Simulator _open;
@@ -47,9 +48,9 @@ internal sealed class BankShotProblem : ILeastSquares
     private double _step;
     private BankShotFlight? _counts;
 
-    /// <param name="open">The scene with nothing in it.</param>
-    /// <param name="grounded">The scene with its ground alone.</param>
-    /// <param name="count">How many contacts there are.</param>
+    /// <param name="open">The empty scene.</param>
+    /// <param name="grounded">The scene with its ground only.</param>
+    /// <param name="count">The number of contacts.</param>
     public BankShotProblem(Simulator open, Simulator grounded, int count)
     {
         _open = open;
@@ -64,39 +65,39 @@ internal sealed class BankShotProblem : ILeastSquares
         Solver = new LeastSquares(this, Equations);
     }
 
-    /// <summary>How many contacts there are.</summary>
+    /// <summary>The number of contacts.</summary>
     public int Count { get; }
 
     public int Unknowns => FirstTime + Count + 1 + (2 * Count);
 
     public int Equations => 3 * (Count + 1);
 
-    /// <summary>The things touched, in order, without the ground.</summary>
+    /// <summary>The contacts in order, without the ground.</summary>
     public BankShotContact[] Contacts { get; }
 
-    /// <summary>How often a leg meets the ground.</summary>
+    /// <summary>The number of ground bounces of each leg.</summary>
     public int[] Bounces { get; }
 
     /// <summary>The unknowns.</summary>
     public double[] X { get; }
 
-    /// <summary>Solves it.</summary>
+    /// <summary>The least-squares solver.</summary>
     public LeastSquares Solver { get; }
 
     public bool IsSpent => Solver.Iterations >= _request.MaximumIterations;
 
-    /// <summary>The kick.</summary>
+    /// <summary>The kick of the current unknowns.</summary>
     public Kick Kick => Kick.Of(_request, X[Elevation], X[Azimuth]);
 
-    /// <summary>Solves it from a kick, and from where its contacts are.</summary>
-    /// <param name="request">What the kick is to do.</param>
+    /// <summary>Solves from a kick and from the current contacts.</summary>
+    /// <param name="request">The request.</param>
     /// <param name="frame">Ball and target.</param>
     /// <param name="kick">The kick.</param>
-    /// <param name="step">Step of a leg, s.</param>
-    /// <param name="counts">Where flights and corrections are counted.</param>
+    /// <param name="step">The step of a leg, in s.</param>
+    /// <param name="counts">Receives the numbers of flights and corrections.</param>
     public void Close(AimRequest request, in TargetFrame frame, in Kick kick, double step, BankShotFlight counts)
     {
-        // The first flight goes on for as long as seems right.
+        // NaN makes the first flight estimate the durations.
         Array.Clear(X, 0, Unknowns);
         Array.Fill(X, double.NaN, FirstTime, Count + 1);
         X[Elevation] = kick.Elevation;
@@ -133,11 +134,11 @@ internal sealed class BankShotProblem : ILeastSquares
         return squares <= Closed * Closed * _request.Tolerance * _request.Tolerance;
     }
 
+    /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Fly(double[] x, double[] r)
     {
-        // Leg by leg. 1. The place of its end is put onto the surface that it is on: the two numbers lead along the plane that touches it where the guess was.
-        // 2. The leg is flown for its time, and the gap is taken. 3. The impact happens where it was assumed, not where the leg ended, so that a kick that would miss the
-        // thing has a next leg, too. 4. The next leg begins there. Only a ball that comes from behind, or bounces too seldom, has no residuals.
+        // Per leg: 1. Project its end onto the surface, from the tangent plane at the guess. 2. Fly for its duration, and store the gap. 3. Apply the
+        // impact at the assumed contact, so that a miss still has a next leg. 4. Start the next leg there.
         _counts!.Simulations++;
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
@@ -166,7 +167,7 @@ internal sealed class BankShotProblem : ILeastSquares
                 return gap.IsFinite;
             }
 
-            // How far the contact may move in an iteration: by its leg's length, and by what turns its normal.
+            // Limit the step of a contact by the length of its leg, and by the rotation of its normal.
             double bend = (contact.Curvature * new Vector3d(1, 1, 1)).Length;
             _reach[leg] = Math.Min(LargestShare * Math.Max(0.1, x[FirstTime + leg] * state.Velocity.Length), LargestBend / Math.Max(bend, 1e-9));
             Vector3d touched = end - (_ball.Radius * contact.Normal);
@@ -184,7 +185,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // A time moves the end of its leg along the way; what it changes of the legs after that is little, and left to Broyden's updates.
+        // A duration moves the end of its own leg along the path; Broyden's updates handle the small effect on later legs.
         for (int leg = 0; leg <= Count; leg++)
         {
             for (int i = 0; i < Equations; i++)
@@ -194,8 +195,8 @@ internal sealed class BankShotProblem : ILeastSquares
         }
     }
 
-    /// <summary>Flies a leg: over its bounces, and for its time after them.</summary>
-    /// <returns>False where the ball does not bounce that often.</returns>
+    /// <summary>Flies a leg: through its bounces, and then for its duration.</summary>
+    /// <returns>False if the ball does not bounce that often.</returns>
     private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
     {
         state = (Bounces[leg] > 0 ? _grounded : _open).LaunchAt(in p, in v, in w, time);
@@ -208,7 +209,7 @@ internal sealed class BankShotProblem : ILeastSquares
             }
         }
 
-        // After its last bounce a leg goes on without ground: what lies below it still has a gap that changes smoothly.
+        // After its last bounce a leg continues without ground, so that a gap below the ground still changes smoothly.
         if (Bounces[leg] > 0)
         {
             state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
@@ -216,7 +217,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
         if (double.IsNaN(duration))
         {
-            // Straight on, and as far as it is; sideways or away, as if a part of the speed led there.
+            // Estimate the duration from the distance and the speed along it, with a minimum for a sideways or backward direction.
             Vector3d way = end - state.Position;
             double length = way.Length;
             double along = Vector3d.Dot(in way, state.Velocity) / length;

@@ -1,19 +1,20 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The library's own solver for one target: Newton's method on the crossing of the target's plane, which mostly takes one flight. Where
-/// that fails, leaves the bounds or meets the ground, the closest approach over all elevations gives the hit, or the verdict that there is none.
-/// </summary>
+/// <summary>The library's solver for one target: Newton's method on the crossing of the target's plane, usually with one flight.</summary>
+/// <remarks>
+/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach, which is a hit or the
+/// verdict that there is none.
+/// </remarks>
 internal sealed class DirectAim
 {
-    /// <summary>Error of the solver's own steps, m: a closer miss counts as none, even where a request asks for more.</summary>
+    /// <summary>The error of the solver's own steps, in m; a smaller miss counts as zero, even with a smaller tolerance.</summary>
     private const double StepError = 1e-4;
 
-    /// <summary>Share of the target's distance below which a miss is a close one, and the slope above which a target is steep.</summary>
+    /// <summary>The miss that counts as close, as a share of the distance, and the slope above which a target is steep.</summary>
     private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
 
-    /// <summary>Share of its speed within which a slowest roll is known.</summary>
+    /// <summary>The relative accuracy of the slowest roll's speed.</summary>
     private const double RollWidth = 1e-4;
 
     private readonly PlaneProblem _problem;
@@ -33,14 +34,13 @@ internal sealed class DirectAim
 
     public AimSolution Find(AimRequest request) => Find(request, request.Speed, request.Arc, request.TopSpin, request.SideSpin);
 
-    /// <summary>Finds a kick with a speed, on an arc and with spins other than the request's.</summary>
+    /// <summary>Finds a kick with a speed, an arc and spins that may differ from the request's.</summary>
     public AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
-        // 1. Newton's method on the plane's crossing: mostly the answer, after one flight. 2. Where ways bend, the steeper kick may be there first.
-        // 3. In wind, and for a moving target: by the time of flight, which costs a quarter of the flights that 4, a scan over all directions,
-        // would take for the same hits. 5. Over the elevations: the hit, or the bound below which no kick comes. 6. Where those tell too little, by
-        // the time of flight: without that known kicks in still air are lost on both arcs. 7. What is closest is the verdict.
-        // (football lab answers --only known --count 300, and --only verdicts)
+        // 1. Newton's method on the plane crossing. 2. On bent paths, the steeper kick may arrive first. 3. In wind or for a moving target, search
+        // over the time of flight, at a quarter of the cost of scanning all directions for the same hits (4). 5. Search over the elevation. 6. If
+        // that is inconclusive, search over the time of flight: without this step, known kicks in still air are lost on both arcs. 7. The closest
+        // kick is the verdict. (football lab answers --only known --count 300, and --only verdicts)
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
         bool separates = _context.Turns(request.TargetVelocity);
@@ -51,12 +51,12 @@ internal sealed class DirectAim
                 return solution;
             }
 
-            // Where ways bend the steep kick may be there first: the low arc is the one that is.
+            // On bent paths the steep kick may arrive first; the low arc is the kick that does.
             Approach steeper = _closest.Find(_problem, AimArc.High);
             return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
 
-        // No flight is left for a search: straight at the target, so that the answer is a kick at all.
+        // No flights left: return a kick straight at the target.
         if (_context.IsSpent)
         {
             return new AimSolution
@@ -69,7 +69,7 @@ internal sealed class DirectAim
             };
         }
 
-        // Where elevation and azimuth do not separate, by the time of flight; else by the elevation.
+        // Search over the time of flight if elevation and azimuth do not separate; otherwise over the elevation.
         if (!separates && frame.Distance >= 1e-6 && _general.WithSpeed(request, speed, arc, top, side, out AimSolution hit))
         {
             return hit;
@@ -90,7 +90,7 @@ internal sealed class DirectAim
             found = isBetter ? other : found;
         }
 
-        // Straight above or below only the elevation matters; at the ball there is no direction at all.
+        // Straight above or below, only the elevation matters; at the ball there is no direction.
         return Solution(
             in found,
             found.Miss <= request.Tolerance ? AimStatus.Hit
@@ -99,7 +99,7 @@ internal sealed class DirectAim
                 : AimStatus.OutOfReach);
     }
 
-    /// <summary>The slowest kick along the ground: one that is a little slower stops short.</summary>
+    /// <summary>Finds the slowest kick along the ground; a slower one stops short.</summary>
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         solution = default;
@@ -107,7 +107,7 @@ internal sealed class DirectAim
         double high = fastest;
         for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
         {
-            // A bisection from the fastest on: where even that stops short there is none.
+            // Bisection, starting at the fastest kick: if that one stops short, there is none.
             bool hits = Rolls(request, speed, out _);
             if (!hits && speed == fastest)
             {
@@ -117,7 +117,7 @@ internal sealed class DirectAim
             (low, high) = hits ? (low, speed) : (speed, high);
         }
 
-        // A little faster, so that it does not stop there but passes.
+        // Slightly faster, so that the ball passes the target instead of stopping there.
         return Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out solution);
     }
 
@@ -139,7 +139,7 @@ internal sealed class DirectAim
         Time = found.Time,
     };
 
-    /// <summary>The kick on the low arc by Newton's method.</summary>
+    /// <summary>Finds the kick on the low arc by Newton's method.</summary>
     private bool Newton(out AimSolution solution)
     {
         solution = default;
@@ -161,11 +161,11 @@ internal sealed class DirectAim
         return true;
     }
 
-    /// <summary>True when elevations tell too little of a miss: a close one, or ways that bend.</summary>
+    /// <summary>True if a miss from the elevation search is inconclusive: a close one, or on bent paths.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>
         miss < CloseMiss * frame.Distance || IsBent(in frame);
 
-    /// <summary>True when the steeper of two kicks may be the faster: at a steep target, or in an air that bends ways into loops.</summary>
+    /// <summary>True if the steeper of two kicks may arrive first: at a steep target, or in air that bends paths into loops.</summary>
     private bool IsBent(in TargetFrame frame) =>
         frame.Target.Y - frame.From.Y > Steep * frame.Distance || _context.IsRuledByAir(_problem.Speed, _problem.Spins.SpinRate);
 }

@@ -1,15 +1,15 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The library's own solver for a point on the way and a target: Newton's method in four unknowns, spins within their limits. Where it does not converge, the target comes
-/// first: it is hit with the spins that came nearest.
-/// </summary>
+/// <summary>The library's solver for a waypoint and a target: Newton's method in four unknowns, with limited spins.</summary>
+/// <remarks>
+/// If it does not converge, the target takes precedence: the kick hits the target with the spins that came closest to the waypoint.
+/// </remarks>
 internal sealed class DirectTwoPointAim
 {
-    /// <summary>Below this elevation, rad, a kick whose spin is at its limit is the only one.</summary>
+    /// <summary>The elevation below which a kick with a spin at its limit is unique, in rad.</summary>
     private const double FlatKick = 0.5;
 
-    /// <summary>A spin of this share of its limit is at it.</summary>
+    /// <summary>The share of its limit above which a spin counts as at the limit.</summary>
     private const double NearLimit = 1.0 - 1e-9;
 
     private readonly AimContext _context;
@@ -29,7 +29,7 @@ internal sealed class DirectTwoPointAim
 
     public AimSolution Find(AimRequest request)
     {
-        // A point that is not on the way to the target is left out, but in a wind, which may carry the ball by it.
+        // Ignore a waypoint that is not between ball and target, except in wind, which may carry the ball past it.
         if (!_problem.SetThrough(request))
         {
             AimSolution alone = _direct.Find(request);
@@ -43,7 +43,7 @@ internal sealed class DirectTwoPointAim
             return solution;
         }
 
-        // From elsewhere there may be one that the closed form is too far from.
+        // The general search may find a kick that is too far from the closed-form guess.
         return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
@@ -53,7 +53,7 @@ internal sealed class DirectTwoPointAim
     private bool Passes(in AimSolution solution) =>
         solution.Status == AimStatus.Hit && solution.ThroughMiss <= _problem.Request.WaypointTolerance;
 
-    /// <summary>In still air, where the spin of a flat kick is at its limit, no other passes the point more closely.</summary>
+    /// <summary>True if no other kick passes the waypoint more closely: in still air, for a flat kick with a spin at its limit.</summary>
     private bool IsOnlyOne(in Kick kick)
     {
         AimRequest request = _problem.Request;
@@ -61,7 +61,7 @@ internal sealed class DirectTwoPointAim
             && (Math.Abs(kick.Top) >= request.MaximumTopSpin * NearLimit || Math.Abs(kick.Side) >= request.MaximumSideSpin * NearLimit);
     }
 
-    /// <summary>The target alone, with the spins that came nearest to both, or else with as much lift as is allowed.</summary>
+    /// <summary>Finds a kick for the target only, with the spins closest to both points or, if that fails, with the maximum lift.</summary>
     private AimSolution TargetFirst(in AimSolution nearest)
     {
         AimRequest request = _problem.Request;
@@ -69,7 +69,7 @@ internal sealed class DirectTwoPointAim
         single.ThroughMiss = ThroughMissOf(in single.Kick);
         if (single.Status != AimStatus.Hit)
         {
-            // Those spins may bring it down too early: once more with all the lift that is allowed.
+            // These spins may bring the ball down too early: try the maximum lift.
             AimSolution lifted = _direct.Find(request, request.Speed, request.Arc, -request.MaximumTopSpin, 0);
             if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
             {
@@ -81,7 +81,7 @@ internal sealed class DirectTwoPointAim
         return single;
     }
 
-    /// <summary>By what a kick for the target alone misses the point on the way, m: it is flown to tell.</summary>
+    /// <summary>Flies a kick, and returns its miss at the waypoint, in m.</summary>
     private double ThroughMissOf(in Kick kick)
     {
         _problem.SetThrough(_problem.Request);
@@ -90,7 +90,7 @@ internal sealed class DirectTwoPointAim
         return _problem.Fly(x, _newton.R, false) ? PlaneProblem.ThroughMissOf(_newton.R) : double.NaN;
     }
 
-    /// <summary>The kick by Newton's method.</summary>
+    /// <summary>Finds the kick by Newton's method.</summary>
     private AimSolution Newton()
     {
         bool hits = _newton.Solve() && _problem.StaysClear(_newton.X, _newton.R);

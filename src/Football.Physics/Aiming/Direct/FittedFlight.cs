@@ -1,28 +1,29 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// A flight in which drag and lift are quadratics of |u|² through the laws' own values at three speeds, and fall with the spin as the time goes:
-/// millimetres off at 25 m for a quarter of a flight's time. The solvers rehearse their first corrections in it.
-/// </summary>
+/// <summary>An approximate flight: drag and lift are quadratics in |u|² through the exact laws at three speeds.</summary>
+/// <remarks>
+/// Both coefficients fall as the spin decays. The error is millimetres at 25 m, for a quarter of the time of a full flight. The solvers rehearse
+/// their first corrections in it.
+/// </remarks>
 internal struct FittedFlight
 {
-    /// <summary>Longest steps, s: RK4 is a millimetre off then; and most of them.</summary>
+    /// <summary>The longest step, in s, at which RK4 is accurate to a millimetre, and the maximum number of steps.</summary>
     private const double LongestStep = 0.5;
     private const double MostSteps = 16;
 
-    /// <summary>The slowest speed that the laws are asked about is this share of the fastest at most, that the values lie apart.</summary>
+    /// <summary>The largest ratio of the slowest to the fastest sampled speed; it keeps the samples apart.</summary>
     private const double Slowest = 0.9;
 
-    /// <summary>Share of the spin by which its effect on drag and lift is found.</summary>
+    /// <summary>The relative change of spin that measures its effect on drag and lift.</summary>
     private const double SpinChange = 0.02;
 
-    /// <summary>A fit to one spin serves spins within this share of it, with an error of a few parts in ten thousand.</summary>
+    /// <summary>The relative difference of spin for which a fit is valid, with an error of a few 1e-4.</summary>
     private const double CloseSpin = 0.05;
 
-    /// <summary>The slowest spin, rad/s, that is fitted to.</summary>
+    /// <summary>The minimum spin of a fit, in rad/s.</summary>
     private const double LeastSpin = 1;
 
-    /// <summary>Share of its time by which a flight may be off its plane, for the end of the path to go on to there.</summary>
+    /// <summary>The share of the flight time over which the end of the path is extrapolated to its plane.</summary>
     private const double Reach = 0.25;
 
     private Vector3d _wind;
@@ -42,7 +43,7 @@ internal struct FittedFlight
     private double _decay;
     private double _decaySlope;
 
-    // The ball as the air sees it.
+    // The motion of the ball relative to the air.
     private Vector3d _axis;
     private Vector3d _path;
     private Vector3d _velocity;
@@ -51,36 +52,36 @@ internal struct FittedFlight
     private double _lost;
 
     /// <summary>Fits drag and lift.</summary>
-    /// <param name="context">The laws.</param>
-    /// <param name="speed">Speed through the air at launch, m/s.</param>
-    /// <param name="spinRate">Spin at launch, rad/s.</param>
-    /// <param name="drag">About how much drag there is a length, 1/m.</param>
-    /// <param name="time">About how long the flight lasts, s.</param>
+    /// <param name="context">The scene.</param>
+    /// <param name="speed">The airspeed at launch, in m/s.</param>
+    /// <param name="spinRate">The spin at launch, in rad/s.</param>
+    /// <param name="drag">The approximate drag per length, in 1/m.</param>
+    /// <param name="time">The approximate duration of the flight, in s.</param>
     public void Fit(AimContext context, double speed, double spinRate, double drag, double time)
     {
         _wind = context.Scene.Air.Wind;
         _upward = context.Upward;
         _spinRate = Math.Max(LeastSpin, spinRate);
 
-        // |u| = v/(1 + k v t) at a half and at all of the time
+        // |u| = v/(1 + k v t) at half and at full time
         double slowing = drag * speed * time;
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
 
-        // The laws at three speeds, and at the middle one with a little less spin.
+        // The exact laws at three speeds, and at the middle one with slightly less spin.
         context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
         context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
         context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
         context.Factors(middle, (1.0 - SpinChange) * _spinRate, out double lessDrag, out double lessLift, out _);
 
-        // What is left of the spin, 1 − t (d₀ − (d₀ − d₂) t/2T)/ω, and what that leaves of drag and lift
+        // The loss of spin, t (d₀ − (d₀ − d₂) t/2T), and its effect on drag and lift.
         double perSpin = 1.0 / (SpinChange * _spinRate);
         _dragPerLoss = drag1 > 0 ? perSpin * (1.0 - (lessDrag / drag1)) : 0;
         _liftPerLoss = lift1 > 0 ? perSpin * (1.0 - (lessLift / lift1)) : 0;
         _decay = decay0;
         _decaySlope = 0.5 * (decay0 - decay2) / time;
 
-        // Newton's divided differences
+        // Newton's divided differences.
         _middleSquared = middle * middle;
         _endSquared = end * end;
         double perFirst = 1.0 / ((speed * speed) - _middleSquared);
@@ -94,7 +95,7 @@ internal struct FittedFlight
         _liftBend = (((lift0 - lift1) * perFirst) - _liftSlope) * perBoth;
     }
 
-    /// <summary>True when a flight with a spin, rad/s, is close enough to what was fitted.</summary>
+    /// <summary>True if the fit is valid for a spin, in rad/s.</summary>
     public readonly bool Fits(double spinRate) => Math.Abs(Math.Max(LeastSpin, spinRate) - _spinRate) < CloseSpin * _spinRate;
 
     /// <summary>Begins a flight.</summary>
@@ -109,18 +110,18 @@ internal struct FittedFlight
         _time = 0;
     }
 
-    /// <summary>Flies on to about a time, and from there to a plane.</summary>
-    /// <returns>False where that is not near.</returns>
+    /// <summary>Flies to about a time, and from there to a plane.</summary>
+    /// <returns>False if the plane is not near.</returns>
     public bool Fly(double time, ref PlaneCrossing crossing)
     {
         AdvanceTo(time);
 
-        // The parabola of the end: g = v τ + a τ²/2
+        // Extrapolate with a parabola: g = v τ + a τ²/2
         Vector3d position = _from + _path + (_time * _wind);
         Vector3d velocity = _velocity + _wind;
         Rates(in _velocity, _time, out Vector3d a);
 
-        // Two steps of fixed-point iteration: the time at a steady speed, then at the mean speed over that time.
+        // Two fixed-point iterations: the time at constant speed, then at the mean speed over that time.
         double gap = -crossing.Beyond(in position, _time);
         double outward = crossing.Outward(in velocity);
         double tau = gap / outward;
@@ -134,7 +135,7 @@ internal struct FittedFlight
         return true;
     }
 
-    /// <summary>The classical Runge–Kutta method; the path through the air needs the velocities' rates alone.</summary>
+    /// <summary>Advances with the classical Runge–Kutta method; the rates depend on the velocity only, which makes the path cheap.</summary>
     private void AdvanceTo(double time)
     {
         double left = time - _time;
@@ -142,7 +143,7 @@ internal struct FittedFlight
         double h = left / steps;
         for (int i = 0; i < steps; i++)
         {
-            // The path of the same four stages: u + h (k₁ + k₂ + k₃)/6.
+            // The path from the same four stages: u + h (k₁ + k₂ + k₃)/6.
             Vector3d u = _velocity;
             double start = _time + (i * h);
             Rates(in u, start, out Vector3d k1);
@@ -159,7 +160,7 @@ internal struct FittedFlight
     /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
     private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
     {
-        // D and L of this |u|² in Newton's form, less what the lost spin takes of them.
+        // D and L at this |u|² in Newton's form, reduced by the lost spin.
         double loss = _lost + (time * (_decay - (time * _decaySlope)));
         double squared = u.LengthSquared;
         double past = squared - _endSquared;

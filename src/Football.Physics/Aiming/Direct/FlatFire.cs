@@ -1,30 +1,30 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// A flight in closed form: quadratic drag along the path, gravity and Magnus force as displacements across it, damped by the same
-/// drag, all with mean coefficients. A few centimetres off at 20 m: the start for the solvers.
-/// </summary>
+/// <summary>A closed-form flight, accurate to a few centimetres at 20 m; the initial guess of the solvers.</summary>
+/// <remarks>
+/// Quadratic drag acts along the path. Gravity and Magnus force are displacements across it, damped by the same drag. All coefficients are means.
+/// </remarks>
 internal struct FlatFire
 {
-    /// <summary>Lengths of way over which drag takes a factor e of the speed: more of them are not looked at.</summary>
+    /// <summary>The longest path, in lengths over which drag reduces the speed by a factor e.</summary>
     private const double MostDamping = 5;
 
-    /// <summary>Share of the way within which a kick for a target ends there: what the model itself is off.</summary>
+    /// <summary>The relative distance at which a kick counts as reaching the target; it equals the error of the model.</summary>
     private const double Closeness = 0.005;
 
-    /// <summary>Drag per length k, |u̇| = k |u|², 1/m.</summary>
+    /// <summary>The drag per length k, |u̇| = k |u|², in 1/m.</summary>
     public double Drag;
 
-    /// <summary>Magnus acceleration per unit of spin-axis × velocity, 1/s.</summary>
+    /// <summary>The Magnus acceleration per unit of spin axis × velocity, in 1/s.</summary>
     public double Lift;
 
-    /// <summary>Upward acceleration, m/s².</summary>
+    /// <summary>The upward acceleration, in m/s².</summary>
     public double Upward;
 
-    /// <summary>Way along the launch direction, its rate, and the two damped displacements, for launch speed x after t.</summary>
+    /// <summary>Returns the path length, its rate, and the two damped displacements, for launch speed x after time t.</summary>
     public readonly void Ways(double x, double t, out double along, out double speed, out double fall, out double bend)
     {
-        // τ: the way over the length in which drag takes a factor e; series where it is small, for rounding.
+        // τ: the path length relative to the length at which drag reduces the speed by a factor e. Use a series if it is small, against rounding.
         double tau = Drag * x * t;
         double log;
         double half;
@@ -48,20 +48,20 @@ internal struct FlatFire
         bend = x * t * t * third; // w' + k v w = v
     }
 
-    /// <summary>The time that a kick of a speed takes for a way along its path, s.</summary>
+    /// <summary>Returns the time that a kick takes for a path length, in s.</summary>
     public readonly double TimeFor(double speed, double way) =>
         Drag * way > 1e-6 ? (Elementary.Exp(Math.Min(Drag * way, MostDamping)) - 1.0) / (Drag * speed) : way / speed;
 
-    /// <summary>The velocity through the air with which a ball is somewhere at a time.</summary>
-    /// <param name="way">Where, as seen through the air.</param>
-    /// <param name="axis">Unit axis of the spin, or zero.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="direction">Unit direction of the velocity.</param>
-    /// <param name="along">How the way grows with the velocity along it, s.</param>
-    /// <param name="across">How it moves with the velocity across it, s.</param>
+    /// <summary>Returns the airspeed vector with which a ball reaches a position at a time.</summary>
+    /// <param name="way">The position relative to the air.</param>
+    /// <param name="axis">The unit axis of the spin, or zero.</param>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="direction">The unit direction of the velocity.</param>
+    /// <param name="along">The derivative of the position along the velocity, in s.</param>
+    /// <param name="across">The derivative of the position across the velocity, in s.</param>
     public readonly Vector3d Launch(in Vector3d way, in Vector3d axis, double time, out Vector3d direction, out double along, out double across)
     {
-        // Fixed-point iteration: the direction tells the fall and the bend, these tell the direction.
+        // Fixed-point iteration: the direction determines fall and bend, and these determine the direction.
         double x = Math.Max(way.Length, 1e-3) / time;
         Vector3d air = Vector3d.Zero;
         for (int i = 0; i < 5; i++)
@@ -78,15 +78,15 @@ internal struct FlatFire
 
         Ways(x, time, out double went, out double speed, out _, out _);
 
-        // ∂p/∂v along the way, t/(1 + τ), and across it, s/x.
+        // ∂p/∂v along the path, t/(1 + τ), and across it, s/x.
         direction = air;
         along = time * speed / x;
         across = went / x;
         return x * air;
     }
 
-    /// <summary>Speed through the air in a direction û of a ball kicked at speed v, |x û + W| = v; not a number where it has none.</summary>
-    /// <param name="v">Speed of the kick.</param>
+    /// <summary>Returns the airspeed in a direction û of a ball kicked at speed v, |x û + W| = v; NaN if there is none.</summary>
+    /// <param name="v">The speed of the kick.</param>
     /// <param name="along">W·û.</param>
     /// <param name="windSquared">|W|².</param>
     public static double AirSpeed(double v, double along, double windSquared)
@@ -95,20 +95,20 @@ internal struct FlatFire
         return discriminant > 0 ? Math.Sqrt(discriminant) - along : double.NaN;
     }
 
-    /// <summary>Launch direction and time for a target.</summary>
-    /// <param name="toTarget">From the ball to the target.</param>
-    /// <param name="wind">Wind less the target's own velocity.</param>
-    /// <param name="launchWind">Wind.</param>
-    /// <param name="v">Speed of the kick.</param>
+    /// <summary>Finds launch direction and time for a target.</summary>
+    /// <param name="toTarget">The vector from the ball to the target.</param>
+    /// <param name="wind">The wind minus the target's velocity.</param>
+    /// <param name="launchWind">The wind.</param>
+    /// <param name="v">The speed of the kick.</param>
     /// <param name="spins">The spins of the kick; their axis turns with its direction.</param>
-    /// <param name="direction">Unit vector of the kick's velocity; enters as a start value.</param>
-    /// <param name="time">Time to the target; enters as a start value.</param>
-    /// <returns>False where the model does not reach the target; the direction is then the nearest it found.</returns>
+    /// <param name="direction">The unit vector of the kick's velocity; its initial value is the start of the search.</param>
+    /// <param name="time">The time to the target; its initial value is the start of the search.</param>
+    /// <returns>False if the model does not reach the target; the direction is then the closest found.</returns>
     public readonly bool Solve(
         in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Kick spins, ref Vector3d direction, ref double time)
     {
-        // Newton's method for the time: at each, where the launch must point for the way left after gravity, wind and bend; the way made less the way to go is the
-        // excess, and its slope how fast both change. Ends within what the model itself is off.
+        // Newton's method for the time. At each time, the direction follows from the displacement left after gravity, wind and bend; the excess is
+        // the distance to go minus the path length. Stop within the error of the model.
         double x = (v * direction - launchWind).Length;
         Vector3d air = x > 0 ? (v * direction - launchWind) / x : direction;
         double spinRate = spins.SpinRate;
@@ -153,7 +153,7 @@ internal struct FlatFire
 
             best = Math.Abs(excess);
 
-            // Newton, but no more than three times as long or short: far from the root the slope is none.
+            // Limit a Newton step to a factor of about three: far from the root, the slope is meaningless.
             double next = t - (excess / slope);
             t = next > 3.0 * t ? 3.0 * t : next < 0.3 * t ? 0.3 * t : next;
         }

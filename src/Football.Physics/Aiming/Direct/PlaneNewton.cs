@@ -1,20 +1,21 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Newton's method on the crossings of a <see cref="PlaneProblem"/>. It starts in closed form; the first corrections are rehearsed in fitted air; the first Jacobian is read
-/// off the flight itself, and Broyden's updates make it better, so that an iteration costs one flight and no differences.
-/// </summary>
+/// <summary>Newton's method on the plane crossings of a <see cref="PlaneProblem"/>.</summary>
+/// <remarks>
+/// It starts from the closed form, and rehearses the first corrections in fitted air. The first Jacobian is computed from the flight itself, and
+/// Broyden's updates improve it, so an iteration costs one flight and no differences.
+/// </remarks>
 internal sealed class PlaneNewton
 {
     private const int N = PlaneProblem.Most;
 
-    /// <summary>An iteration that leaves more than this share of the least misses so far is none that helps.</summary>
+    /// <summary>The ratio to the smallest miss so far above which an iteration counts as stalled.</summary>
     private const double Progress = 0.7;
 
-    /// <summary>Flights after which the next correction is foretold by the last: the first update of a Jacobian of four unknowns tells of one.</summary>
+    /// <summary>The number of flights after which the last correction predicts the next; with four unknowns, one update is not enough.</summary>
     private const int LeastFlights = 3;
 
-    /// <summary>The miss below which no more corrections need be rehearsed, m, and what each must leave of a miss to count as plenty.</summary>
+    /// <summary>The miss at which rehearsals end, in m, and the contraction per correction that is sufficient.</summary>
     private const double RehearsedEnough = 1e-4;
     private const double Plenty = 0.1;
 
@@ -30,24 +31,24 @@ internal sealed class PlaneNewton
     /// <summary>The unknowns of the kick.</summary>
     public double[] X { get; } = new double[N];
 
-    /// <summary>Its residuals.</summary>
+    /// <summary>The residuals of the kick.</summary>
     public double[] R { get; } = new double[N];
 
-    /// <summary>Miss distances at the target and at the point on the way, m.</summary>
+    /// <summary>The misses at the target and at the waypoint, in m.</summary>
     public double Miss { get; private set; }
 
     public double ThroughMiss { get; private set; }
 
-    /// <summary>When it is at the target, s.</summary>
+    /// <summary>The time at the target, in s.</summary>
     public double Time { get; private set; }
 
     /// <summary>Solves the problem.</summary>
-    /// <returns>False where it does not converge, or leaves the bounds; the kick is then the last that was flown.</returns>
+    /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one flown.</returns>
     public bool Solve()
     {
-        // 1. A guess in closed form, corrected in fitted air, which also tells how much a correction leaves of a miss. 2. One real flight. 3. Where it misses by more than
-        // the guess did, the Jacobian is made anew. 4. A correction by what it missed; it is not flown where it will miss by far less than the tolerance: one flight an
-        // aim. 5. Else Broyden's update, and the next flight, as long as misses shrink.
+        // 1. A closed-form guess, corrected in fitted air, which also measures the contraction per correction. 2. One full flight. 3. If it misses by
+        // more than the guess, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below the tolerance.
+        // 5. Otherwise apply Broyden's update and fly again, while misses shrink.
         Miss = 0;
         ThroughMiss = double.NaN;
         Time = 0;
@@ -58,7 +59,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        // What longer steps were wrong about grazes the drag law's jump: there only a kick's own flight tells.
+        // If longer steps were inaccurate, the kick grazes the jump of the drag law: use full flights only.
         double rehearsed = 0;
         double contraction = 1;
         _step.Reset();
@@ -68,7 +69,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        // A rehearsal tells how much a correction leaves of a miss; where the flight misses by more than the guess did, it told nothing.
+        // Trust the rehearsal's contraction only if the flight misses by less than the guess did.
         bool isKnown = isRehearsed && Asked(R) < rehearsed;
         if (!isKnown)
         {
@@ -90,7 +91,7 @@ internal sealed class PlaneNewton
             ThroughMiss = PlaneProblem.ThroughMissOf(R);
             Time = _problem.Time;
 
-            // A flight in the long steps of a rehearsed kick only foretells; to hit, it is flown in shorter ones.
+            // The long steps of a rehearsed flight only predict a hit; confirm it with shorter steps.
             bool hits = isSure && Miss <= _problem.Tolerance && !(through && _step.ThroughAsked(R) > _problem.ThroughTolerance);
             if ((hits && through) || !_step.Solve(_problem, X, R, out bool sameHeld))
             {
@@ -104,13 +105,13 @@ internal sealed class PlaneNewton
                 TakeStep();
                 Array.Copy(_nextX, X, N);
 
-                // Estimated, not flown: what the correction leaves by the measure of the one before.
+                // Estimate the remaining miss by the last contraction, without a flight.
                 Miss *= left;
                 R[PlaneProblem.TargetUp] *= left;
                 return true;
             }
 
-            // Slow in a row, or as often as is allowed: given up.
+            // Give up after too many flights, or too many slow iterations in a row.
             stalled = size < Progress * least ? 0 : stalled + 1;
             if (hits || flights >= limit || stalled == _patience.Stalled)
             {
@@ -124,7 +125,7 @@ internal sealed class PlaneNewton
                 return false;
             }
 
-            // Where Broyden's matrix no longer fits, it is made anew.
+            // Rebuild the Broyden matrix when it no longer fits.
             isSure = true;
             bool isStale = Norm(_nextR) > 0.9 * Norm(R);
             TakeFlown();
@@ -136,12 +137,12 @@ internal sealed class PlaneNewton
     }
 
     /// <summary>Corrects the guess in fitted air.</summary>
-    /// <param name="first">What the guess misses by, m.</param>
-    /// <param name="contraction">What a correction leaves of a miss.</param>
-    /// <returns>False where nothing is learnt: the kick is the guess then.</returns>
+    /// <param name="first">The miss of the guess, in m.</param>
+    /// <param name="contraction">The share of a miss that a correction leaves.</param>
+    /// <returns>False if nothing was learnt; the kick is then the guess.</returns>
     private bool Rehearse(out double first, out double contraction)
     {
-        // Corrections in fitted air cost a quarter of a flight: as many as shrink the miss, until it is below what that air itself is off.
+        // A correction in fitted air costs a quarter of a flight: repeat while the miss shrinks, down to the error of the fit.
         int most = _patience.Rehearsals;
         contraction = 1;
         first = 0;
@@ -171,7 +172,7 @@ internal sealed class PlaneNewton
             TakeFlown();
             double next = Asked(R);
 
-            // Bounded below, for one lucky correction says little of the next.
+            // Apply a lower bound, because a single lucky correction does not predict the next one.
             contraction = Math.Max(next / size, _patience.LeastContraction);
             if (!(contraction < _patience.MostContraction))
             {
@@ -181,13 +182,13 @@ internal sealed class PlaneNewton
             size = next;
         }
 
-        // Nothing was learnt: back to the guess.
+        // Nothing was learnt: return to the guess.
         Array.Copy(_guess, X, N);
         _problem.ForgetRehearsals();
         return false;
     }
 
-    /// <summary>The misses at the target and at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    /// <summary>Returns the combined miss at target and waypoint, in m, without the directions of spins at their limit.</summary>
     private double Asked(double[] r)
     {
         double miss = PlaneProblem.MissOf(r);
@@ -195,7 +196,7 @@ internal sealed class PlaneNewton
         return asked > 0 ? Math.Sqrt((miss * miss) + (asked * asked)) : miss;
     }
 
-    /// <summary>Makes the step that was flown the kick, and the Jacobian better by it.</summary>
+    /// <summary>Accepts the step that was flown, and updates the Jacobian.</summary>
     private void TakeFlown()
     {
         _step.Update(_problem, R, _nextR);
@@ -203,10 +204,10 @@ internal sealed class PlaneNewton
         Array.Copy(_nextR, R, N);
     }
 
-    /// <summary>Makes the Jacobian anew.</summary>
+    /// <summary>Rebuilds the Jacobian.</summary>
     private bool Differentiate() => (!_problem.HasThrough || _problem.Rehearse(X, _nextR)) && _step.Measure(_problem, X, _nextR);
 
-    /// <summary>Flies the kick after the step, or after a half, a quarter of it where that does not reach its planes.</summary>
+    /// <summary>Flies the kick after the step; halves the step repeatedly if the kick does not reach its planes.</summary>
     private bool FlyStep()
     {
         for (int i = 0; i < _patience.Tries; i++)
@@ -237,13 +238,13 @@ internal sealed class PlaneNewton
     private static double Norm(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) + (r[3] * r[3]));
 }
 
-/// <summary>How long Newton's method goes on: the angles to a target alone are found at once or not at all, angles and spins through a point take their time.</summary>
-/// <param name="Flights">Flights at most.</param>
-/// <param name="Stalled">So many iterations in a row that do not help, and it leads nowhere.</param>
-/// <param name="Tries">How often a step that does not reach its planes is tried, shorter by half each time.</param>
-/// <param name="Rehearsals">Corrections in fitted air.</param>
-/// <param name="LeastContraction">A rehearsed correction leaves a share of the miss: no less than this is relied on.</param>
-/// <param name="MostContraction">With more than that nothing is learnt.</param>
+/// <summary>The limits of Newton's method: a kick to a target converges at once or never, one with a waypoint takes longer.</summary>
+/// <param name="Flights">The maximum number of flights.</param>
+/// <param name="Stalled">The number of stalled iterations in a row after which it gives up.</param>
+/// <param name="Tries">The number of times that a step which does not reach its planes is halved.</param>
+/// <param name="Rehearsals">The maximum number of corrections in fitted air.</param>
+/// <param name="LeastContraction">The minimum contraction of a rehearsed correction that is trusted.</param>
+/// <param name="MostContraction">The contraction above which nothing is learnt.</param>
 internal readonly record struct NewtonPatience(int Flights, int Stalled, int Tries, int Rehearsals, double LeastContraction, double MostContraction)
 {
     public static NewtonPatience Target => new(Flights: 10, Stalled: 1, Tries: 1, Rehearsals: 1, LeastContraction: 0.03, MostContraction: 0.2);
@@ -251,16 +252,14 @@ internal readonly record struct NewtonPatience(int Flights, int Stalled, int Tri
     public static NewtonPatience Through => new(Flights: 20, Stalled: 4, Tries: 4, Rehearsals: 6, LeastContraction: 0.05, MostContraction: 1.5);
 }
 
-/// <summary>When a quasi-Newton iteration need not fly its last kick.</summary>
+/// <summary>Decides if a quasi-Newton iteration can skip its last flight.</summary>
 internal static class Convergence
 {
-    /// <summary>
-    /// The last correction shrank the miss by a factor, and the next one will by no less. Where that is plenty, the corrected kick needs no
-    /// flight to show that it hits.
-    /// </summary>
-    /// <param name="miss">The miss now, m.</param>
-    /// <param name="before">The miss before the last correction, m; infinite before there was one.</param>
-    /// <param name="tolerance">The tolerance, m.</param>
+    /// <summary>True if the corrected kick certainly hits, so that its flight can be skipped.</summary>
+    /// <remarks>The last correction shrank the miss by a factor, and the next correction will shrink it at least as much.</remarks>
+    /// <param name="miss">The current miss, in m.</param>
+    /// <param name="before">The miss before the last correction, in m; infinite before the first.</param>
+    /// <param name="tolerance">The tolerance, in m.</param>
     /// <param name="contraction">The factor.</param>
     public static bool IsPlenty(double miss, double before, double tolerance, out double contraction)
     {

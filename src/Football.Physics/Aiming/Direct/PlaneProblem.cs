@@ -1,12 +1,12 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The boundary-value problem of a kick of given speed: which elevation and azimuth make it cross the vertical plane through the target in the target itself, and, where it is to
-/// pass a point on the way, which spins with them make it cross the plane of that in that.
-/// </summary>
+/// <summary>The boundary-value problem of a kick at a given speed: elevation and azimuth for a target, plus spins for a waypoint.</summary>
+/// <remarks>
+/// The kick must cross the vertical plane through the target at the target itself, and the plane through the waypoint at the waypoint.
+/// </remarks>
 internal sealed class PlaneProblem
 {
-    /// <summary>Most unknowns, and most equations.</summary>
+    /// <summary>The maximum number of unknowns and of equations.</summary>
     public const int Most = 4;
 
     public const int Elevation = 0;
@@ -19,7 +19,7 @@ internal sealed class PlaneProblem
     public const int TargetLeft = 2;
     public const int TargetUp = 3;
 
-    /// <summary>A miss distance at the point on the way well below any tolerance worth having, m.</summary>
+    /// <summary>The miss that a search aims for at the waypoint, in m; well below any useful tolerance.</summary>
     public const double FineThrough = 1e-2;
 
     private readonly AimContext _context;
@@ -43,31 +43,31 @@ internal sealed class PlaneProblem
 
     public ElevationBounds Bounds { get; private set; }
 
-    /// <summary>Speed of the kicks, m/s.</summary>
+    /// <summary>The speed of the kicks, in m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>The spins of the kicks, where only their angles are sought.</summary>
+    /// <summary>The spins of the kicks if only the angles are unknown.</summary>
     public Kick Spins { get; private set; }
 
-    /// <summary>True when they are to pass a point on the way.</summary>
+    /// <summary>True if the kicks must pass a waypoint.</summary>
     public bool HasThrough { get; private set; }
 
-    /// <summary>The point on the way, m.</summary>
+    /// <summary>The waypoint, in m.</summary>
     public Vector3d Through { get; private set; }
 
-    /// <summary>Its horizontal distance towards the target, m.</summary>
+    /// <summary>The horizontal distance of the waypoint towards the target, in m.</summary>
     public double ThroughDistance { get; private set; }
 
-    /// <summary>Miss distance at the target within which the search ends, m.</summary>
+    /// <summary>The miss at the target at which the search ends, in m.</summary>
     public double Tolerance { get; private set; }
 
-    /// <summary>Tolerance at the point on the way, m.</summary>
+    /// <summary>The tolerance at the waypoint, in m.</summary>
     public double ThroughTolerance { get; private set; }
 
-    /// <summary>True when kicks are flown in short steps, because longer ones were wrong.</summary>
+    /// <summary>True if kicks fly in short steps because longer ones were inaccurate.</summary>
     public bool IsFine => _context.Steps.AreShort;
 
-    /// <summary>When the last kick was at the target, s.</summary>
+    /// <summary>The time at which the last kick reached the target, in s.</summary>
     public double Time { get; private set; }
 
     /// <summary>Sets the problem for a target.</summary>
@@ -86,8 +86,8 @@ internal sealed class PlaneProblem
         _context.Planes.Aim(in _frame, in _targetVelocity);
     }
 
-    /// <summary>Sets the problem for the point on the way and the target of a request.</summary>
-    /// <returns>False where the point does not lie on the way to the target.</returns>
+    /// <summary>Sets the problem for the waypoint and target of a request.</summary>
+    /// <returns>False if the waypoint is not between ball and target.</returns>
     public bool SetThrough(AimRequest request)
     {
         Set(request, request.Speed, 0, 0);
@@ -101,7 +101,7 @@ internal sealed class PlaneProblem
         return _frame.Distance > 1e-6 && ThroughDistance > 1e-3 * _frame.Distance && ThroughDistance < 0.999 * _frame.Distance;
     }
 
-    /// <summary>The kick that unknowns stand for.</summary>
+    /// <summary>Returns the kick for the unknowns.</summary>
     public Kick KickOf(double[] x) => new()
     {
         Elevation = x[Elevation],
@@ -110,14 +110,14 @@ internal sealed class PlaneProblem
         Side = HasThrough ? x[Side] : Spins.Side,
     };
 
-    /// <summary>Miss distance at the target, m.</summary>
+    /// <summary>Returns the miss at the target, in m.</summary>
     public static double MissOf(double[] r) => Math.Sqrt((r[TargetLeft] * r[TargetLeft]) + (r[TargetUp] * r[TargetUp]));
 
-    /// <summary>Miss distance at the point on the way, m.</summary>
+    /// <summary>Returns the miss at the waypoint, in m.</summary>
     public static double ThroughMissOf(double[] r) => Math.Sqrt((r[ThroughLeft] * r[ThroughLeft]) + (r[ThroughUp] * r[ThroughUp]));
 
-    /// <summary>A first kick, from the flight in closed form.</summary>
-    /// <returns>False where that does not reach the target.</returns>
+    /// <summary>Makes a first guess from the closed-form flight.</summary>
+    /// <returns>False if the closed form does not reach the target.</returns>
     public bool Guess(double[] x)
     {
         _fitted = default;
@@ -128,7 +128,7 @@ internal sealed class PlaneProblem
             return true;
         }
 
-        // The mean drag over the way gives a first time; the closed form then turns direction and time together.
+        // The mean drag gives a first time; the closed form then solves for direction and time together.
         FlatFire model = _context.Model(Speed, Spins.SpinRate, _frame.Distance);
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d direction = toTarget / toTarget.Length;
@@ -145,11 +145,11 @@ internal sealed class PlaneProblem
         return reached;
     }
 
-    /// <summary>Goes back to the times of the guess.</summary>
+    /// <summary>Resets the times to those of the guess.</summary>
     public void ForgetRehearsals() => (_throughTime, Time) = (_guessedThroughTime, _guessedTime);
 
-    /// <summary>Flies a kick to its planes as it would fly in air that is fitted to about its own spin.</summary>
-    /// <returns>False where it does not reach them.</returns>
+    /// <summary>Flies a kick to its planes in air fitted to about its own spin.</summary>
+    /// <returns>False if it does not reach them.</returns>
     public bool Rehearse(double[] x, double[] r)
     {
         Kick kick = KickOf(x);
@@ -169,8 +169,8 @@ internal sealed class PlaneProblem
     /// <summary>Flies a kick to its planes.</summary>
     /// <param name="x">The unknowns.</param>
     /// <param name="r">The residuals.</param>
-    /// <param name="isRehearsed">Whether it is to show no more than how far a rehearsed kick is off.</param>
-    /// <returns>False where it does not reach them.</returns>
+    /// <param name="isRehearsed">True if the flight only measures the error of a rehearsed kick.</param>
+    /// <returns>False if it does not reach them.</returns>
     public bool Fly(double[] x, double[] r, bool isRehearsed)
     {
         KickOf(x).Vectors(Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
@@ -182,16 +182,16 @@ internal sealed class PlaneProblem
         return (!HasThrough || _atThrough.Crossed) && _atTarget.Crossed && TakeCrossings(r);
     }
 
-    /// <summary>How the last crossing of the plane of the point on the way moves with the angles of its kick.</summary>
+    /// <summary>Returns the derivative of the last crossing of the waypoint's plane with respect to the kick's angles.</summary>
     public CrossingJacobian JacobianAtThrough(double[] x) => Jacobian(KickOf(x), in _atThrough);
 
-    /// <summary>Jacobian of the crossing of the target's plane.</summary>
+    /// <summary>Returns the derivative of the crossing of the target's plane.</summary>
     public CrossingJacobian JacobianAtTarget(double[] x) => Jacobian(KickOf(x), in _atTarget);
 
-    /// <summary>True when the last flight to the target leaves the ground and stays above it, so that no impact comes first.</summary>
+    /// <summary>True if the last flight leaves the ground and stays above it up to the target.</summary>
     public bool StaysClear(double[] x, double[] r)
     {
-        // One that stays on the ground from its start rolls: that is another problem.
+        // A kick that stays on the ground rolls, which is a different problem.
         Elementary.SinCos(x[Elevation], out double sine, out _);
         double lowest = Math.Min(_context.Planes.Lowest, _frame.Target.Y + (Time * _targetVelocity.Y) + r[TargetUp]);
         return !_context.StaysDown(in _frame.From, Speed * sine) && lowest >= _context.Game.ContactHeight - 1e-9;
@@ -200,7 +200,7 @@ internal sealed class PlaneProblem
     private CrossingJacobian Jacobian(in Kick kick, in PlaneCrossing crossing) =>
         CrossingJacobian.Of(in kick, in crossing, in _frame, _context.Scene.Air.Wind, _context.Upward);
 
-    /// <summary>Takes the residuals, and when to look for the next crossings.</summary>
+    /// <summary>Stores the residuals, and the times at which to expect the next crossings.</summary>
     private bool TakeCrossings(double[] r)
     {
         Time = _atTarget.Time;

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Flies kicks without ground to the vertical plane through the target, and to that of a point on the way. Without ground the crossing moves
-/// smoothly with the kick, so that Newton's method finds its root.
-/// </summary>
+/// <summary>Flies kicks without ground to the vertical planes through the target and a waypoint.</summary>
+/// <remarks>
+/// Without ground the crossing changes smoothly with the kick, so Newton's method finds its root.
+/// </remarks>
 internal sealed class PlaneShooter : KickObserver
 {
-    /// <summary>Share of the longest step below which what is left to a time is not worth a step.</summary>
+    /// <summary>The remaining time that is too short for a step, as a share of the longest step.</summary>
     private const double ShortestStep = 1e-3;
 
     private readonly AimContext _context;
@@ -21,7 +21,7 @@ internal sealed class PlaneShooter : KickObserver
     private double _end;
     private double _targetTime;
 
-    /// <param name="context">Where flights are counted.</param>
+    /// <param name="context">Counts the flights.</param>
     /// <param name="simulator">The scene without ground.</param>
     public PlaneShooter(AimContext context, Simulator simulator)
     {
@@ -33,10 +33,10 @@ internal sealed class PlaneShooter : KickObserver
     /// <summary>The crossing of the target's plane.</summary>
     public ref readonly PlaneCrossing Target => ref _target;
 
-    /// <summary>The crossing of the plane of the point on the way.</summary>
+    /// <summary>The crossing of the waypoint's plane.</summary>
     public ref readonly PlaneCrossing Through => ref _through;
 
-    /// <summary>The lowest end of a piece before the target's plane, m.</summary>
+    /// <summary>The lowest end of a segment before the target's plane, in m.</summary>
     public double Lowest { get; private set; }
 
     /// <summary>Prepares for flights to a target that may move.</summary>
@@ -47,27 +47,27 @@ internal sealed class PlaneShooter : KickObserver
         _wantsThrough = false;
     }
 
-    /// <summary>Adds a point on the way.</summary>
+    /// <summary>Adds a waypoint.</summary>
     public void AimThrough(in Vector3d point, in Vector3d normal)
     {
         _through = new PlaneCrossing(in point, Vector3d.Zero, in normal);
         _wantsThrough = true;
     }
 
-    /// <summary>Flies a kick until its planes are crossed, or it is given up.</summary>
-    /// <param name="from">Where the ball is, m.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="spin">Its spin, rad/s.</param>
-    /// <param name="longestStep">The longest step, s.</param>
-    /// <param name="throughTime">When the plane of the point on the way is about to be crossed, s: a step ends there. 0 where that is not known.</param>
-    /// <param name="targetTime">The same for the plane of the target.</param>
+    /// <summary>Flies a kick until it has crossed its planes, or can no longer cross them.</summary>
+    /// <param name="from">The position of the ball, in m.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="longestStep">The longest step, in s.</param>
+    /// <param name="throughTime">The expected time at the waypoint's plane, in s, at which a step ends; 0 if unknown.</param>
+    /// <param name="targetTime">The expected time at the target's plane, in s; 0 if unknown.</param>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, double longestStep, double throughTime, double targetTime)
     {
         _target.Reset();
         _through.Reset();
         Lowest = double.PositiveInfinity;
 
-        // Steps end at the time at which the first plane is expected, then at that of the second.
+        // Let steps end at the expected time of the first plane, and then of the second.
         BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
         _longestStep = longestStep;
         _targetTime = targetTime;
@@ -79,7 +79,7 @@ internal sealed class PlaneShooter : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // Equal steps, so long that one ends where a plane is about to be crossed: it is then read off where the step is most exact.
+        // Equal steps, of which one ends at the expected crossing: the interpolation is most accurate there.
         watches = false;
         if (state.Time > _end - (ShortestStep * _longestStep))
         {
@@ -92,8 +92,8 @@ internal sealed class PlaneShooter : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // A whole step that crosses is read off the cubic between its ends; one that had pieces (the drag law's jump) is taken again with each piece looked at; one that
-        // crosses nothing only tells how low it came.
+        // Interpolate a crossing within a single-segment step. Repeat a step of several segments (at the jump of the drag law) and inspect each one.
+        // Without a crossing, only store the height.
         bool whole = !ended && log.Steps == 1;
         if (whole && _wantsThrough && !_through.Crossed)
         {
@@ -126,12 +126,12 @@ internal sealed class PlaneShooter : KickObserver
         return _target.Find(in piece) ? !_wantsThrough || _through.Crossed : GivesUp(piece.EndPosition, piece.EndVelocity);
     }
 
-    /// <summary>The length of equal steps that end with a time.</summary>
+    /// <summary>Returns the length of equal steps that end at a time.</summary>
     private double StepTo(double time) =>
         time > ShortestStep * _longestStep && time < double.PositiveInfinity ? time / Math.Ceiling((time / _longestStep) - 1e-6) : _longestStep;
 
-    /// <summary>Takes the end of a piece that crosses nothing.</summary>
-    /// <returns>True where the ball falls below the floor.</returns>
+    /// <summary>Stores the end of a segment without a crossing.</summary>
+    /// <returns>True if the ball falls below the floor.</returns>
     private bool GivesUp(in Vector3d position, in Vector3d velocity)
     {
         Lowest = Math.Min(Lowest, position.Y);
@@ -139,22 +139,22 @@ internal sealed class PlaneShooter : KickObserver
     }
 }
 
-/// <summary>Where a flight crosses a vertical plane through a point that may move.</summary>
+/// <summary>The crossing of a flight and a vertical plane through a point that may move.</summary>
 internal struct PlaneCrossing
 {
-    /// <summary>Share of a step after its end within which a crossing is still read off it.</summary>
+    /// <summary>The extrapolation after the end of a step, as a share of the step, up to which a crossing is accepted.</summary>
     private const double Reach = 0.05;
 
-    /// <summary>Newton's method for the crossing ends with a change of this share of the step: then what is left is rounding.</summary>
+    /// <summary>The relative change at which Newton's method ends; the rest is rounding.</summary>
     private const double Closeness = 1e-9;
 
     private readonly Vector3d _point;
     private readonly Vector3d _pointVelocity;
     private readonly Vector3d _normal;
 
-    /// <param name="point">The point at time 0, m.</param>
-    /// <param name="pointVelocity">Its velocity, m/s.</param>
-    /// <param name="normal">Normal of the plane, forward.</param>
+    /// <param name="point">The point at time 0, in m.</param>
+    /// <param name="pointVelocity">The velocity of the point, in m/s.</param>
+    /// <param name="normal">The normal of the plane, pointing forward.</param>
     public PlaneCrossing(in Vector3d point, in Vector3d pointVelocity, in Vector3d normal)
         : this()
     {
@@ -163,28 +163,28 @@ internal struct PlaneCrossing
         _normal = normal;
     }
 
-    /// <summary>True when it was crossed.</summary>
+    /// <summary>True if the plane was crossed.</summary>
     public bool Crossed { get; private set; }
 
-    /// <summary>When, s after the kick.</summary>
+    /// <summary>The time of the crossing, in s after the kick.</summary>
     public double Time { get; private set; }
 
-    /// <summary>Position relative to the point then, m.</summary>
+    /// <summary>The position relative to the point at the crossing, in m.</summary>
     public Vector3d Offset { get; private set; }
 
-    /// <summary>Position then, m.</summary>
+    /// <summary>The position at the crossing, in m.</summary>
     public readonly Vector3d Position => _point + (Time * _pointVelocity) + Offset;
 
-    /// <summary>Velocity relative to the point then, m/s.</summary>
+    /// <summary>The velocity relative to the point at the crossing, in m/s.</summary>
     public Vector3d Velocity { get; private set; }
 
-    /// <summary>Forgets the last flight.</summary>
+    /// <summary>Discards the last crossing.</summary>
     public void Reset() => Crossed = false;
 
-    /// <summary>Takes a crossing.</summary>
-    /// <param name="time">When, s after the kick.</param>
-    /// <param name="position">Where, m.</param>
-    /// <param name="velocity">The ball's velocity, m/s.</param>
+    /// <summary>Stores a crossing.</summary>
+    /// <param name="time">The time, in s after the kick.</param>
+    /// <param name="position">The position, in m.</param>
+    /// <param name="velocity">The velocity of the ball, in m/s.</param>
     public void Take(double time, in Vector3d position, in Vector3d velocity)
     {
         Crossed = true;
@@ -193,24 +193,24 @@ internal struct PlaneCrossing
         Velocity = velocity - _pointVelocity;
     }
 
-    /// <summary>How far a ball has come beyond the plane, m.</summary>
+    /// <summary>Returns the distance of a position beyond the plane, in m.</summary>
     public readonly double Beyond(in Vector3d position, double time) => Vector3d.Dot(position - (time * _pointVelocity) - _point, in _normal);
 
-    /// <summary>How fast it gets away from there, m/s.</summary>
+    /// <summary>Returns the rate at which this distance grows, in m/s.</summary>
     public readonly double Outward(in Vector3d velocity) => Vector3d.Dot(velocity - _pointVelocity, in _normal);
 
-    /// <summary>A vector's part along the normal.</summary>
+    /// <summary>Returns the component of a vector along the normal.</summary>
     public readonly double Along(in Vector3d vector) => Vector3d.Dot(in vector, in _normal);
 
-    /// <summary>Looks for the crossing in a step of one piece, or just after its end, where the cubic between its ends goes on.</summary>
-    /// <returns>True where it is there, and the ball comes nearer to the plane all along.</returns>
+    /// <summary>Finds a crossing within a single-segment step, or just after its end, on the cubic between its ends.</summary>
+    /// <returns>True if there is a crossing, and the ball approaches the plane throughout.</returns>
     public bool FindNear(in BallState start, in BallState end)
     {
         double length = end.Time - start.Time;
         double before = Beyond(start.Position, start.Time);
         double after = Beyond(end.Position, end.Time);
 
-        // In units of the step. The ball must begin before the plane, and end beyond it or shortly before.
+        // In units of the step. The ball must start in front of the plane, and end behind it or shortly before.
         double slope = length * Outward(end.Velocity);
         if (!(before < 0 && after > -Reach * slope && slope > 0))
         {
@@ -220,7 +220,7 @@ internal struct PlaneCrossing
         var left = new WayLeft(new CubicHermite(-before, -length * Outward(start.Velocity), -after, -slope));
         double farthest = 1.0 + (2.0 * Reach);
 
-        // From the tangent at the end of the step, where it is most exact.
+        // Start from the tangent at the end of the step, where the cubic is most accurate.
         double s = Roots.Newton(ref left, 0, farthest, 1.0 - (after / slope), Closeness);
         if (!(s > 0 && s < farthest && left.Curve.C1 < 0 && left.Curve.SlopeAt(s) < 0))
         {
@@ -233,14 +233,14 @@ internal struct PlaneCrossing
         return true;
     }
 
-    /// <summary>True when the plane lies behind the ball.</summary>
+    /// <summary>True if the ball is beyond the plane.</summary>
     public readonly bool IsBehind(in BallState state) => IsBehind(state.Position - (state.Time * _pointVelocity));
 
-    /// <summary>Looks for the crossing in a piece of the flight.</summary>
-    /// <returns>True where it is.</returns>
+    /// <summary>Finds a crossing in a segment of the flight.</summary>
+    /// <returns>True if there is one.</returns>
     public bool Find(in PathSegment piece)
     {
-        // As the point sees it.
+        // Relative to the point.
         PathSegment relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
         if (!IsBehind(relative.EndPosition) || !relative.Crosses(in _point, in _normal, out double time))
         {
@@ -256,7 +256,7 @@ internal struct PlaneCrossing
 
     private readonly bool IsBehind(in Vector3d position) => Vector3d.Dot(position - _point, in _normal) >= 0;
 
-    /// <summary>Distance left to the plane along a step.</summary>
+    /// <summary>The remaining distance to the plane along a step.</summary>
     private readonly struct WayLeft(CubicHermite curve) : IDifferentiableFunction
     {
         public readonly CubicHermite Curve = curve;

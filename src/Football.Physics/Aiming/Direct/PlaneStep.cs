@@ -1,22 +1,24 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// One Newton step of a <see cref="PlaneProblem"/>, and how its residuals move with its unknowns. Through a point by the active-set method: a spin that would pass its limit is
-/// held there, and the equation at the point on the way that it serves is dropped: the point is then missed, in that direction, by as little as the limit allows.
-/// </summary>
+/// <summary>A Newton step of a <see cref="PlaneProblem"/>, and the Jacobian of its residuals.</summary>
+/// <remarks>
+/// With a waypoint it uses the active-set method: a spin that would exceed its limit is held at the limit, and its equation at the waypoint is
+/// dropped. The kick then misses the waypoint in that direction by as little as the limit allows.
+/// </remarks>
 internal sealed class PlaneStep
 {
     private const int N = PlaneProblem.Most;
 
-    /// <summary>Largest corrections of elevation and azimuth, rad: what asks for more is far from the model. Through a point both may be as large.</summary>
+    /// <summary>The largest corrections of elevation and azimuth, in rad; a larger one is far from the model. With a waypoint, both have the same
+    /// limit.</summary>
     private const double LargestElevation = 0.35;
     private const double LargestAzimuth = 0.5;
     private const double LargestTurn = 1.0;
 
-    /// <summary>Change of a spin, rad/s, by which its effect is found: what a rehearsal is off by the guess of its time must not count.</summary>
+    /// <summary>The change of spin that measures its effect, in rad/s; large against the error of a rehearsal.</summary>
     private const double SpinChange = 0.5;
 
-    /// <summary>Square of the angle, rad, that counts as much as 1 rad/s of spin.</summary>
+    /// <summary>The squared angle, in rad², that weighs as much as 1 rad/s of spin.</summary>
     private const double SpinUnit = 1e-4;
 
     private readonly double[] _weight = [1, 1, SpinUnit, SpinUnit];
@@ -26,20 +28,20 @@ internal sealed class PlaneStep
     private readonly double[] _limit = new double[N];
     private readonly bool[] _held = new bool[N];
 
-    /// <summary>To a target alone.</summary>
+    /// <summary>The Jacobian for a target only.</summary>
     private CrossingJacobian _angles;
 
     /// <summary>The changes of the unknowns.</summary>
     public double[] Change { get; } = new double[N];
 
-    /// <summary>Forgets which spins were held.</summary>
+    /// <summary>Releases the spins that were held.</summary>
     public void Reset()
     {
         Array.Clear(_held, 0, N);
         Array.Clear(Change, 0, N);
     }
 
-    /// <summary>The miss at the point on the way, m, but for the directions of spins that are held at their limit.</summary>
+    /// <summary>Returns the miss at the waypoint, in m, without the directions of spins at their limit.</summary>
     public double ThroughAsked(double[] r)
     {
         double left = _held[PlaneProblem.Side] ? 0 : r[PlaneProblem.ThroughLeft];
@@ -47,14 +49,14 @@ internal sealed class PlaneStep
         return Math.Sqrt((left * left) + (up * up));
     }
 
-    /// <summary>Makes the Jacobian: the angles' columns read off the last kick, the spins' by differences in the air that kicks are rehearsed in.</summary>
+    /// <summary>Computes the Jacobian: the angles from the last flight, the spins by differences in fitted air.</summary>
     /// <param name="problem">The problem.</param>
     /// <param name="x">The unknowns of the last kick.</param>
-    /// <param name="r">Its residuals.</param>
-    /// <returns>False where a kick with a little more spin does not reach both planes.</returns>
+    /// <param name="r">The residuals of the last kick.</param>
+    /// <returns>False if a kick with slightly more spin does not reach both planes.</returns>
     public bool Measure(PlaneProblem problem, double[] x, double[] r)
     {
-        // Angles turn the whole way, which the flight itself tells; what a spin does is only known by flying with a little more of it.
+        // The angles rotate the whole path, so the flight itself yields their columns; the spins need a flight with slightly more spin.
         _angles = problem.JacobianAtTarget(x);
         if (!problem.HasThrough)
         {
@@ -84,10 +86,10 @@ internal sealed class PlaneStep
         return true;
     }
 
-    /// <summary>Broyden's update, in units in which a radian and 100 rad/s of spin count alike.</summary>
+    /// <summary>Applies Broyden's update, scaled so that 1 rad weighs as much as 100 rad/s of spin.</summary>
     /// <param name="problem">The problem.</param>
     /// <param name="before">The residuals before the last step.</param>
-    /// <param name="after">The residuals after.</param>
+    /// <param name="after">The residuals after it.</param>
     public void Update(PlaneProblem problem, double[] before, double[] after)
     {
         double[] dx = Change;
@@ -109,8 +111,8 @@ internal sealed class PlaneStep
     /// <param name="problem">The problem.</param>
     /// <param name="x">The unknowns.</param>
     /// <param name="r">The residuals.</param>
-    /// <param name="sameHeld">Whether the same spins are held as in the step before.</param>
-    /// <returns>False where the system is singular, or the kick would turn too far, or leave its bounds.</returns>
+    /// <param name="sameHeld">True if the same spins are held as in the previous step.</param>
+    /// <returns>False if the system is singular, or the kick would turn too far or leave its bounds.</returns>
     public bool Solve(PlaneProblem problem, double[] x, double[] r, out bool sameHeld)
     {
         sameHeld = true;
@@ -122,7 +124,7 @@ internal sealed class PlaneStep
             return solved && Math.Abs(up) < LargestElevation && Math.Abs(aside) < LargestAzimuth && problem.Bounds.Contain(x[PlaneProblem.Elevation] + up);
         }
 
-        // A spin that the step takes beyond its limit is put on it, its equation is dropped, and the rest is solved again: twice at most, once for each spin.
+        // Set a spin that exceeds its limit to the limit, drop its equation, and solve again: at most twice, once per spin.
         bool topWasHeld = _held[PlaneProblem.Top];
         bool sideWasHeld = _held[PlaneProblem.Side];
         Array.Clear(_held, 0, N);
@@ -140,19 +142,19 @@ internal sealed class PlaneStep
 
         sameHeld = topWasHeld == _held[PlaneProblem.Top] && sideWasHeld == _held[PlaneProblem.Side];
 
-        // The elevation stays within its bounds; the spins do by then.
+        // Clamp the elevation; the spins are within their limits by now.
         double elevation = x[PlaneProblem.Elevation];
         Change[PlaneProblem.Elevation] =
             Math.Min(Math.Max(Change[PlaneProblem.Elevation], problem.Bounds.Lowest - elevation), problem.Bounds.Highest - elevation);
         return Math.Max(Math.Abs(Change[PlaneProblem.Elevation]), Math.Abs(Change[PlaneProblem.Azimuth])) < LargestTurn;
     }
 
-    /// <summary>The system J Δx = −r; the row of a dropped equation holds its spin at the limit instead.</summary>
+    /// <summary>Assembles J Δx = −r; the row of a dropped equation fixes its spin at the limit instead.</summary>
     private void Assemble(double[] x, double[] r)
     {
         for (int i = 0; i < N; i++)
         {
-            // Left at the point on the way is the side spin's equation, up the top spin's.
+            // At the waypoint, the left equation belongs to the sidespin, and the up equation to the topspin.
             int spin = i == PlaneProblem.ThroughLeft ? PlaneProblem.Side : PlaneProblem.Top;
             bool dropped = i is PlaneProblem.ThroughLeft or PlaneProblem.ThroughUp && _held[spin];
             int row = i * (N + 1);
@@ -165,8 +167,8 @@ internal sealed class PlaneStep
         }
     }
 
-    /// <summary>Holds a spin at its limit where it would pass it.</summary>
-    /// <returns>Whether it is held from now on, so that the system must be solved again.</returns>
+    /// <summary>Holds a spin at its limit if it would exceed it.</summary>
+    /// <returns>True if the spin is now held, so that the system must be solved again.</returns>
     private bool Hold(PlaneProblem problem, int spin, double[] x)
     {
         double limit = spin == PlaneProblem.Top ? problem.Request.MaximumTopSpin : problem.Request.MaximumSideSpin;
@@ -191,7 +193,7 @@ internal sealed class PlaneStep
     }
 }
 
-/// <summary>How the crossing of the target's plane (up, left) moves with elevation and azimuth, m/rad.</summary>
+/// <summary>The derivative of the crossing of a plane (up, left) with respect to elevation and azimuth, in m/rad.</summary>
 internal struct CrossingJacobian
 {
     private double _upByElevation;
@@ -207,48 +209,49 @@ internal struct CrossingJacobian
         _leftByAzimuth = leftByAzimuth;
     }
 
-    /// <summary>How the height of the crossing moves with the elevation, m/rad.</summary>
+    /// <summary>The derivative of the crossing's height with respect to elevation, in m/rad.</summary>
     public readonly double UpByElevation => _upByElevation;
 
-    /// <summary>How it moves with the azimuth.</summary>
+    /// <summary>The derivative of the crossing's height with respect to azimuth, in m/rad.</summary>
     public readonly double UpByAzimuth => _upByAzimuth;
 
-    /// <summary>How the distance to the left moves with the elevation.</summary>
+    /// <summary>The derivative of the crossing's distance to the left with respect to elevation, in m/rad.</summary>
     public readonly double LeftByElevation => _leftByElevation;
 
-    /// <summary>How it moves with the azimuth.</summary>
+    /// <summary>The derivative of the crossing's distance to the left with respect to azimuth, in m/rad.</summary>
     public readonly double LeftByAzimuth => _leftByAzimuth;
 
-    /// <summary>
-    /// Read off one flight: drag and Magnus force turn with the kick, so the whole way turns with it, but for the displacements by
-    /// gravity and wind; then back along the velocity to the plane.
-    /// </summary>
+    /// <summary>Computes the Jacobian from a single flight.</summary>
+    /// <remarks>
+    /// Drag and Magnus force rotate with the kick, so the whole path rotates too, except for the displacements by gravity and wind. The rotated end
+    /// is then projected along the velocity to the plane.
+    /// </remarks>
     /// <param name="kick">The kick.</param>
-    /// <param name="crossing">Where it crossed the plane.</param>
+    /// <param name="crossing">The crossing of the plane.</param>
     /// <param name="frame">The frame of the target.</param>
-    /// <param name="wind">Wind, m/s.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy, m/s².</param>
+    /// <param name="wind">The wind, in m/s.</param>
+    /// <param name="upward">The upward acceleration by gravity and buoyancy, in m/s².</param>
     public static CrossingJacobian Of(in Kick kick, in PlaneCrossing crossing, in TargetFrame frame, in Vector3d wind, double upward)
     {
         Vector3d p = crossing.Position - frame.From;
         Vector3d d = kick.Direction(in frame.Forward);
 
-        // Damped by drag: the mean speed over the launch speed is about the damping of both displacements.
+        // Drag damps both displacements by about the ratio of mean speed to launch speed.
         double t = crossing.Time;
         double damping = 0.9;
         Vector3d byGravity = new(0, 0.5 * damping * upward * t * t, 0);
         Vector3d turning = p - byGravity - (0.3 * t * wind);
-        Vector3d byElevation = Vector3d.Cross(new Vector3d(-d.Z, 0, d.X), in turning); // axis d × ŷ raises the kick
+        Vector3d byElevation = Vector3d.Cross(new Vector3d(-d.Z, 0, d.X), in turning); // the axis d × ŷ raises the kick
         Vector3d byAzimuth = Vector3d.Cross(Vector3d.Up, in turning);
         Elementary.SinCos(kick.Elevation, out double sine, out double cosine);
         if (kick.Side != 0 && cosine > 0.1)
         {
-            // The axis of the side spin stays upright: its bend is that of the horizontal velocity alone, which a raised kick has less of.
+            // The sidespin axis stays vertical: its bend depends on the horizontal velocity only, which a steeper kick has less of.
             Vector3d across = new(d.Z, 0, -d.X); // ŷ × d
             byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
         }
 
-        // The turned way no longer ends on the plane: back along the velocity until it does.
+        // The rotated path no longer ends on the plane: project it back along the velocity.
         double speed = Vector3d.Dot(crossing.Velocity, in frame.Forward);
         Vector3d slope = speed > 1e-3 ? crossing.Velocity / speed : frame.Forward;
         byElevation -= Vector3d.Dot(in byElevation, in frame.Forward) * slope;
@@ -257,12 +260,12 @@ internal struct CrossingJacobian
             byElevation.Y, byAzimuth.Y, Vector3d.Dot(in byElevation, in frame.Left), Vector3d.Dot(in byAzimuth, in frame.Left));
     }
 
-    /// <summary>The changes of elevation and azimuth that bring a crossing to the target.</summary>
-    /// <param name="up">How high above the target it is, m.</param>
-    /// <param name="left">How far to its left, m.</param>
-    /// <param name="elevation">Change of the elevation, rad.</param>
-    /// <param name="azimuth">Change of the azimuth, rad.</param>
-    /// <returns>False where the Jacobian is singular.</returns>
+    /// <summary>Solves for the changes of elevation and azimuth that move a crossing to the target.</summary>
+    /// <param name="up">The height above the target, in m.</param>
+    /// <param name="left">The distance to its left, in m.</param>
+    /// <param name="elevation">The change of elevation, in rad.</param>
+    /// <param name="azimuth">The change of azimuth, in rad.</param>
+    /// <returns>False if the Jacobian is singular.</returns>
     public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
     {
         // J Δ = −r, by Cramer's rule.
@@ -272,7 +275,7 @@ internal struct CrossingJacobian
         return double.IsFinite(elevation) && double.IsFinite(azimuth);
     }
 
-    /// <summary>Broyden's update after a change of the angles moved the crossing: J += (Δr − J Δx) Δxᵀ / |Δx|².</summary>
+    /// <summary>Applies Broyden's update after the angles changed: J += (Δr − J Δx) Δxᵀ / |Δx|².</summary>
     public void Update(double elevation, double azimuth, double up, double left)
     {
         double squared = (elevation * elevation) + (azimuth * azimuth);

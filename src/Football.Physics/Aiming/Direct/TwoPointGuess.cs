@@ -1,21 +1,22 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The start of a two-point kick in closed form. The way bends sideways like a parabola of the time, so the two bearings give azimuth and side
-/// curvature; up and down likewise with gravity's fall taken out; curvatures are then turned into spins.
-/// </summary>
+/// <summary>The closed-form initial guess of a kick with a waypoint.</summary>
+/// <remarks>
+/// The path bends sideways like a parabola in time, so the two bearings yield azimuth and lateral curvature. The vertical direction is the same after
+/// the fall by gravity is removed. The curvatures are then converted to spins.
+/// </remarks>
 internal static class TwoPointGuess
 {
     /// <summary>Guesses the unknowns of a problem.</summary>
-    /// <param name="context">The laws.</param>
+    /// <param name="context">The scene.</param>
     /// <param name="problem">The problem.</param>
     /// <param name="x">The unknowns.</param>
-    /// <param name="throughTime">About when the kick passes the point on the way, s.</param>
-    /// <param name="targetTime">About when it is at the target, s.</param>
-    /// <returns>Drag a length, 1/m.</returns>
+    /// <param name="throughTime">The approximate time at the waypoint, in s.</param>
+    /// <param name="targetTime">The approximate time at the target, in s.</param>
+    /// <returns>The drag per length, in 1/m.</returns>
     public static double Make(AimContext context, PlaneProblem problem, double[] x, out double throughTime, out double targetTime)
     {
-        // Three rounds: times from the drag, bearings and curvatures from both points, the spin from the curvature; each changes the drag of the next.
+        // Three rounds: times from the drag, bearings and curvatures from both points, spin from curvature. Each round updates the drag.
         AimRequest request = problem.Request;
         ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d wind = context.Scene.Air.Wind;
@@ -51,14 +52,14 @@ internal static class TwoPointGuess
             double slopeUp = ((up1 * bend2) - (up2 * bend1)) / determinant;
             double bendUp = ((s1 * up2) - (s2 * up1)) / determinant;
 
-            // Lift L(|ω|) along ω: solved for |ω| by its law, L ~ |ω|^0.83
+            // Solve the law L ~ |ω|^0.83 of the lift along ω for |ω|.
             double lift = Math.Sqrt((bendLeft * bendLeft) + (bendUp * bendUp));
             double share = model.Lift > 0 ? lift / model.Lift : 0;
             double grown = spinRate * Math.Min(Math.Max(share * (0.83 + (0.17 * share)), 0.1), 4.0);
             spinRate = Math.Min(Math.Max(grown, 0.5), 1.5 * mostSpin);
             if (!double.IsFinite(lift + slopeUp + slopeLeft))
             {
-                // No way of the model passes there: straight at the target, and the single-target solver after it.
+                // The model has no path through the point: aim straight at the target, and leave the rest to the single-target solver.
                 side = 0;
                 top = 0;
                 break;
@@ -77,6 +78,6 @@ internal static class TwoPointGuess
         return drag;
     }
 
-    /// <summary>The angle of a direction whose component across is known.</summary>
+    /// <summary>Returns the angle of a direction from its transverse component.</summary>
     private static double AngleOf(double across) => Elementary.Atan2(across, Math.Sqrt(Math.Max(0.05, 1.0 - (across * across))));
 }

@@ -3,28 +3,28 @@ namespace FootballPhysics.Aiming;
 /// <summary>A kick, and its closest approach to the target before its first impact.</summary>
 internal struct Approach
 {
-    /// <summary>The kick; in still air already turned so that it passes the target with its closest point.</summary>
+    /// <summary>The kick; in still air, already turned so that its closest point is towards the target.</summary>
     public Kick Kick;
 
-    /// <summary>Distance of the closest approach, m.</summary>
+    /// <summary>The distance of the closest approach, in m.</summary>
     public double Miss;
 
-    /// <summary>True when the target is below the way, not above or beyond it.</summary>
+    /// <summary>True if the kick passes above the target, rather than below or short of it.</summary>
     public bool Above;
 
-    /// <summary>When the ball is closest, s.</summary>
+    /// <summary>The time of the closest approach, in s.</summary>
     public double Time;
 
-    /// <summary>Where it is then as seen from the target, m.</summary>
+    /// <summary>The position relative to the target at the closest approach, in m.</summary>
     public Vector3d Gap;
 
-    /// <summary>The miss distance, negative where the kick is too low or too short: smooth in the elevation, and zero at a hit.</summary>
+    /// <summary>The miss, negative if the kick is too low or too short: smooth in the elevation, and zero at a hit.</summary>
     public readonly double SignedMiss => Above ? Miss : -Miss;
 
     public readonly double Elevation => Kick.Elevation;
 }
 
-/// <summary>Three kicks of rising elevation, and the parabola of their miss distances.</summary>
+/// <summary>Three kicks of increasing elevation, and the parabola through their misses.</summary>
 internal struct ApproachBracket
 {
     public Approach Low;
@@ -38,19 +38,19 @@ internal struct ApproachBracket
         High = high;
     }
 
-    /// <summary>From the low one to the middle, rad.</summary>
+    /// <summary>The angle from the low kick to the middle one, in rad.</summary>
     public readonly double Left => Middle.Elevation - Low.Elevation;
 
-    /// <summary>From the middle one to the high one, rad.</summary>
+    /// <summary>The angle from the middle kick to the high one, in rad.</summary>
     public readonly double Right => High.Elevation - Middle.Elevation;
 
-    /// <summary>True when one of them passes above the target.</summary>
+    /// <summary>True if any of the kicks passes above the target.</summary>
     public readonly bool AnyAbove => Low.Above || Middle.Above || High.Above;
 
-    /// <summary>The least miss distance of the three, m.</summary>
+    /// <summary>The smallest miss of the three, in m.</summary>
     public readonly double LeastMiss => Math.Min(Math.Min(Low.Miss, Middle.Miss), High.Miss);
 
-    /// <summary>Lower bound of the miss between them, m: the least of their parabola, less its possible error.</summary>
+    /// <summary>The lower bound of the miss between the kicks, in m: the minimum of the parabola, minus its possible error.</summary>
     public readonly double LowerBound
     {
         get
@@ -64,18 +64,18 @@ internal struct ApproachBracket
 
             Parabola(out double slope, out double curvature);
 
-            // The vertex, where the parabola opens upwards and has it between the outer two; else the least of the three.
+            // The vertex if the parabola opens upwards and has it between the outer kicks; otherwise the smallest of the three.
             double x = curvature > 0 ? -slope / curvature : 0;
             bool within = curvature > 0 && x > -left && x < right;
             double vertex = within ? Middle.Miss - (0.5 * slope * slope / curvature) : LeastMiss;
 
-            // Off by ½ |q| (l r)², with a third derivative like the second.
+            // The error is ½ |q| (l r)², if the third derivative is of the size of the second.
             double doubt = left * right;
             return vertex - (0.5 * Math.Abs(curvature) * doubt * doubt);
         }
     }
 
-    /// <summary>The miss distance at another elevation, of the parabola through three that need not be in order.</summary>
+    /// <summary>Extrapolates the miss to another elevation, with the parabola through three kicks in any order.</summary>
     public static double Extrapolate(in Approach one, in Approach two, in Approach three, double elevation)
     {
         double x = elevation - three.Elevation;
@@ -89,7 +89,7 @@ internal struct ApproachBracket
         return three.Miss + (x * (s2 + (q * (x - x2))));
     }
 
-    /// <summary>The parabola through them: m(b + x) = m_b + s x + ½ q x².</summary>
+    /// <summary>Returns the parabola m(b + x) = m_b + s x + ½ q x².</summary>
     public readonly void Parabola(out double slope, out double curvature)
     {
         double left = Left;
@@ -98,10 +98,10 @@ internal struct ApproachBracket
         slope = ((High.Miss - Middle.Miss) / right) - (0.5 * curvature * right);
     }
 
-    /// <summary>Takes a kick between the middle one and a neighbour into the three, and leaves one out.</summary>
+    /// <summary>Inserts a kick between the middle one and a neighbour, and drops one.</summary>
     public void Insert(in Approach next, bool becomesMiddle)
     {
-        // The least stays in the middle; at a bound, where an outer one is less, the three move towards that.
+        // Keep the smallest miss in the middle; at a bound, where an outer kick is closer, move towards that kick.
         bool left = next.Elevation < Middle.Elevation;
         double outer = left ? Low.Miss : High.Miss;
         if (becomesMiddle || next.Miss < Middle.Miss || outer < Middle.Miss)

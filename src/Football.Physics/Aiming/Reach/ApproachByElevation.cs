@@ -1,18 +1,18 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The closest approach to a target as a function of the elevation: each kick with the azimuth that brings it closest.</summary>
+/// <summary>The closest approach to a target as a function of the elevation, with the best azimuth for each.</summary>
 internal sealed class ApproachByElevation
 {
-    /// <summary>Flights that may be spent on the azimuth of one elevation.</summary>
+    /// <summary>The maximum number of flights for the azimuth of one elevation.</summary>
     private const int MostTurns = 12;
 
-    /// <summary>Share of its miss by which a kick may be off to the side: the miss is known to a millionth then.</summary>
+    /// <summary>The lateral offset that is accepted, as a share of the miss; the miss is then accurate to a millionth.</summary>
     private const double SmallOffset = 2e-3;
 
-    /// <summary>Where no wind is known yet, the drift of a ball is about this share of the wind's own way.</summary>
+    /// <summary>The initial estimate of a ball's drift, as a share of the distance that the wind travels.</summary>
     private const double Drift = 0.3;
 
-    /// <summary>Up to so many tolerances off, a flight is taken again in shorter steps.</summary>
+    /// <summary>The miss, in tolerances, below which a flight is repeated in shorter steps.</summary>
     private const double NearHit = 10;
 
     private readonly AimContext _context;
@@ -22,25 +22,25 @@ internal sealed class ApproachByElevation
 
     public ApproachByElevation(AimContext context) => _context = context;
 
-    /// <summary>The elevations that are searched.</summary>
+    /// <summary>The elevations to search.</summary>
     public ElevationBounds Bounds { get; set; }
 
-    /// <summary>Miss distance of a hit that is sharp enough, m.</summary>
+    /// <summary>The miss of an acceptable hit, in m.</summary>
     public double Tolerance { get; private set; }
 
     /// <summary>The closest approach so far.</summary>
     public Approach Best { get; private set; }
 
-    /// <summary>The hit that was accepted.</summary>
+    /// <summary>The accepted hit.</summary>
     public Approach Hit { get; private set; }
 
-    /// <summary>Speed of the kicks, m/s.</summary>
+    /// <summary>The speed of the kicks, in m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>True when flights turn with their azimuth, so that the azimuth of an elevation is known after one.</summary>
+    /// <summary>True if flights rotate with their azimuth, so that one flight yields the azimuth of an elevation.</summary>
     public bool TurnWithAzimuth => _context.Turns(in _targetVelocity);
 
-    /// <summary>True when nothing more can be searched.</summary>
+    /// <summary>True if the search budget is used up.</summary>
     public bool IsSpent => _context.IsSpent;
 
     /// <summary>Prepares for a target.</summary>
@@ -55,7 +55,7 @@ internal sealed class ApproachByElevation
         Best = new Approach { Kick = _kick, Miss = double.PositiveInfinity };
     }
 
-    /// <summary>Takes an approach for the answer, if it hits.</summary>
+    /// <summary>Accepts an approach as the result if it hits.</summary>
     public bool Accept(in Approach approach)
     {
         if (!(approach.Miss <= Tolerance))
@@ -67,24 +67,24 @@ internal sealed class ApproachByElevation
         return true;
     }
 
-    /// <summary>Flies an elevation, beginning with the azimuth of the last one.</summary>
+    /// <summary>Flies an elevation, starting with the last azimuth.</summary>
     public Approach At(double elevation) => At(elevation, _context.Steps.Search);
 
-    /// <summary>Flies an elevation, beginning with the azimuth of another.</summary>
+    /// <summary>Flies an elevation, starting with the azimuth of another approach.</summary>
     public Approach At(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
         return At(elevation);
     }
 
-    /// <summary>Closest approach of an elevation, in the shorter steps of a hit.</summary>
+    /// <summary>Returns the closest approach of an elevation, in the shorter steps of a hit.</summary>
     public Approach HitAt(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
         return At(elevation, _context.Steps.Hit);
     }
 
-    /// <summary>Flies a kick as it is.</summary>
+    /// <summary>Flies a kick without changing its angles.</summary>
     public Approach Of(in Kick kick)
     {
         _kick.Elevation = kick.Elevation;
@@ -92,26 +92,27 @@ internal sealed class ApproachByElevation
         return Fly(_context.Steps.Search);
     }
 
-    /// <summary>Rolls along the ground, straight at the target at first.</summary>
+    /// <summary>Rolls along the ground, at first straight towards the target.</summary>
     public Approach Roll(double elevation)
     {
         _kick.Azimuth = 0;
         return At(elevation);
     }
 
+    /// <summary>Returns the closest approach of an elevation over all azimuths; starts with the last azimuth.</summary>
     private Approach At(double elevation, double step)
     {
-        // In still air one flight tells the azimuth too; in a wind it is turned until the target lies in the way's own direction.
+        // In still air one flight yields the azimuth too. In wind, turn the kick until the target lies in the direction of the path.
         _kick.Elevation = elevation;
         Approach approach = Fly(step);
         if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
         {
-            // A hit is not said from long steps.
+            // Do not decide a hit in long steps.
             step = _context.Steps.Hit;
             approach = Fly(step);
         }
 
-        // In still air that was all: the flight has told its own azimuth.
+        // In still air the flight has determined its azimuth.
         if (TurnWithAzimuth)
         {
             _kick.Azimuth = approach.Kick.Azimuth;
@@ -121,7 +122,7 @@ internal sealed class ApproachByElevation
         approach = Turned(approach, step);
         if (approach.Time == 0 && approach.Kick.Azimuth != 0)
         {
-            // Kicked the wrong way, it was never closer than at the start, which says nothing of where to turn.
+            // A kick in the wrong direction is closest at its start, which gives no direction to turn: try straight.
             _kick.Azimuth = 0;
             Approach straight = Turned(Fly(step), step);
             approach = straight.Miss < approach.Miss ? straight : approach;
@@ -130,15 +131,15 @@ internal sealed class ApproachByElevation
         return approach;
     }
 
-    /// <summary>In a wind: turns a kick until it passes the target as closely as that allows.</summary>
+    /// <summary>Turns a kick in wind until it passes the target as closely as possible.</summary>
     private Approach Turned(Approach approach, double step)
     {
-        // Turning a kick turns its way about a point c that the wind carries along: the target is to be seen from c where the ball is.
+        // Turning a kick rotates its path about a point c that drifts with the wind: turn until ball and target have the same bearing from c.
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d c = approach.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
         for (int i = 0; i < MostTurns && !IsSpent; i++)
         {
-            // The short way round; enough where what is left to the side is little of the miss.
+            // Turn the shorter way; stop if the lateral offset is a small part of the miss.
             Vector3d at = approach.Gap + toTarget;
             double turn = Bearing(toTarget - c) - Bearing(at - c);
             turn = turn > Math.PI ? turn - (2 * Math.PI) : turn < -Math.PI ? turn + (2 * Math.PI) : turn;
@@ -157,7 +158,7 @@ internal sealed class ApproachByElevation
         return approach;
     }
 
-    /// <summary>The point about which a turn moved the closest point: p₂ − c = R (p₁ − c).</summary>
+    /// <summary>Returns the point about which a turn moved the closest point: p₂ − c = R (p₁ − c).</summary>
     private void Centre(in Vector3d one, in Vector3d other, double turn, ref Vector3d c)
     {
         if (!(Math.Abs(turn) > 1e-3))
@@ -167,7 +168,7 @@ internal sealed class ApproachByElevation
 
         Elementary.SinCos(turn, out double sin, out double cos);
 
-        // As complex numbers, forward the real and left the imaginary axis.
+        // In complex numbers: forward is the real axis, left the imaginary axis.
         double f1 = Vector3d.Dot(in one, in _frame.Forward);
         double l1 = Vector3d.Dot(in one, in _frame.Left);
         double f2 = Vector3d.Dot(in other, in _frame.Forward);
@@ -199,13 +200,13 @@ internal sealed class ApproachByElevation
     }
 }
 
-/// <summary>The hit between a kick that passes above the target and one that does not: the root of the signed miss distance over the elevation.</summary>
+/// <summary>Finds the hit between a kick above the target and one below: the root of the signed miss over the elevation.</summary>
 internal sealed class HitSearch
 {
-    /// <summary>Flights that a search may always take.</summary>
+    /// <summary>The minimum number of flights that a search may use.</summary>
     private const int LeastShots = 8;
 
-    /// <summary>So many lengths of the way a radian: a signed miss that rises faster through zero jumps, for its closest point is another one then.</summary>
+    /// <summary>The slope of the signed miss, in path lengths per rad, above which it jumps: its closest point is then a different one.</summary>
     private const double Jump = 100;
 
     private readonly ApproachByElevation _approaches;
@@ -216,8 +217,8 @@ internal sealed class HitSearch
     /// <summary>Prepares for a request.</summary>
     public void Begin(AimRequest request) => _mostShots = Math.Max(LeastShots, request.MaximumIterations);
 
-    /// <summary>The hit between two elevations.</summary>
-    /// <returns>False where there is none, or it was not found.</returns>
+    /// <summary>Finds the hit between two elevations.</summary>
+    /// <returns>False if there is none, or it was not found.</returns>
     public bool Between(in Approach one, in Approach other)
     {
         if (_approaches.Accept(in one) || _approaches.Accept(in other))
@@ -225,7 +226,7 @@ internal sealed class HitSearch
             return true;
         }
 
-        // Without a change of sign there is no root between.
+        // Without a change of sign there is no root in between.
         if (one.SignedMiss < 0 == other.SignedMiss < 0)
         {
             return false;
@@ -236,20 +237,20 @@ internal sealed class HitSearch
         return miss.Hits;
     }
 
-    /// <summary>A hit on one arc, or else on the other, beside three elevations of which one at least passes above the target.</summary>
+    /// <summary>Finds a hit on one arc, or otherwise on the other, near three elevations of which at least one passes above the target.</summary>
     public bool Beside(in ApproachBracket at, AimArc arc) =>
         arc == AimArc.Low ? BelowLowArc(in at) || AboveHighArc(in at) : AboveHighArc(in at) || BelowLowArc(in at);
 
-    /// <summary>The hit at the lower end of the elevations that pass above.</summary>
+    /// <summary>Finds the hit at the lower end of the elevations that pass above.</summary>
     private bool BelowLowArc(in ApproachBracket at)
     {
-        // The lowest of the three that passes above, and the one below it; where there is none, it is looked for at the bound.
+        // The lowest kick that passes above, and the one below it; if there is none, search to the bound.
         Approach above = at.Low.Above ? at.Low : at.Middle.Above ? at.Middle : at.High;
         Approach below = at.Low.Above || at.Middle.Above ? at.Low : at.Middle;
         return FromBound(in below, in above, _approaches.Bounds.Lowest);
     }
 
-    /// <summary>The hit at their upper end.</summary>
+    /// <summary>Finds the hit at the upper end of the elevations that pass above.</summary>
     private bool AboveHighArc(in ApproachBracket at)
     {
         Approach above = at.High.Above ? at.High : at.Middle.Above ? at.Middle : at.Low;
@@ -259,12 +260,12 @@ internal sealed class HitSearch
 
     private bool FromBound(in Approach outer, in Approach above, double bound)
     {
-        // Where even the outer one passes above, the bound itself is flown: beyond it nothing is allowed.
+        // If even the outer kick passes above, fly the bound itself: nothing is allowed beyond it.
         Approach below = outer.Above && outer.Elevation != bound ? _approaches.At(bound) : outer;
         return !below.Above && Between(in below, in above);
     }
 
-    /// <summary>The signed miss distance over the elevation; done where it hits.</summary>
+    /// <summary>The signed miss over the elevation; ends at a hit.</summary>
     private struct MissOverElevation : IFunction
     {
         private readonly ApproachByElevation _approaches;
@@ -283,10 +284,10 @@ internal sealed class HitSearch
 
         public bool Evaluate(double x, out double value)
         {
-            // It begins with the azimuth of the nearer of the two that it lies between.
+            // Start with the azimuth of the closer of the two kicks that enclose it.
             Approach next = _approaches.HitAt(x, _one.Miss < _other.Miss ? _one : _other);
 
-            // The two kicks between which the root lies are kept, for the azimuth and to see a jump.
+            // Keep the two kicks that enclose the root, for the azimuth and to detect a jump.
             value = next.SignedMiss;
             Hits = _approaches.Accept(in next);
             if (value < 0 == _one.SignedMiss < 0)
@@ -301,7 +302,7 @@ internal sealed class HitSearch
             return Hits || _approaches.IsSpent || Jumps;
         }
 
-        /// <summary>True when the miss has no root between the two kicks, but jumps over it.</summary>
+        /// <summary>True if the miss jumps over zero between the two kicks, so that there is no root.</summary>
         private readonly bool Jumps =>
             _one.Miss + _other.Miss > Jump * Math.Abs(_one.Elevation - _other.Elevation) * _approaches.Speed * Math.Max(_one.Time, _other.Time);
     }

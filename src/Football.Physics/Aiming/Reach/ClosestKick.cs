@@ -1,9 +1,10 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// Which kick comes closest to a target, over all elevations within the bounds. The signed miss distance is a smooth function of the elevation:
-/// zero at a hit, negative where a kick is too low or too short. Where it is negative all over, its largest value is the verdict: out of reach.
-/// </summary>
+/// <summary>Finds the kick that comes closest to a target, over all elevations within the bounds.</summary>
+/// <remarks>
+/// The signed miss is a smooth function of the elevation: zero at a hit, negative if a kick is too low or too short. If it is negative everywhere,
+/// its maximum is the verdict: out of reach.
+/// </remarks>
 internal sealed class ClosestKick
 {
     private readonly ApproachByElevation _approaches;
@@ -28,7 +29,7 @@ internal sealed class ClosestKick
     /// <returns>A hit within the problem's tolerance, or the closest kick.</returns>
     public Approach Find(PlaneProblem problem, AimArc arc)
     {
-        // Flights first, then the roll where it may be closer than what flew, then a search beside the closest where a wind couples elevation and azimuth.
+        // 1. Flights. 2. The roll, if it may be closer. 3. In wind, which couples elevation and azimuth, a search around the closest kick.
         _approaches.Aim(problem);
         _hits.Begin(problem.Request);
         _roll.Begin(problem);
@@ -50,7 +51,7 @@ internal sealed class ClosestKick
         return _approaches.Best;
     }
 
-    /// <summary>The closest kick along the ground.</summary>
+    /// <summary>Returns the closest kick along the ground.</summary>
     public Approach Roll(PlaneProblem problem)
     {
         _approaches.Aim(problem);
@@ -63,7 +64,7 @@ internal sealed class ClosestKick
     {
         ElevationBounds bounds = _approaches.Bounds;
 
-        // A single elevation is flown, not searched.
+        // A single elevation needs no search.
         if (bounds.Highest - bounds.Lowest < 1e-9)
         {
             return _approaches.Accept(_approaches.At(bounds.Lowest));
@@ -73,7 +74,8 @@ internal sealed class ClosestKick
     }
 }
 
-/// <summary>The kick along the ground: whatever its elevation, it comes no closer than the target is above it. It is flown once.</summary>
+/// <summary>The kick along the ground; its miss is at least the height of the target above the ball.</summary>
+/// <remarks>Its elevation has no effect, so it is flown once.</remarks>
 internal sealed class RollingKick
 {
     private readonly AimContext _context;
@@ -85,13 +87,13 @@ internal sealed class RollingKick
         _approaches = approaches;
     }
 
-    /// <summary>Its elevation, rad.</summary>
+    /// <summary>The elevation, in rad.</summary>
     public double Elevation { get; private set; }
 
-    /// <summary>Lower bound of its miss distance, m; infinite where the ball does not roll, or has been flown.</summary>
+    /// <summary>The lower bound of the miss, in m; infinite if the ball does not roll, or has been flown.</summary>
     public double LowerBound { get; private set; }
 
-    /// <summary>Prepares for a problem, and narrows the elevations of flights to those that leave the ground.</summary>
+    /// <summary>Prepares for a problem, and restricts the elevations of flights to those that leave the ground.</summary>
     public void Begin(PlaneProblem problem)
     {
         ElevationBounds bounds = problem.Bounds;
@@ -103,16 +105,16 @@ internal sealed class RollingKick
             return;
         }
 
-        // On the ground there are two ways to go: to roll along it, whatever the elevation, or to leave it at a steeper one.
+        // On the ground a ball either rolls, at any low elevation, or leaves the ground at a steeper one.
         LowerBound = problem.Request.TargetVelocity.Y == 0 ? Math.Abs(problem.Frame.Target.Y - _context.Game.ContactHeight) : 0;
 
-        // sin ε = climb: what leaves the ground faster than the least bounce flies.
+        // sin ε = climb: a ball faster than the minimum bounce speed leaves the ground.
         double climb = _context.Scene.Ground.MinimumBounceSpeed / problem.Speed;
         double steepEnough = climb < 1 ? Elementary.Atan2(climb, Math.Sqrt(1.0 - (climb * climb))) * (1.0 + 1e-9) : double.PositiveInfinity;
         _approaches.Bounds = new ElevationBounds(Math.Max(bounds.Lowest, steepEnough), bounds.Highest);
     }
 
-    /// <summary>Flies it.</summary>
+    /// <summary>Flies the kick.</summary>
     public Approach Fly()
     {
         LowerBound = double.PositiveInfinity;
@@ -120,10 +122,10 @@ internal sealed class RollingKick
     }
 }
 
-/// <summary>Three elevations and parabolas through them: enough where they hit, or miss by far.</summary>
+/// <summary>Searches with three elevations and parabolas, which suffice for a hit or a clear miss.</summary>
 internal sealed class CoarseSearch
 {
-    /// <summary>Share of the target's distance by which three elevations and a parabola must miss it to need no closer look.</summary>
+    /// <summary>The miss, as a share of the distance, above which three elevations and a parabola are conclusive.</summary>
     private const double ClearMiss = 0.002;
 
     private readonly ApproachByElevation _approaches;
@@ -141,13 +143,13 @@ internal sealed class CoarseSearch
         _hits = hits;
     }
 
-    /// <summary>Searches.</summary>
-    /// <returns>False where it takes a closer look.</returns>
+    /// <summary>Runs the search.</summary>
+    /// <returns>False if a finer search is necessary.</returns>
     public bool Find(in TargetFrame frame, AimArc arc, out bool hit)
     {
         hit = false;
-        // 1. Downhill to three elevations about the closest. 2. Where none passes above, to the bottom between them, and to the waves beside it.
-        // 3. Where one does, the hit between it and one that passes below.
+        // 1. Move downhill to three elevations around the closest. 2. If none passes above, descend to the minimum between them, and to the waves
+        // near it. 3. Otherwise find the hit between that one and one that passes below.
         Vector3d way = frame.Target - frame.From;
         double sight = Elementary.Atan2(way.Y, Math.Max(frame.Distance, 1e-9));
         ApproachBracket at = Downhill(sight);
@@ -157,26 +159,26 @@ internal sealed class CoarseSearch
             return hit;
         }
 
-        // A clear miss needs no closer look; near the target the parabola may hide a hit.
+        // A clear miss is conclusive; near the target the parabola may hide a hit.
         return at.LeastMiss > ClearMiss * frame.Distance && at.LeastMiss > 10 * _approaches.Tolerance;
     }
 
-    /// <summary>Three elevations, of which the closest is in the middle, or at a bound, or one passes above.</summary>
-    /// <param name="sight">Elevation of the line to the target, rad.</param>
+    /// <summary>Finds three elevations: the closest in the middle or at a bound, or one that passes above.</summary>
+    /// <param name="sight">The elevation of the line to the target, in rad.</param>
     private ApproachBracket Downhill(double sight)
     {
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         double span = highest - lowest;
 
-        // Without air the farthest kick is half-way between the line of sight and the vertical; with it, it is lower.
+        // In vacuum the farthest kick is half-way between the line of sight and the vertical; in air it is lower.
         double middle = Math.Min(Math.Max(0.55 + (0.5 * sight), lowest + (0.25 * span)), highest - (0.25 * span));
         Approach a = _approaches.At(Math.Max(lowest, middle - 0.3));
         Approach b = _approaches.At(middle);
         Approach c = _approaches.At(Math.Min(highest, middle + 0.25));
         while (!_approaches.IsSpent && !b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
         {
-            // The closer neighbour becomes the middle; beyond it the next look is wider apart by the golden ratio.
+            // The closer neighbour becomes the middle; the next elevation is farther by the golden ratio.
             if (c.Miss < b.Miss)
             {
                 if (c.Above || c.Elevation >= highest)
@@ -202,11 +204,11 @@ internal sealed class CoarseSearch
         return new ApproachBracket(in a, in b, in c);
     }
 
-    /// <summary>The bottom of the valley that three elevations span, and the waves beside it.</summary>
+    /// <summary>Finds the minimum of the valley of three elevations, and the waves near it.</summary>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     private bool Bottom(ref ApproachBracket at)
     {
-        // Where a ball that rolls below the target is closer than any that flies, the closest of those need not be known any better.
+        // If a roll below the target is closer than any flight, the closest flight need not be more accurate.
         bool above = _valley.Descend(ref at, enough: _roll.LowerBound);
         double bound = at.LowerBound;
         if (!above && _roll.LowerBound < at.Middle.Miss && !(_roll.Fly().Miss < bound))
@@ -218,7 +220,7 @@ internal sealed class CoarseSearch
     }
 }
 
-/// <summary>Many elevations: every change of sign of the miss distance is a hit, and every valley is searched to its bottom.</summary>
+/// <summary>Searches many elevations: every change of sign of the miss is a hit, and every valley is searched to its minimum.</summary>
 internal sealed class CloseSearch
 {
     private const int Looks = 25;
@@ -235,12 +237,12 @@ internal sealed class CloseSearch
         _hits = hits;
     }
 
-    /// <summary>Searches.</summary>
-    /// <returns>Whether a hit was found.</returns>
+    /// <summary>Runs the search.</summary>
+    /// <returns>True if a hit was found.</returns>
     public bool Find(AimArc arc)
     {
-        // 1. Looks all over the elevations. 2. A hit between two neighbours of which one passes above, from the end of the wanted arc. 3. The bottom of every valley: it may
-        // reach above the target between two looks. 4. What came closest.
+        // 1. Sample all elevations. 2. Find a hit between neighbours on opposite sides, from the end of the wanted arc. 3. Descend into every valley:
+        // it may reach above the target between two samples. 4. Return the closest kick.
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         for (int i = 0; i < Looks; i++)

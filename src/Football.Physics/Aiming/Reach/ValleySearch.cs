@@ -1,35 +1,35 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The least miss distance around three elevations, by successive parabolas; at a bound through the two nearest.</summary>
+/// <summary>Minimises the miss around three elevations by successive parabolas; at a bound, through the two nearest kicks.</summary>
 internal sealed class ValleySearch
 {
-    /// <summary>Flights that may be spent on the bottom of one valley.</summary>
+    /// <summary>The maximum number of flights for one valley.</summary>
     private const int MostShots = 30;
 
-    /// <summary>How near to a bound, rad, a kick must be that is further off than the one at the bound: the drag law's jump makes small waves.</summary>
+    /// <summary>The distance to a bound, in rad, within which a kick farther off is ignored: the jump of the drag law causes small waves.</summary>
     private const double NearBound = 0.06;
 
     private readonly ApproachByElevation _approaches;
 
     public ValleySearch(ApproachByElevation approaches) => _approaches = approaches;
 
-    /// <summary>A kick is the closest where no other is closer by more than this, m, or this share of its miss.</summary>
+    /// <summary>The accuracy of a minimum, in m and as a share of the miss.</summary>
     public static double Closeness => 5e-4;
 
-    /// <summary>Searches for the bottom.</summary>
-    /// <param name="at">Three elevations; on return those around the bottom.</param>
-    /// <param name="enough">A miss distance that is known to be had elsewhere, m: a valley that is shallower need not be searched on.</param>
-    /// <returns>True where the target lies on the other side of the way of the middle kick than of its neighbours': there are hits between.</returns>
+    /// <summary>Descends to the minimum.</summary>
+    /// <param name="at">Three elevations; on return, those around the minimum.</param>
+    /// <param name="enough">A miss that is available elsewhere, in m; a shallower valley need not be searched further.</param>
+    /// <returns>True if a new middle kick passes the target on the other side than its neighbours: there are hits in between.</returns>
     public bool Descend(ref ApproachBracket at, double enough)
     {
-        // Successive parabolas, until the bottom is known well enough, or lies above what is to be had elsewhere, or the target changes sides.
+        // Iterate until the minimum is accurate enough or too shallow, or the target changes sides.
         bool above = at.Middle.Above;
         for (int i = 0; i < MostShots && !_approaches.IsSpent; i++)
         {
             double left = at.Left;
             double right = at.Right;
 
-            // The three are as close together as is of use, or lie above what is to be had elsewhere, or tell the bottom well enough.
+            // Stop if the three are too close to each other, too shallow, or accurate enough.
             if (!(left > 0 && right > 0) || Math.Max(left, right) < 1e-6 || at.LowerBound > enough || !Move(in at, out double move))
             {
                 return false;
@@ -37,7 +37,7 @@ internal sealed class ValleySearch
 
             Approach next = _approaches.At(at.Middle.Elevation + move, in at.Middle);
 
-            // On the other side of the way: between it and its neighbours the signed miss has roots.
+            // On the other side of the path: the signed miss has roots towards both neighbours.
             bool crossed = next.Above != above;
             at.Insert(in next, becomesMiddle: crossed);
             if (crossed)
@@ -49,8 +49,8 @@ internal sealed class ValleySearch
         return false;
     }
 
-    /// <summary>Where to look next, from the middle elevation.</summary>
-    /// <returns>False where the bottom is known well enough.</returns>
+    /// <summary>Returns the step from the middle elevation to the next one.</summary>
+    /// <returns>False if the minimum is accurate enough.</returns>
     private static bool Move(in ApproachBracket at, out double move)
     {
         double left = at.Left;
@@ -58,7 +58,7 @@ internal sealed class ValleySearch
         at.Parabola(out double slope, out double curvature);
         if (at.Low.Miss < at.Middle.Miss || at.High.Miss < at.Middle.Miss)
         {
-            // At a bound: downhill to the very end? The slope there is known up to a third derivative like the second.
+            // At a bound: does the miss fall up to the bound? The error of the slope assumes a third derivative of the size of the second.
             bool atRight = at.High.Miss < at.Low.Miss;
             double near = atRight ? right : left;
             double atBound = atRight ? slope + (curvature * right) : (curvature * left) - slope;
@@ -68,7 +68,7 @@ internal sealed class ValleySearch
 
         move = curvature > 0 ? -slope / curvature : 0;
 
-        // The vertex is off by about half the product of the neighbours' distances, with such a third derivative.
+        // The error of the vertex is about half the product of the neighbours' distances, with such a third derivative.
         double doubt = 0.5 * left * right;
         if (0.5 * curvature * ((doubt * doubt) + (move * move)) < Closeness * Math.Max(1.0, at.Middle.Miss))
         {
@@ -78,29 +78,29 @@ internal sealed class ValleySearch
         double least = 0.05 * Math.Max(left, right);
         if (Math.Abs(move) < least)
         {
-            // No news from there: towards the further neighbour instead.
+            // Too close to the middle to be useful: move towards the farther neighbour instead.
             least = Math.Max(least, 0.06);
             move = left > right ? -Math.Min(0.5 * left, least) : Math.Min(0.5 * right, least);
         }
 
-        // Between the neighbours, and not too near to either.
+        // Stay between the neighbours, and not too close to either.
         move = Math.Min(Math.Max(move, -0.9 * left), 0.9 * right);
         return true;
     }
 }
 
-/// <summary>
-/// What the drag law's jump does to the bottom of a valley: a flight that just grazes it goes elsewhere at once, so that the miss distance over
-/// the elevation has waves beside the bottom, and steps in the middle of a descent.
-/// </summary>
-/// <remarks>Without it a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>), with it for none.</remarks>
+/// <summary>Searches for the effects of the drag law's jump on the minimum of a valley.</summary>
+/// <remarks>
+/// A flight that grazes the jump suddenly takes another path, so the miss over the elevation has waves near the minimum, and steps in a descent.
+/// Without this search, a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>); with it, for none.
+/// </remarks>
 internal sealed class WaveSearch
 {
-    /// <summary>How far apart, rad, and how many to each side, are looks for waves beside the bottom of a valley.</summary>
+    /// <summary>The spacing of samples near the minimum of a valley, in rad, and their number on each side.</summary>
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
-    /// <summary>Depth that a step in the miss may hide, m, or as a share of the miss; and how often the way to it is halved.</summary>
+    /// <summary>The depth that a step in the miss may hide, in m or as a share of the miss; and the number of bisections.</summary>
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 
@@ -114,11 +114,12 @@ internal sealed class WaveSearch
         _valley = valley;
     }
 
-    /// <summary>True when a wave beside the closest kick is deeper: looks to both sides of it.</summary>
+    /// <summary>Samples both sides of the closest kick for a deeper wave or a step.</summary>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     public bool Find(ref ApproachBracket at)
     {
-        // 1. Looks to both sides. 2. Where one is deeper, down into it. 3. Where three in a row promise more than the fourth has, there is a step between: to its edge.
+        // 1. Sample both sides. 2. If one sample is deeper, descend into it. 3. If three in a row predict less than the fourth has, find the step
+        // between.
         Approach best = _approaches.Best;
         double miss = best.Miss;
         Approach wave = default;
@@ -127,7 +128,7 @@ internal sealed class WaveSearch
         {
             double elevation = best.Elevation + (i * Wave);
 
-            // Beyond a bound there is nothing to look at.
+            // Skip elevations beyond the bounds.
             if (!_approaches.Bounds.Contain(elevation))
             {
                 continue;
@@ -155,7 +156,7 @@ internal sealed class WaveSearch
 
         for (int i = 3; i < count; i++)
         {
-            // Upwards and downwards: three looks in a row, and the next.
+            // In both directions: three samples in a row, and the next.
             int k = count - 1 - i;
             if (FindStep(_looks[i - 3], _looks[i - 2], _looks[i - 1], _looks[i], ref at)
                 || FindStep(_looks[k + 3], _looks[k + 2], _looks[k + 1], _looks[k], ref at))
@@ -167,15 +168,15 @@ internal sealed class WaveSearch
         return false;
     }
 
-    /// <summary>
-    /// Where the miss steps up in the middle of a descent, it is least at the step: halving towards it, as long as the descent promises more than
-    /// was found.
-    /// </summary>
-    /// <param name="one">First of three on the descent.</param>
-    /// <param name="two">Second.</param>
-    /// <param name="three">Third, the nearest to the step.</param>
-    /// <param name="beyond">Perhaps beyond a step.</param>
-    /// <param name="at">Where there are hits, three elevations beside them.</param>
+    /// <summary>Finds the minimum at an upward step of the miss in a descent, by bisection towards the step.</summary>
+    /// <remarks>
+    /// It continues as long as the descent predicts less than the best found.
+    /// </remarks>
+    /// <param name="one">The first of three kicks on the descent.</param>
+    /// <param name="two">The second.</param>
+    /// <param name="three">The third, which is nearest to the step.</param>
+    /// <param name="beyond">A kick that may be beyond the step.</param>
+    /// <param name="at">If there are hits, three elevations near them.</param>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     private bool FindStep(Approach one, Approach two, Approach three, Approach beyond, ref ApproachBracket at)
     {
@@ -183,7 +184,7 @@ internal sealed class WaveSearch
         {
             double best = _approaches.Best.Miss;
 
-            // What the descent would have come to there, without the step.
+            // The prediction of the descent at that elevation, without the step.
             double promised = ApproachBracket.Extrapolate(in one, in two, in three, beyond.Elevation);
             if (!(Math.Max(0, promised) < best - (StepCloseness * Math.Max(1.0, best))))
             {
@@ -198,7 +199,7 @@ internal sealed class WaveSearch
                 return true;
             }
 
-            // As promised: the step lies farther on. Else it lies before.
+            // If the sample matches the prediction, the step lies farther on; otherwise it lies before.
             if (Math.Abs(look.Miss - ApproachBracket.Extrapolate(in one, in two, in three, middle)) < 0.25 * (beyond.Miss - promised))
             {
                 (one, two, three) = (two, three, look);
@@ -213,16 +214,16 @@ internal sealed class WaveSearch
     }
 }
 
-/// <summary>
-/// In a wind, where elevation and azimuth do not separate: whether a kick beside the closest one, up, down, left or right, is closer. Steps are
-/// halved where none is.
-/// </summary>
-/// <remarks>Without it 3 of 193 verdicts in wind can be closer, with it 1 (<c>football lab answers --only verdicts --count 300</c>).</remarks>
+/// <summary>In wind, where elevation and azimuth do not separate, searches around the closest kick in four directions.</summary>
+/// <remarks>
+/// The step is halved when none of the four neighbours is closer. Without this search, 3 of 193 verdicts in wind can be improved; with it, 1
+/// (<c>football lab answers --only verdicts --count 300</c>).
+/// </remarks>
 internal sealed class CompassSearch
 {
     private const int MostShots = 30;
 
-    /// <summary>Steps, first and last, rad.</summary>
+    /// <summary>The first and last step, in rad.</summary>
     private const double FirstStep = 0.04;
     private const double LastStep = 1e-3;
 
@@ -231,10 +232,10 @@ internal sealed class CompassSearch
     public CompassSearch(ApproachByElevation approaches) => _approaches = approaches;
 
     /// <summary>Searches around the closest kick so far.</summary>
-    /// <param name="rolls">Whether that rolls, so that its elevation does not matter.</param>
+    /// <param name="rolls">True if the closest kick rolls, so that its elevation has no effect.</param>
     public void Find(bool rolls)
     {
-        // Up, down, left, right: the first that is closer is the new middle; where none is, half as far.
+        // Up, down, left, right: the first closer kick becomes the centre; if none is closer, halve the step.
         int shots = 0;
         for (double step = FirstStep; step > LastStep && shots < MostShots && !_approaches.IsSpent; step *= 0.5)
         {
@@ -247,7 +248,7 @@ internal sealed class CompassSearch
                     Approach best = _approaches.Best;
                     Kick kick = best.Kick;
 
-                    // Elevations first; of a ball that rolls they change nothing.
+                    // Elevations first; they have no effect on a rolling ball.
                     double move = i % 2 == 0 ? step : -step;
                     kick.Elevation = i < 2 ? _approaches.Bounds.Clamp(kick.Elevation + move) : kick.Elevation;
                     kick.Azimuth += i < 2 ? 0 : move;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies kicks in directions all around, and lists those that come closer than their neighbours: where to begin a search that knows nothing.</summary>
+/// <summary>Flies kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
 internal sealed class DirectionScan
 {
-    /// <summary>Places to begin at that are listed.</summary>
+    /// <summary>The maximum number of starts.</summary>
     public const int MostStarts = 24;
 
     private const int MostRows = 13;
@@ -21,22 +21,22 @@ internal sealed class DirectionScan
 
     public DirectionScan(ShootingProblem problem) => _problem = problem;
 
-    /// <summary>How many places are listed.</summary>
+    /// <summary>The number of starts.</summary>
     public int Count { get; private set; }
 
     /// <summary>Empties the list.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>Flies the kicks, and lists the places among those of flights before.</summary>
-    /// <param name="rows">Elevations.</param>
-    /// <param name="columns">Azimuths.</param>
-    /// <param name="speed">Their speed, m/s.</param>
-    /// <param name="top">Their topspin, rad/s.</param>
-    /// <param name="side">Their sidespin, rad/s.</param>
-    /// <param name="time">When they are to come close, s; null for any time.</param>
+    /// <summary>Flies the kicks, and adds the local minima to the list.</summary>
+    /// <param name="rows">The number of elevations.</param>
+    /// <param name="columns">The number of azimuths.</param>
+    /// <param name="speed">The speed, in m/s.</param>
+    /// <param name="top">The topspin, in rad/s.</param>
+    /// <param name="side">The sidespin, in rad/s.</param>
+    /// <param name="time">The time at which the miss is measured, in s; null for the closest approach.</param>
     public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
     {
-        // A grid over all directions; of one elevation alone where the bounds allow no more.
+        // A grid over all directions; a single row if the bounds allow only one elevation.
         double lowest = _problem.Clamp(ShootingProblem.Elevation, double.NegativeInfinity);
         double highest = _problem.Clamp(ShootingProblem.Elevation, double.PositiveInfinity);
         _rows = highest > lowest ? rows : 1;
@@ -52,7 +52,7 @@ internal sealed class DirectionScan
             Array.Copy(_one, 0, _x, i * N, N);
         }
 
-        // Starts are the local minima: what lies beside one would lead to the same kick.
+        // Use only local minima as starts: neighbours would lead to the same kick.
         for (int i = 0; i < _rows * _columns; i++)
         {
             if (IsLeast(i))
@@ -62,10 +62,10 @@ internal sealed class DirectionScan
         }
     }
 
-    /// <summary>A place to begin at, the closest first.</summary>
+    /// <summary>Returns a start; the closest has index 0.</summary>
     public void Start(int index, double[] x) => Array.Copy(_starts, index * N, x, 0, N);
 
-    /// <summary>True when none of its neighbours comes closer.</summary>
+    /// <summary>True if no neighbour comes closer.</summary>
     private bool IsLeast(int at)
     {
         int row = at / _columns;
@@ -74,7 +74,7 @@ internal sealed class DirectionScan
         {
             for (int k = -1; k <= 1; k++)
             {
-                // Azimuths go round; elevations end at their bounds.
+                // Azimuths wrap around; elevations end at their bounds.
                 int other = (i * _columns) + ((column + k + _columns) % _columns);
                 if (_squares[other] < _squares[at])
                 {
@@ -94,7 +94,7 @@ internal sealed class DirectionScan
             return;
         }
 
-        // Sorted by insertion; when the list is full the farthest falls out.
+        // Insertion sort; when the list is full, the farthest start drops out.
         int at = Count < MostStarts ? Count++ : MostStarts - 1;
         while (at > 0 && square < _startSquares[at - 1])
         {

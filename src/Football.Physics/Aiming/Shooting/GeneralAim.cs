@@ -1,43 +1,41 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The general way to aim, where <see cref="DirectAim"/> does not lead to a kick: any of its numbers may be unknown, and what a closed form is too far from is sought
-/// from scans over all directions by the method of Levenberg and Marquardt.
-/// </summary>
+/// <summary>The general solver, used if <see cref="DirectAim"/> finds no kick: any quantity may be unknown.</summary>
 /// <remarks>
-/// What the scans are for (<c>football lab answers --only known --count 300</c>): without that of a given speed 8 kicks of five balls in a storm are lost, without that of the
-/// slowest 26 slower ones, without that for a time 4, without that through two points 14 of 176.
+/// If the closed form is too far from a solution, the Levenberg–Marquardt method starts from scans over all directions. Without the scan for a given
+/// speed, 8 kicks of five balls in a storm are lost; without that for the slowest kick, 26 slower ones; without that for a time, 4; without that with
+/// a waypoint, 14 of 176 (<c>football lab answers --only known --count 300</c>).
 /// </remarks>
 internal sealed class GeneralAim
 {
     private const int N = ShootingProblem.Most;
 
-    /// <summary>Elevations and azimuths of a scan for a given speed, and its starts that are followed.</summary>
+    /// <summary>The number of elevations and azimuths in a scan for a given speed, and of its starts that are used.</summary>
     private const int Rows = 13;
     private const int Columns = 12;
     private const int MostStarts = 8;
 
-    /// <summary>Times of kicks in closed form that are looked at, as shares of that of the slowest, and how often the way between two is halved.</summary>
+    /// <summary>The range of times for closed-form kicks, relative to that of the slowest kick, and the number of bisections.</summary>
     private const double Earliest = 0.1;
     private const double Latest = 8;
     private const int Halvings = 7;
 
-    /// <summary>Above this elevation, rad, spin may bring a ball to the target that was kicked elsewhere.</summary>
+    /// <summary>The elevation, in rad, above which spin may bring a ball to the target from another direction.</summary>
     private const double Steep = 0.8;
 
-    /// <summary>Rows of a scan where the speed is free, and its speeds as shares of the fastest.</summary>
+    /// <summary>The size of scans with free speed, and the ratio of their speeds.</summary>
     private const int FreeRows = 9;
     private const int FreeColumns = 10;
     private const int MostFreeStarts = 4;
     private const int Scans = 3;
     private const double SlowerScan = 0.7;
 
-    /// <summary>Elevations, azimuths and spins of the scans for a kick through two points.</summary>
+    /// <summary>The number of elevations, azimuths and spins in the scans for a kick with a waypoint.</summary>
     private const int ThroughRows = 5;
     private const int ThroughColumns = 6;
     private const int Spins = 9;
 
-    /// <summary>Speeds of the wind and of the kick, both horizontally, above whose ratio there may be several kicks that are slower than their neighbours.</summary>
+    /// <summary>The ratio of horizontal wind speed to kick speed above which the speed may have several local minima.</summary>
     private const double Drift = 1.25;
 
     private readonly AimContext _context;
@@ -62,12 +60,12 @@ internal sealed class GeneralAim
         Slowest,
     }
 
-    /// <summary>The kick of a speed that hits the target.</summary>
-    /// <returns>Whether there is one, measured.</returns>
+    /// <summary>Finds the kick of a speed that hits the target.</summary>
+    /// <returns>True if there is one, confirmed by measurement.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
-        // 1. From the closed form on the wanted arc, else on the other. 2. Where the air rules, or that led to the other arc, from a scan over all directions: the
-        // earliest of its hits, or the last. It leaves half of the flights to who comes after.
+        // 1. From the closed form on the wanted arc, then on the other. 2. If the air dominates, or the result is on the other arc, from a scan over
+        // all directions: the earliest or latest hit. Leave half of the budget to later searches.
         solution = default;
         if (_context.IsHalfSpent)
         {
@@ -86,7 +84,7 @@ internal sealed class GeneralAim
         return Follow(MostStarts, arc == AimArc.Low ? Wanted.Earliest : Wanted.Latest, leavesHalf: true, ref solution, ref found);
     }
 
-    /// <summary>The kick of a speed that hits the target, from one that is close.</summary>
+    /// <summary>Finds the kick of a speed that hits the target, starting from a close one.</summary>
     public bool From(AimRequest request, double speed, in Kick kick, double time, out AimSolution solution)
     {
         _problem.Begin(request, speed, through: false);
@@ -94,12 +92,13 @@ internal sealed class GeneralAim
         return _problem.Hit(_x, out solution);
     }
 
-    /// <summary>The kick that is at the target at a time, in flight or along the ground, no faster than the request; where there is none, what comes close.</summary>
-    /// <returns>Whether there is one, measured.</returns>
+    /// <summary>Finds the kick that reaches the target at a time, in flight or along the ground, no faster than requested.</summary>
+    /// <remarks>If there is none, the solution is a close one.</remarks>
+    /// <returns>True if there is one, confirmed by measurement.</returns>
     public bool AtTime(AimRequest request, double time, out AimSolution solution)
     {
-        // 1. From the flight in closed form: Lambert's problem for a ball, whose solution changes smoothly with the time. 2. Along the ground.
-        // 3. Where that ended within the bounds, or ways bend, there may be another: from scans.
+        // 1. From the closed-form flight: Lambert's problem for a ball, whose solution changes smoothly with time. 2. Along the ground. 3. From
+        // scans, if the result is not at a bound or paths bend, because there may be other kicks.
         BeginAtTime(request, rolls: false);
         if (FromModel(time, out solution))
         {
@@ -117,7 +116,7 @@ internal sealed class GeneralAim
             }
         }
 
-        // On a bound, in still air that does not rule, without a spin that turns the ball back, there is no other kick to look for.
+        // The kick is unique if it is at a bound, in still air that does not dominate, without a spin that turns the ball back.
         bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
         if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
         {
@@ -132,25 +131,25 @@ internal sealed class GeneralAim
         return false;
     }
 
-    /// <summary>True if the next searches must find kicks that are at the target when due, to a tenth of a millisecond.</summary>
+    /// <summary>Sets a value that requires kicks to arrive within 0.1 ms of the given time.</summary>
     public bool IsTimely
     {
         set => _problem.IsTimely = value;
     }
 
-    /// <summary>The kick that flies to the target in a time, no faster than the request, or comes close: from the closed form alone.</summary>
+    /// <summary>Finds the kick that flies to the target in a time, no faster than requested, or a close one, from the closed form only.</summary>
     public AimSolution FlightAtTime(AimRequest request, double time)
     {
         BeginAtTime(request, rolls: false);
         return FromModel(time, out AimSolution solution) ? solution : _problem.Solution(_x);
     }
 
-    /// <summary>The slowest kick that flies to the target, no faster than the request.</summary>
-    /// <returns>Whether there is one, measured.</returns>
+    /// <summary>Finds the slowest kick that flies to the target, no faster than requested.</summary>
+    /// <returns>True if there is one, confirmed by measurement.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // 1. From the slowest in closed form, or the one on the bound of the elevations beyond which that lies. 2. Along the curve of the kicks that hit to
-        // where the speed is least. 3. A scan where there may be others.
+        // 1. Start from the slowest closed-form kick, or from the bound of the elevations if that is outside. 2. Follow the curve of hits to the
+        // minimum speed. 3. Scan if there may be other minima.
         Begin(request, rolls: false);
         bool found = FromSlowestModel(request, out solution);
         solution.Vectors(out Vector3d velocity, out _);
@@ -160,7 +159,7 @@ internal sealed class GeneralAim
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
     {
-        // Within the bounds the time is held, at that of the slowest in closed form; on a bound the elevation is.
+        // Within the bounds, hold the time at that of the slowest closed-form kick; at a bound, hold the elevation.
         double time = SlowestOfModel(request.TopSpin, request.SideSpin, request.Speed, out _);
         double elevation = ElevationOf(Model(time, request.TopSpin, request.SideSpin));
         double bound = _problem.Clamp(ShootingProblem.Elevation, elevation);
@@ -179,7 +178,7 @@ internal sealed class GeneralAim
         return found && Descended(out solution);
     }
 
-    /// <summary>The slowest kick beside one that hits: that alone is measured.</summary>
+    /// <summary>Finds the slowest kick on the curve of a hit; only the final kick is measured.</summary>
     private bool Descended(out AimSolution solution)
     {
         solution = _problem.Solution(_x);
@@ -187,7 +186,7 @@ internal sealed class GeneralAim
         return _problem.IsMeasuredHit(_x, out solution);
     }
 
-    /// <summary>On which arc a kick that hits a target is: whether one that takes longer is slower or faster.</summary>
+    /// <summary>Returns the arc of a kick that hits: low if longer kicks are slower, high if they are faster.</summary>
     public AimArc ArcOf(AimRequest request, in AimSolution hit)
     {
         Begin(request, rolls: false);
@@ -195,11 +194,12 @@ internal sealed class GeneralAim
         return _curve.SlowsWithTime(_x) ? AimArc.Low : AimArc.High;
     }
 
-    /// <summary>The kick that passes the point on the way, and hits the target; all but its speed is free.</summary>
-    /// <returns>Whether there is one, measured.</returns>
+    /// <summary>Finds the kick that passes the waypoint and hits the target; everything except its speed is free.</summary>
+    /// <returns>True if there is one, confirmed by measurement.</returns>
     public bool Through(AimRequest request, in Kick near, out AimSolution solution)
     {
-        // 1. From the kick nearby. 2. From scans with several spins, the closest starts first; one that ends near both points goes on to the target alone.
+        // 1. Start from the nearby kick. 2. Start from scans with several spins, closest first. A solution near both points continues with the target
+        // only.
         _problem.Begin(request, request.Speed, through: true);
         Put(in near, request.Speed, 1);
         _problem.Approach(_x);
@@ -212,7 +212,7 @@ internal sealed class GeneralAim
         _scan.Clear();
         for (int spin = 0; spin < Spins; spin++)
         {
-            // Without, much of one kind, and much of both.
+            // No spin, strong spin about one axis, and strong spin about both.
             double top = spin is 0 or 3 or 4 ? 0 : spin is 1 or 5 or 6 ? -0.6 : 0.6;
             double side = spin is 0 or 1 or 2 ? 0 : spin is 3 or 5 or 7 ? -0.6 : 0.6;
             _scan.Fly(ThroughRows, ThroughColumns, request.Speed, top * request.MaximumTopSpin, side * request.MaximumSideSpin);
@@ -237,10 +237,10 @@ internal sealed class GeneralAim
         return passes;
     }
 
-    /// <summary>
-    /// Goes on to the target alone where a search ended close to both points: angles and spins that do almost the same make a valley, along which it comes closer and
-    /// closer, but too slowly.
-    /// </summary>
+    /// <summary>Continues with the target only if a search ended close to both points.</summary>
+    /// <remarks>
+    /// Angles and spins with nearly the same effect form a valley, in which the search would converge too slowly.
+    /// </remarks>
     private bool Near(out AimSolution solution)
     {
         solution = default;
@@ -262,7 +262,7 @@ internal sealed class GeneralAim
         return hits;
     }
 
-    /// <summary>Makes a kick the unknowns, as far as their bounds allow.</summary>
+    /// <summary>Sets the unknowns to a kick, clamped to their bounds.</summary>
     private void Put(in Kick kick, double speed, double time)
     {
         _x[ShootingProblem.Elevation] = _problem.Clamp(ShootingProblem.Elevation, kick.Elevation);
@@ -273,7 +273,7 @@ internal sealed class GeneralAim
         _x[ShootingProblem.LogTime] = Elementary.Log(Math.Max(time, 1e-3));
     }
 
-    /// <summary>Asks for a kick whose speed is free.</summary>
+    /// <summary>Begins a search for a kick with free speed.</summary>
     private void Begin(AimRequest request, bool rolls)
     {
         _problem.Begin(request, request.Speed, through: false, rolls);
@@ -287,14 +287,14 @@ internal sealed class GeneralAim
         _problem.Free(ShootingProblem.LogTime, false);
     }
 
-    /// <summary>From the kick in closed form.</summary>
+    /// <summary>Solves from the closed-form kick.</summary>
     private bool FromModel(double time, out AimSolution solution)
     {
         Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
         return _problem.Hit(_x, out solution, isMeasured: true);
     }
 
-    /// <summary>From the kick in closed form turned round: a steep one that backspin brings back.</summary>
+    /// <summary>Solves from the closed-form kick in the opposite direction: a steep kick that backspin brings back.</summary>
     private bool FromBehind(double time, out AimSolution solution)
     {
         Model(time, _problem.Request.TopSpin, _problem.Request.SideSpin);
@@ -302,16 +302,16 @@ internal sealed class GeneralAim
         return _problem.Hit(_x, out solution);
     }
 
-    /// <summary>From the kicks in closed form that have a speed: that of the wanted arc, else that of the other.</summary>
-    /// <param name="speed">The speed, m/s.</param>
+    /// <summary>Solves from the closed-form kicks of a speed: the one of the wanted arc, then the other.</summary>
+    /// <param name="speed">The speed, in m/s.</param>
     /// <param name="arc">The arc.</param>
-    /// <param name="top">Topspin, rad/s.</param>
-    /// <param name="side">Sidespin, rad/s.</param>
+    /// <param name="top">The topspin, in rad/s.</param>
+    /// <param name="side">The sidespin, in rad/s.</param>
     /// <param name="solution">The kick.</param>
-    /// <param name="isDoubtful">Whether there may be another on the wanted arc.</param>
+    /// <param name="isDoubtful">True if there may be another kick on the wanted arc.</param>
     private bool FromModels(double speed, AimArc arc, double top, double side, ref AimSolution solution, out bool isDoubtful)
     {
-        // Over the time that a kick takes the speed that it needs falls, and rises again: the low arc and the high one.
+        // With increasing time of flight, the required speed falls and then rises again: the low arc and the high arc.
         isDoubtful = false;
         double slowest = SlowestOfModel(top, side, speed, out double least);
         if (!(least < speed))
@@ -330,17 +330,17 @@ internal sealed class GeneralAim
         return FromModel(other, speed, top, side, ref solution);
     }
 
-    /// <summary>The time of the slowest kick in closed form, about.</summary>
+    /// <summary>Returns the approximate time of the slowest closed-form kick.</summary>
     private double SlowestOfModel(double top, double side, double fastest, out double speed)
     {
-        // Without air it is t² = 2 d/g; from there to the vertex of a parabola over the logarithm of the time.
+        // In vacuum it is t² = 2 d/g; continue to the vertex of a parabola over the logarithm of the time.
         double way = _problem.Way;
         double fall = Math.Abs(_context.Upward) > 1e-3 ? Math.Sqrt(2.0 * way / Math.Abs(_context.Upward)) : double.PositiveInfinity;
         double time = Math.Min(Math.Max(fall, 1.2 * way / fastest), AimContext.LongestFlight);
         speed = 0;
         for (double width = 0.3; width > 0.1; width *= 0.5)
         {
-            // A parabola through three times; where it has no least, on in the direction that falls.
+            // A parabola through three times; if it has no minimum, move in the direction in which it falls.
             double ratio = Elementary.Exp(width);
             double below = Model(time / ratio, top, side).Length;
             speed = Model(time, top, side).Length;
@@ -354,14 +354,14 @@ internal sealed class GeneralAim
         return time;
     }
 
-    /// <summary>When, before or after the slowest, a kick in closed form has a speed, or an elevation.</summary>
+    /// <summary>Returns the time, before or after the slowest, at which a closed-form kick has a speed or an elevation.</summary>
     private double TimeOfModel(double slowest, bool isEarlier, double top, double side, double speed, double? elevation)
     {
         double near = slowest;
         double far = isEarlier ? Earliest * slowest : Math.Min(Latest * slowest, AimContext.LongestFlight);
         for (int i = 0; i < Halvings; i++)
         {
-            // Bisection in the logarithm of the time: on either side of the slowest the speed changes one way.
+            // Bisect in the logarithm of the time: on each side of the slowest kick, the speed is monotone.
             double middle = Math.Sqrt(near * far);
             Vector3d velocity = Model(middle, top, side);
             bool isNear = elevation is { } bound ? ElevationOf(in velocity) > bound == isEarlier : velocity.Length < speed;
@@ -382,7 +382,7 @@ internal sealed class GeneralAim
         return _problem.Hit(_x, out solution, isMeasured: true);
     }
 
-    /// <summary>From scans at several speeds.</summary>
+    /// <summary>Solves from scans at several speeds.</summary>
     private bool FromScans(AimRequest request, double? time, Wanted wanted, ref AimSolution solution, bool found)
     {
         double speed = request.Speed;
@@ -396,7 +396,7 @@ internal sealed class GeneralAim
         return found;
     }
 
-    /// <summary>Follows the starts of a scan.</summary>
+    /// <summary>Solves from the starts of a scan.</summary>
     private bool Follow(int most, Wanted wanted, bool leavesHalf, ref AimSolution solution, ref bool found)
     {
         for (int start = 0; start < Math.Min(most, _scan.Count) && !(leavesHalf ? _context.IsHalfSpent : _context.IsSpent); start++)

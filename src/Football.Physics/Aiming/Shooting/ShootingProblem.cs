@@ -1,13 +1,15 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The boundary-value problem of a kick in its most general form: the ball is to be at the target at a time, and perhaps at a point on the way before. Elevation,
-/// azimuth, speed, spins and times are unknowns, each free within bounds or held; the gaps at those times are the residuals, which change smoothly with all of
-/// them, however the way bends.
-/// </summary>
+/// <summary>The boundary-value problem of a kick in its most general form: to be at the target at a time.</summary>
+/// <remarks>
+/// A waypoint before the target is optional. The unknowns are elevation, azimuth, speed, spins and times; each is free within bounds, or held. The
+/// residuals are the gaps at those times, which change smoothly with all unknowns, however the path bends.
+/// </remarks>
 internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
-    /// <summary>The unknowns: two angles, the logarithm of the speed, two spins, the logarithm of the time to the target, and the share of it to the point on the way.</summary>
+    /// <summary>
+    /// The indices of the unknowns: two angles, log speed, two spins, log time to the target, and the waypoint's share of that time.
+    /// </summary>
     public const int Elevation = 0;
     public const int Azimuth = 1;
     public const int LogSpeed = 2;
@@ -17,17 +19,17 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     public const int Share = 6;
     public const int Most = 7;
 
-    /// <summary>Residuals: the gap at the target, and that at the point on the way.</summary>
+    /// <summary>The maximum number of residuals: the gaps at the target and at the waypoint.</summary>
     public const int MostEquations = 6;
 
-    /// <summary>Step of a flight that the air rules, and longest step of a scan, s.</summary>
-    /// <summary>The miss distance of a hit that is timely, m: a ball falls through it in less than the delay that is allowed.</summary>
+    /// <summary>The miss of a timely hit, in m; a ball falls through it in less than the allowed delay.</summary>
     private const double TimelyMiss = 2e-5;
 
+    /// <summary>The step of a flight dominated by air, and the longest step of a scan, in s.</summary>
     private const double RuledByAirStep = 0.03;
     private const double ScanStep = 0.1;
 
-    /// <summary>Changes of the unknowns by which the Jacobian is measured, and the largest of an angle or a logarithm in one iteration.</summary>
+    /// <summary>The differences that measure the Jacobian, and the largest change of an angle or a logarithm in one iteration.</summary>
     private const double AngleDifference = 1e-4;
     private const double SpinDifference = 0.02;
     private const double Largest = 0.5;
@@ -59,7 +61,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     private double _waySquared;
     private double _wayTime;
 
-    /// <param name="context">What the searches share.</param>
+    /// <param name="context">The data shared by the searches.</param>
     /// <param name="open">The scene without ground.</param>
     /// <param name="grounded">The scene.</param>
     public ShootingProblem(AimContext context, Simulator open, Simulator grounded)
@@ -75,31 +77,31 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public AimRequest Request { get; private set; } = new();
 
-    /// <summary>How many residuals there are.</summary>
+    /// <summary>The number of residuals.</summary>
     public int Equations => _passesThrough ? 6 : 3;
 
-    /// <summary>Solves it.</summary>
+    /// <summary>The least-squares solver.</summary>
     public LeastSquares Solver { get; }
 
     public int Unknowns => Most;
 
-    /// <summary>True when nothing more can be searched.</summary>
+    /// <summary>True if the search budget is used up.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>True when the air rules, so that there may be several kicks for one time.</summary>
+    /// <summary>True if the air dominates, so that several kicks may have the same time.</summary>
     public bool IsRuledByAir { get; private set; }
 
-    /// <summary>True if a hit must be so close that a ball that comes down at its target touches the ground there when due, not earlier.</summary>
+    /// <summary>True if a hit must be so close that a descending ball touches the ground at its target no earlier than due.</summary>
     public bool IsTimely { get; set; }
 
-    /// <summary>From the ball to the target, m.</summary>
+    /// <summary>The distance from the ball to the target, in m.</summary>
     public double Way => Vector3d.Distance(_frame.From, in _frame.Target);
 
-    /// <summary>Prepares for a target, and for the point on the way where the request has one; angles and times are free.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="speed">Its speed, m/s, unless that is made free.</param>
-    /// <param name="through">Whether it is to pass the point on the way.</param>
-    /// <param name="rolls">Whether it is to go along the ground.</param>
+    /// <summary>Prepares for a target and, optionally, a waypoint; angles and times are free.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="speed">The speed of the kick, in m/s, unless it is made free.</param>
+    /// <param name="through">True if the kick must pass the waypoint.</param>
+    /// <param name="rolls">True for a kick along the ground.</param>
     public void Begin(AimRequest request, double speed, bool through, bool rolls = false)
     {
         Request = request;
@@ -112,13 +114,13 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
 
-        // Where the air rules, ways bend within a step: shorter ones.
+        // If the air dominates, paths bend within a step: use shorter ones.
         bool ruled = IsRuledByAir = _context.IsRuledByAir(request.Speed, spinRate);
         _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
         ElevationBounds bounds = ElevationBounds.Of(request);
 
-        // Bounds of the unknowns; of a roll the elevation is held, and of a kick of given speed the speed.
+        // The bounds of the unknowns. Hold the elevation of a roll, and the speed of a kick with a given speed.
         Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
         Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
         Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
@@ -133,14 +135,14 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         AskThrough(through);
     }
 
-    /// <summary>Asks for the point on the way, or for no more than the target.</summary>
+    /// <summary>Includes or excludes the waypoint.</summary>
     public void AskThrough(bool through)
     {
         _passesThrough = through;
         _isFree[Share] = through;
     }
 
-    /// <summary>True when residuals are a hit, with room for what the steps of the flights are off.</summary>
+    /// <summary>True if the residuals are a hit, with a margin for the error of the steps.</summary>
     public bool IsHit(double[] r)
     {
         double tolerance = Closeness(Request);
@@ -151,16 +153,16 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     private double Closeness(AimRequest request) => IsTimely ? AimContext.Sharp(request.Tolerance, TimelyMiss) : AimContext.Sharp(request.Tolerance);
 
-    /// <summary>The kick that unknowns stand for.</summary>
+    /// <summary>Returns the kick for the unknowns.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
-    /// <summary>Flies a kick.</summary>
+    /// <summary>Flies a kick and computes its residuals.</summary>
     public bool Fly(double[] x, double[] r)
     {
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
         double way = _passesThrough ? x[Share] * time : 0;
-        // To the point on the way first, where there is one: its velocity there is the column of its time.
+        // Fly to the waypoint first: the velocity there is the column of its time.
         TimedFlight flight = _rolls ? _roll : _flight;
         long pieces = 0;
         if (_passesThrough)
@@ -178,7 +180,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return true;
     }
 
-    /// <summary>True when a ball along the ground can hit the target of a request at all.</summary>
+    /// <summary>True if a ball along the ground can hit the target of a request at all.</summary>
     public bool CanRoll(AimRequest request)
     {
         TargetFrame frame = _context.Frame(request);
@@ -187,8 +189,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
             && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
     }
 
-    /// <summary>The kick that is at the target at a time, in closed form, and the Jacobian there.</summary>
-    /// <returns>Its velocity without bounds, m/s.</returns>
+    /// <summary>Sets the unknowns to the closed-form kick that reaches the target at a time, and computes the Jacobian.</summary>
+    /// <returns>The velocity without bounds, in m/s.</returns>
     public Vector3d Model(double time, double top, double side, double[] x)
     {
         Vector3d wind = _context.Scene.Air.Wind;
@@ -200,7 +202,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         double across;
         if (_rolls)
         {
-            // A ball that rolls slows down by friction, and by what its slide costs it first.
+            // Rolling friction slows the ball, and the initial slide costs some speed.
             double slowing = _context.Scene.Ground.Material.RollingResistance * _context.Scene.Gravity;
             double length = Math.Max(toTarget.Horizontal.Length, 1e-3);
             double rolled = Math.Min(time, slowing > 0 ? Math.Sqrt(2.0 * length / slowing) : time);
@@ -211,7 +213,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
         else
         {
-            // Through the air that the wind carries along, with the mean drag and lift of that way.
+            // Relative to the wind, with the mean drag and lift over the path.
             Vector3d air = toTarget - (time * wind);
             Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
             double spinRate = spins.SpinRate;
@@ -228,7 +230,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         x[Side] = kick.Side;
         x[LogTime] = Clamp(LogTime, Elementary.Log(time));
 
-        // ∂p/∂v = b I + (a − b) û ûᵀ: it stretches differently along the way and across it.
+        // ∂p/∂v = b I + (a − b) û ûᵀ: the sensitivity differs along and across the path.
         kick.Turns(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d byElevation, out Vector3d byAzimuth, out _);
         SetColumn(Solver.Jacobian, 0, Elevation, Stretched(in byElevation));
         SetColumn(Solver.Jacobian, 0, Azimuth, Stretched(in byAzimuth));
@@ -238,26 +240,26 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         Vector3d Stretched(in Vector3d turn) => (across * turn) + ((along - across) * Vector3d.Dot(in turn, in direction) * direction);
     }
 
-    /// <summary>True when the elevation or the speed is as low, or as high, as it may be.</summary>
+    /// <summary>True if the elevation or the speed is at a bound.</summary>
     public bool IsAtBound(double[] x) =>
         x[Elevation] == _least[Elevation] || x[Elevation] == _most[Elevation] || x[LogSpeed] == _least[LogSpeed] || x[LogSpeed] == _most[LogSpeed];
 
     public bool IsFree(int unknown) => _isFree[unknown];
 
-    /// <summary>Makes an unknown free, or holds it.</summary>
+    /// <summary>Frees or holds an unknown.</summary>
     public void Free(int unknown, bool isFree) => _isFree[unknown] = isFree;
 
-    /// <summary>Bounds the speed, m/s.</summary>
+    /// <summary>Limits the speed, in m/s.</summary>
     public void BoundSpeed(double fastest) => _most[LogSpeed] = Elementary.Log(fastest);
 
     public double LargestChange(int unknown) => unknown is Top or Side ? double.PositiveInfinity : Largest;
 
     public double Difference(int unknown) => unknown >= LogTime ? 0 : unknown is Top or Side ? SpinDifference : AngleDifference;
 
-    /// <summary>The columns of the times, which the velocities tell.</summary>
+    /// <summary>Sets the columns of the times, which follow from the velocities.</summary>
     public void KnownColumns(double[] x, double[] j)
     {
-        // p(e^τ): ∂p/∂τ = t v; on the way at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
+        // p(e^τ): ∂p/∂τ = t v; at the waypoint, at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
         double time = Elementary.Exp(x[LogTime]);
         SetColumn(j, 0, LogTime, time * _arrival);
         SetColumn(j, 0, Share, Vector3d.Zero);
@@ -268,8 +270,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
     }
 
-    /// <summary>Flies a kick as far as it may come close, and sets its times to those of its closest approaches.</summary>
-    /// <returns>The sum of the squares of what it misses by, m².</returns>
+    /// <summary>Flies a kick while it may come closer, and sets its times to those of its closest approaches.</summary>
+    /// <returns>The sum of the squared misses, in m².</returns>
     public double Approach(double[] x)
     {
         BallState state = Launch(x);
@@ -292,7 +294,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // In long steps, as if each were straight, until the ball falls below both ends.
+        // Use long steps, each treated as straight, until the ball falls below both ends.
         double time;
         if (_passesThrough)
         {
@@ -306,8 +308,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return false;
     }
 
-    /// <summary>Flies a kick to a time, and sets its time to that.</summary>
-    /// <returns>The square of what it misses the target by then, m².</returns>
+    /// <summary>Flies a kick to a time, and sets its time unknown.</summary>
+    /// <returns>The squared miss at the target at this time, in m².</returns>
     public double GapAt(double[] x, double time)
     {
         x[LogTime] = Elementary.Log(time);
@@ -315,14 +317,14 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return (_residuals[0] * _residuals[0]) + (_residuals[1] * _residuals[1]) + (_residuals[2] * _residuals[2]);
     }
 
-    /// <summary>An unknown within its bounds.</summary>
+    /// <summary>Clamps an unknown to its bounds.</summary>
     public double Clamp(int unknown, double value) => Math.Min(Math.Max(value, _least[unknown]), _most[unknown]);
 
-    /// <summary>Solves it from a start, and measures what that leads to.</summary>
-    /// <param name="x">The unknowns: the start, and then the best that was found.</param>
+    /// <summary>Solves from a start, and measures the result.</summary>
+    /// <param name="x">The unknowns: the start, and then the best solution found.</param>
     /// <param name="solution">The solution.</param>
-    /// <param name="isMeasured">Whether the Jacobian of the start is known.</param>
-    /// <returns>Whether that truly hits.</returns>
+    /// <param name="isMeasured">True if the Jacobian of the start is known.</param>
+    /// <returns>True if the measured kick hits.</returns>
     public bool Hit(double[] x, out AimSolution solution, bool isMeasured = false)
     {
         bool hits = Solver.Solve(x, isMeasured);
@@ -330,8 +332,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return hits && IsMeasuredHit(x, out solution);
     }
 
-    /// <summary>The solution that unknowns stand for, with its true misses.</summary>
-    /// <returns>Whether it hits, and passes the point on the way.</returns>
+    /// <summary>Returns the solution for the unknowns, with its measured misses.</summary>
+    /// <returns>True if it hits the target, and passes the waypoint.</returns>
     public bool IsMeasuredHit(double[] x, out AimSolution solution)
     {
         solution = Solution(x);
@@ -340,12 +342,12 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
-        // What is in the way of the kick for a time is to be told.
+        // Accept a blocked kick for a given time, so that the blocking object is reported.
         bool isBlocked = !_isFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.WaypointTolerance);
     }
 
-    /// <summary>The solution that unknowns stand for.</summary>
+    /// <summary>Returns the solution for the unknowns.</summary>
     public AimSolution Solution(double[] x) => new()
     {
         Status = AimStatus.Hit,
@@ -357,15 +359,15 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     private BallState Launch(double[] x)
     {
-        // The logarithm of the speed keeps it above zero, and makes a step a share of it.
+        // The logarithm keeps the speed positive, and makes a step relative to it.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
     }
 
-    /// <summary>Closest approach of a step, as if it were straight.</summary>
+    /// <summary>Returns the closest approach within a step, treated as straight.</summary>
     private static double Closest(in BallState before, in BallState after, in Vector3d point, in Vector3d velocity, out double time)
     {
-        // Relative to the point, which may move: least of |start + part · way|².
+        // Relative to the point, which may move: minimise |start + part · way|².
         Vector3d start = before.Position - point - (before.Time * velocity);
         Vector3d way = after.Position - point - (after.Time * velocity) - start;
         double squared = way.LengthSquared;
@@ -391,10 +393,11 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     }
 }
 
-/// <summary>A flight, or a roll, to a time.</summary>
+/// <summary>A flight or a roll to a given time.</summary>
 internal sealed class TimedFlight : KickObserver
 {
-    /// <summary>Step of a roll, s, and of one that is fast enough to meet the drag law's jump, and that speed, m/s.</summary>
+    /// <summary>The step of a roll, in s; the step of a fast roll, in s; and the minimum speed of a fast roll, in m/s.</summary>
+    /// <remarks>A fast roll can reach the jump of the drag law.</remarks>
     private const double RollStep = 0.1;
     private const double FastRollStep = 0.02;
     private const double FastRoll = 11;
@@ -405,11 +408,11 @@ internal sealed class TimedFlight : KickObserver
 
     public TimedFlight(Simulator simulator) => _kick = new KickFlight(simulator, this);
 
-    /// <summary>Flies on.</summary>
+    /// <summary>Continues the flight.</summary>
     /// <param name="state">The ball.</param>
-    /// <param name="time">For how long, s.</param>
-    /// <param name="longestStep">The longest step in the air, s.</param>
-    /// <returns>Pieces of motion.</returns>
+    /// <param name="time">The duration, in s.</param>
+    /// <param name="longestStep">The longest step in the air, in s.</param>
+    /// <returns>The number of path segments.</returns>
     public long Fly(ref BallState state, double time, double longestStep)
     {
         _step = time / Math.Ceiling(time / longestStep);
@@ -420,7 +423,7 @@ internal sealed class TimedFlight : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // In the air equal steps that end with the time; on the ground as long as the motion allows.
+        // In the air, equal steps that end at the given time; on the ground, as long as the motion allows.
         watches = false;
         bool isFast = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll;
         return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);

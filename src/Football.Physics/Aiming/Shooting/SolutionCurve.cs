@@ -1,9 +1,10 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The kicks that hit a target, with their speed free, are a curve in elevation, azimuth, speed and time. It is followed by pseudo-arclength continuation: a step along
-/// its tangent, and back to it on the shortest way; so it does not matter where it turns back in one of them.
-/// </summary>
+/// <summary>Follows the curve of kicks that hit a target with free speed, in elevation, azimuth, speed and time.</summary>
+/// <remarks>
+/// It uses pseudo-arclength continuation: a step along the tangent, and the shortest correction back to the curve. So the curve may turn back in any
+/// of the unknowns.
+/// </remarks>
 internal sealed class SolutionCurve
 {
     private const int N = ShootingProblem.Most;
@@ -12,10 +13,10 @@ internal sealed class SolutionCurve
     private const double LargestStep = 0.4;
     private const double SmallestStep = 4e-3;
 
-    /// <summary>A slope of the speed whose sign a Jacobian by updates tells.</summary>
+    /// <summary>The slope of the speed above which an updated Jacobian reliably determines its sign.</summary>
     private const double ClearSlope = 0.1;
 
-    /// <summary>By this share of its speed a slower kick need not be sought.</summary>
+    /// <summary>The relative reduction of the speed that is not worth another step.</summary>
     private const double LittleSlower = 1e-5;
 
     private static readonly int[] s_unknowns = [ShootingProblem.Elevation, ShootingProblem.Azimuth, ShootingProblem.LogSpeed, ShootingProblem.LogTime];
@@ -32,10 +33,10 @@ internal sealed class SolutionCurve
         _solver = problem.Solver;
     }
 
-    /// <summary>Follows the curve to slower kicks, until they are slower no more or hit no more.</summary>
+    /// <summary>Follows the curve to slower kicks, until the speed is minimal or the kicks no longer hit.</summary>
     public void Descend(double[] x, ref AimSolution solution)
     {
-        // Where the Jacobian by updates tells clearly that the slower ones are not allowed, it need not be measured.
+        // If the updated Jacobian clearly shows that slower kicks are beyond a bound, skip the measurement.
         double step = FirstStep;
         double before = Tangent(measures: false, x);
         if (before < -ClearSlope && !Goes(x, step))
@@ -44,8 +45,9 @@ internal sealed class SolutionCurve
         }
 
         before = Tangent(measures: true, x);
-        // 1. A step along the tangent, and back to the curve. 2. Shorter where that is no hit, or no slower. 3. Else the tangent there: where the speed rises along it the
-        // least lies behind. 4. The next step is to where the slope is zero, or ends where that is worth nothing.
+        // 1. Step along the tangent, and correct back to the curve. 2. Shorten the step if it gives no hit or no slower kick. 3. Otherwise compute
+        // the tangent there: if the speed rises along it, the minimum lies behind. 4. Step to the zero of the slope, or stop if the gain is
+        // negligible.
         for (int i = 0; i < MostSteps && step > SmallestStep && !_problem.IsSpent; i++)
         {
             if (!Goes(x, step))
@@ -69,7 +71,7 @@ internal sealed class SolutionCurve
                 turned += _last[k] * _tangent[k];
             }
 
-            // The slope of the speed is about linear in the way: the next step is to its root, before or behind.
+            // The slope of the speed is about linear in the arc length: step to its root, ahead or behind.
             double slope = turned < 0 ? -after : after;
             double toRoot = slope > before ? step * Math.Abs(after) / (slope - before) : LargestStep;
             if (0.5 * toRoot * Math.Abs(after) < LittleSlower)
@@ -83,7 +85,7 @@ internal sealed class SolutionCurve
     }
 
     /// <summary>Takes a step along the tangent.</summary>
-    /// <returns>False where a bound is in the way: the slower ones lie beyond it.</returns>
+    /// <returns>False if a bound is in the way, so that slower kicks lie beyond it.</returns>
     private bool Goes(double[] x, double step)
     {
         Array.Copy(x, _next, N);
@@ -100,7 +102,7 @@ internal sealed class SolutionCurve
         return true;
     }
 
-    /// <summary>True when the kicks of the curve are the slower, the longer they take.</summary>
+    /// <summary>True if longer kicks on the curve are slower.</summary>
     public bool SlowsWithTime(double[] x)
     {
         _problem.Fly(x, _solver.Residuals);
@@ -108,8 +110,8 @@ internal sealed class SolutionCurve
         return _tangent[3] > 0;
     }
 
-    /// <summary>The unit tangent, towards slower kicks.</summary>
-    /// <returns>How the logarithm of the speed changes along it; not above 0.</returns>
+    /// <summary>Computes the unit tangent towards slower kicks.</summary>
+    /// <returns>The derivative of the logarithm of the speed along it; at most 0.</returns>
     private double Tangent(bool measures, double[] x)
     {
         if (measures)
@@ -120,7 +122,7 @@ internal sealed class SolutionCurve
         double squared = 0;
         for (int k = 0; k < 4; k++)
         {
-            // The null vector of a 3 × 4 matrix: its minors
+            // The null vector of a 3 × 4 matrix, from its minors.
             Vector3d a = Column(s_unknowns[k == 0 ? 1 : 0]);
             Vector3d b = Column(s_unknowns[k <= 1 ? 2 : 1]);
             Vector3d c = Column(s_unknowns[k <= 2 ? 3 : 2]);
@@ -129,7 +131,7 @@ internal sealed class SolutionCurve
             squared += minor * minor;
         }
 
-        // Towards slower kicks, whichever way the minors point.
+        // Orient it towards slower kicks.
         double length = Math.Sqrt(squared) * (_tangent[2] > 0 ? -1 : 1);
         for (int k = 0; k < 4; k++)
         {

@@ -1,21 +1,22 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A player who keeps the ball from his opponents by standing between.</summary>
+/// <summary>A request to shield the ball: the player keeps his body between the ball and his opponents.</summary>
 public sealed record ShieldRequest
 {
-    /// <summary>The player who has the ball.</summary>
+    /// <summary>The player in possession of the ball.</summary>
     public Player Player { get; init; } = new Player();
 
-    /// <summary>His opponents; at most 64. Default none.</summary>
+    /// <summary>The opponents; at most 64. Default: none.</summary>
     public IReadOnlyList<Player> Opponents { get; init; } = [];
 
-    /// <summary>How far from him the ball may be, m. Above 0, at most 10; default 0.6, what he can reach where he stands.</summary>
+    /// <summary>The maximum distance of the ball from the player, in m. Above 0, at most 10; default 0.6.</summary>
+    /// <remarks>The default is his reach without a step.</remarks>
     public double MaximumDistance { get; init; } = 0.6;
 
-    /// <summary>Radius of his body, which opponents go around, m. 0 … 1; default 0.3.</summary>
+    /// <summary>The radius of his body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
     public double BodyRadius { get; init; } = 0.3;
 
-    /// <summary>When, s: the reaction times of the opponents count from here. Default 0.</summary>
+    /// <summary>The time from which the opponents' reaction times count, in s. Default 0.</summary>
     public double Time { get; init; }
 
     internal void Validate()
@@ -34,14 +35,14 @@ public sealed record ShieldRequest
     }
 }
 
-/// <summary>Where a ball is shielded: the best place, and how long before any opponent the player has it there and elsewhere.</summary>
+/// <summary>The result of a shielding search: the best position of the ball, and the safety margins.</summary>
 public sealed class ShieldResult
 {
-    /// <summary>Directions and distances that are looked at.</summary>
+    /// <summary>The number of directions and of distances that are sampled.</summary>
     private const int Directions = 72;
     private const int Rings = 4;
 
-    /// <summary>Where nobody else comes it is so long, s.</summary>
+    /// <summary>The margin if no opponent reaches the ball, in s.</summary>
     private const double Forever = 3600;
 
     private readonly ShieldRequest _request;
@@ -53,7 +54,7 @@ public sealed class ShieldResult
         Margin = double.NegativeInfinity;
         int safe = 0;
 
-        // All directions and distances: the best place, and the share of those that are safe. The farthest first, whose margins are kept.
+        // Sample all directions and distances for the best position and the safe share. Start with the outermost ring, whose margins are stored.
         for (int ring = Rings; ring >= 1; ring--)
         {
             for (int i = 0; i < Directions; i++)
@@ -77,34 +78,37 @@ public sealed class ShieldResult
         SafeShare = (double)safe / (Rings * Directions);
     }
 
-    /// <summary>The place within his reach where the player has the ball longest before any opponent, m over the ground.</summary>
+    /// <summary>The position with the largest margin within the player's reach, on the ground, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>How long before the first opponent he has it there, s; below 0 where that one is first; 3 600 where nobody comes.</summary>
+    /// <summary>The largest margin before the first opponent, in s; negative if an opponent is first.</summary>
+    /// <remarks>It is 3600 if no opponent comes.</remarks>
     public double Margin { get; }
 
-    /// <summary>True when there is a place where he has it before all of them.</summary>
+    /// <summary>True if the player reaches some position before all opponents.</summary>
     public bool IsShielded => Margin > 0;
 
-    /// <summary>The share of the places around him, of all directions and distances alike, where he has it before all of them, 0 … 1.</summary>
+    /// <summary>The share of the sampled positions that the player reaches before all opponents, 0 … 1.</summary>
     public double SafeShare { get; }
 
-    /// <summary>The margins at the farthest places, s: in equal angles from −z on, counter-clockwise seen from above.</summary>
+    /// <summary>The margins on the outermost ring, in s.</summary>
+    /// <remarks>The directions are equally spaced, from −z counter-clockwise seen from above.</remarks>
     public IReadOnlyList<double> Margins => _margins;
 
-    /// <summary>How long before the first opponent the player has a ball at a place, s; below 0 where that one is first; 3 600 where nobody comes.</summary>
-    /// <param name="place">The place, m; its height does not count.</param>
+    /// <summary>Returns the time by which the player reaches a position before the first opponent, in s.</summary>
+    /// <remarks>Negative if an opponent is first; 3600 if no opponent comes.</remarks>
+    /// <param name="place">The position, in m; its height is ignored.</param>
     public double MarginAt(Vector3d place)
     {
         Check.Place(nameof(place), place);
 
-        // When he himself is there: he needs no time to react, for he has the ball.
+        // The player has the ball, so he needs no reaction time.
         Vector3d own = (place - _request.Player.Position).Horizontal;
         double he = new RunnerMotion(_request.Player.Reacting(0), _request.Time).ArrivalAt(own.Length);
         double first = he + Forever;
         foreach (Player opponent in _request.Opponents)
         {
-            // Until he reacts he goes on as he does; from there around the player's body.
+            // The opponent keeps his motion until he reacts, and then runs around the player's body.
             var motion = new RunnerMotion(in opponent, _request.Time);
             motion.MiddleAt(motion.Start, out double x, out double z);
             first = Math.Min(first, motion.ArrivalAt(WayAround(new Vector3d(x, 0, z), place.Horizontal)));
@@ -119,7 +123,8 @@ public sealed class ShieldResult
         return place + (distance * KickVectors.Flat(2.0 * Math.PI * direction / Directions, new Vector3d(0, 0, -1)));
     }
 
-    /// <summary>Length of the shortest way from one place to another around the player's body, m: two tangents and the arc between them, where he is in the way.</summary>
+    /// <summary>Returns the shortest distance between two positions around the player's body, in m.</summary>
+    /// <remarks>If the body blocks the line, the path consists of two tangents and the arc between them.</remarks>
     private double WayAround(Vector3d from, Vector3d to)
     {
         double radius = _request.BodyRadius;
@@ -130,13 +135,13 @@ public sealed class ShieldResult
         double first = a.Length;
         double second = b.Length;
 
-        // Who stands at or within the body does not go around it.
+        // An opponent at the body does not need to run around it.
         if (!(straight > 0) || !(first > radius) || !(second > radius))
         {
             return straight;
         }
 
-        // Where the straight line comes closest to the body, and how close.
+        // The closest approach of the straight line to the body.
         double along = -Vector3d.Dot(in a, b - a) / (straight * straight);
         double passes = (a + (Math.Min(1, Math.Max(0, along)) * (b - a))).Length;
         if (passes >= radius)
@@ -144,7 +149,7 @@ public sealed class ShieldResult
             return straight;
         }
 
-        // The angle between the two, less those of the tangents: cos τ = r/d
+        // The angle between the two positions, minus the tangent angles: cos τ = r/d
         double firstTangent = Math.Sqrt((first * first) - (radius * radius));
         double secondTangent = Math.Sqrt((second * second) - (radius * radius));
         double between = Elementary.Atan2(Math.Abs((a.X * b.Z) - (a.Z * b.X)), Vector3d.Dot(in a, in b));

@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace FootballPhysics.Aiming;
 
-/// <summary>A touch of the ball that was found: how the foot moves, what the ball does then, and how surely. Whatever the status, it is the best one found, and finite.</summary>
+/// <summary>The result of a search for a touch: the strike, its effect on the ball, and its chance of success.</summary>
+/// <remarks>With any status, it is the best touch found, and finite.</remarks>
 public readonly struct Touch : IFormattable
 {
     internal Touch(TouchStatus status, in FootStrike strike, in Vector3d place, in Vector3d ballVelocity, double time, double miss, double paceMiss, double chance)
@@ -20,45 +21,50 @@ public readonly struct Touch : IFormattable
     /// <summary>The outcome of the search.</summary>
     public TouchStatus Status { get; }
 
-    /// <summary>True where the touch does what was wanted, within its tolerance.</summary>
+    /// <summary>True if the touch meets the request within its tolerance.</summary>
     public bool Succeeds => Status == TouchStatus.Done;
 
-    /// <summary>The foot's motion, where it touches the ball, and what it does to both.</summary>
+    /// <summary>The foot's motion, the point of contact, and the effect on foot and ball.</summary>
     public FootStrike Strike { get; }
 
-    /// <summary>Velocity of the ball just after the touch, m/s: for <see cref="Simulator.Kick"/>.</summary>
+    /// <summary>The velocity of the ball just after the touch, in m/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Velocity => Strike.Velocity;
 
-    /// <summary>Spin of the ball just after the touch, rad/s: for <see cref="Simulator.Kick"/>.</summary>
+    /// <summary>The spin of the ball just after the touch, in rad/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Spin => Strike.Spin;
 
-    /// <summary>Where the ball is at the end, m: of a dribbling touch at its time, of a trap when it has settled, of a shot where it is closest to the target.</summary>
+    /// <summary>The position of the ball at the evaluated moment, in m.</summary>
+    /// <remarks>That moment is the requested time for a dribble, the settling time for a trap, and the closest approach to the target for a
+    /// shot.</remarks>
     public Vector3d Position { get; }
 
-    /// <summary>Velocity of the ball then, m/s.</summary>
+    /// <summary>The velocity of the ball at the evaluated moment, in m/s.</summary>
     public Vector3d BallVelocity { get; }
 
-    /// <summary>When that is, s after the touch.</summary>
+    /// <summary>The evaluated moment, in s after the touch.</summary>
     public double Time { get; }
 
-    /// <summary>
-    /// How far the ball is then from where it was wanted, m: of a dribbling touch over the ground, of a shot in space. Of a trap how far it is from where it was touched, seen by
+    /// <summary>The distance of the ball from its target at the evaluated moment, in m.</summary>
+    /// <remarks>
+    /// For a dribble it is measured over the ground, for a shot in space. For a trap it is the distance from the point of the touch, in the frame of
     /// the player.
-    /// </summary>
+    /// </remarks>
     public double Miss { get; }
 
-    /// <summary>Difference of the ball's velocity over the ground then from what was wanted, m/s: of a dribbling touch that of its speed. 0 for a shot.</summary>
+    /// <summary>The error of the ball's horizontal velocity at the evaluated moment, in m/s; 0 for a shot.</summary>
+    /// <remarks>For a dribble it is the error of the speed.</remarks>
     public double SpeedError { get; }
 
-    /// <summary>The share of touches with the player's errors (<see cref="TouchSpread"/>) that come off, 0 … 1; not a number where that was not asked for.</summary>
+    /// <summary>The share of touches with the player's errors (<see cref="TouchSpread"/>) that succeed, 0 … 1.</summary>
+    /// <remarks>NaN if no draws were requested.</remarks>
     public double Chance { get; }
 
-    /// <summary>The touch in a line.</summary>
+    /// <summary>Returns the touch as one line of text.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>The touch in a line, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for three decimals at most.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Returns the touch as one line of text, in a given number format.</summary>
+    /// <param name="format">A number format; null or empty for at most three decimals.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);
@@ -70,15 +76,16 @@ public readonly struct Touch : IFormattable
 /// <summary>The outcome of a search for a touch.</summary>
 public enum TouchStatus
 {
-    /// <summary>The touch does what was wanted, within its tolerance.</summary>
+    /// <summary>The touch meets the request within its tolerance.</summary>
     Done = 0,
 
-    /// <summary>It would take a faster foot than <see cref="Foot.MaximumSpeed"/>.</summary>
+    /// <summary>The touch needs a faster foot than <see cref="Foot.MaximumSpeed"/>.</summary>
     FootTooSlow = 1,
 
-    /// <summary>No touch does: the target is out of reach, something is in the way, or no foot gives the ball the spin that it would need.</summary>
+    /// <summary>No touch meets the request.</summary>
+    /// <remarks>The target is out of reach, an object is in the way, or the foot cannot give the spin required.</remarks>
     OutOfReach = 2,
 
-    /// <summary>The request has no direction: the ball is at the target, or moves already as it should.</summary>
+    /// <summary>The request has no direction: the ball is already at the target, or already moves as requested.</summary>
     Degenerate = 3,
 }

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A touch as a problem of least squares: what the foot is to give the ball is sought, and what becomes of the ball then is looked at.</summary>
+/// <summary>A touch as a least-squares problem: the unknowns are the velocity and spin to give, the residuals come from the simulated path.</summary>
 internal abstract class TouchProblem : ILeastSquares
 {
-    /// <summary>Step in which the ball is followed, s.</summary>
+    /// <summary>The step of the simulated path, in s.</summary>
     private const double TimeStep = 0.01;
 
     private const int MostFlights = 120;
@@ -20,13 +20,13 @@ internal abstract class TouchProblem : ILeastSquares
         _solver = new LeastSquares(this, equations);
     }
 
-    /// <summary>The ball as it comes.</summary>
+    /// <summary>The incoming ball.</summary>
     public BallState Ball;
 
-    /// <summary>The strike that was flown last.</summary>
+    /// <summary>The strike of the last flight.</summary>
     public FootStrike Strike { get; private set; }
 
-    /// <summary>The ball after it, when it was looked at.</summary>
+    /// <summary>The ball after the touch, at the evaluated moment.</summary>
     public BallState End;
 
     public abstract int Unknowns { get; }
@@ -57,7 +57,7 @@ internal abstract class TouchProblem : ILeastSquares
         Wanted(x, out Vector3d velocity, out Vector3d spin);
         if (!((velocity - Ball.Velocity).Length > 1e-9))
         {
-            // The foot need not touch what moves so already: it barely does.
+            // The ball already moves as required, so the foot barely touches it.
             velocity += 1e-6 * Vector3d.Up;
         }
 
@@ -67,44 +67,44 @@ internal abstract class TouchProblem : ILeastSquares
 
     public abstract bool IsHit(double[] r);
 
-    /// <summary>Solves from a start, which becomes the best that was found; that is what was flown last.</summary>
+    /// <summary>Solves from a start, which is overwritten with the best solution; the last flight is that of the solution.</summary>
     public bool Solve(double[] x)
     {
         _flights = 0;
 
-        // The last flight of a solve may be one that was turned down: the best is flown once more, so that strike and end are its own.
+        // The solver may end on a rejected trial. Fly the best solution again, so that Strike and End belong to it.
         bool hit = _solver.Solve(x);
         _flights = 0;
         bool flies = Fly(x, _solver.Residuals);
         return hit && flies;
     }
 
-    /// <summary>Residuals of the solution.</summary>
+    /// <summary>The residuals of the solution.</summary>
     public double[] Residuals => _solver.Residuals;
 
-    /// <summary>Follows the ball after a touch.</summary>
-    /// <returns>False where there is nothing to compare.</returns>
+    /// <summary>Simulates the ball after a touch and computes the residuals.</summary>
+    /// <returns>False if the path has no residuals.</returns>
     public abstract bool Follow(in Vector3d velocity, in Vector3d spin, double[] r);
 
-    /// <summary>Velocity and spin that the foot is to give the ball.</summary>
+    /// <summary>Returns the velocity and spin that the foot must give the ball.</summary>
     protected abstract void Wanted(double[] x, out Vector3d velocity, out Vector3d spin);
 
-    /// <summary>Runs the ball on for a time after a touch.</summary>
+    /// <summary>Simulates the ball for a time after a touch.</summary>
     protected void Run(in Vector3d velocity, in Vector3d spin, double duration)
     {
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
-        // Followed to the time that is asked for, bounces and all.
+        // Run to the requested time, including bounces.
         Log.Clear();
         Simulator.Run(ref End, TimeStep, duration, StopAt.Time, Log, null);
     }
 
-    /// <summary>The spin of a ball that rolls so on level ground, rad/s.</summary>
+    /// <summary>Returns the spin of a ball that rolls on level ground, in rad/s.</summary>
     protected Vector3d Rolling(in Vector3d velocity) => Vector3d.Cross(Vector3d.Up, velocity.Horizontal) / Simulator.Scene.Ball.Radius;
 }
 
-/// <summary>A dribbling touch: the velocity over the ground, and once that is known the topspin too, by where the ball is and how fast.</summary>
+/// <summary>A dribbling touch: solves for the horizontal velocity, and then also for the topspin, from position and speed.</summary>
 internal sealed class DribbleProblem : TouchProblem
 {
     private const double Close = 2e-4;
@@ -120,7 +120,7 @@ internal sealed class DribbleProblem : TouchProblem
 
     public override int Unknowns => 3;
 
-    /// <summary>Sets what is wanted.</summary>
+    /// <summary>Sets the request.</summary>
     public void Set(in BallState ball, DribbleRequest request)
     {
         Ball = ball;
@@ -130,7 +130,7 @@ internal sealed class DribbleProblem : TouchProblem
         Free(spin: false);
     }
 
-    /// <summary>True when the topspin is free, for the pace.</summary>
+    /// <summary>Frees or fixes the topspin, which controls the speed.</summary>
     public void Free(bool spin)
     {
         _spins = spin;
@@ -163,12 +163,12 @@ internal sealed class DribbleProblem : TouchProblem
         Vector3d rolling = Rolling(in velocity);
         double rate = rolling.Length;
 
-        // Rolling spin, and topspin x₂ about the same axis on top.
+        // The rolling spin, plus a topspin x₂ about the same axis.
         spin = rolling + (rate > 0 ? x[2] / rate * rolling : Vector3d.Zero);
     }
 }
 
-/// <summary>A trap: the velocity over the ground after which the ball, with what spin the foot cannot take, settles as it should.</summary>
+/// <summary>A trap: solves for the horizontal velocity after which the ball, with its remaining spin, settles as required.</summary>
 internal sealed class TrapProblem : TouchProblem
 {
     private const double Close = 1e-3;
@@ -182,7 +182,7 @@ internal sealed class TrapProblem : TouchProblem
 
     public override int Unknowns => 2;
 
-    /// <summary>Sets what is wanted.</summary>
+    /// <summary>Sets the request.</summary>
     public void Set(in BallState ball, TrapRequest request)
     {
         Ball = ball;
@@ -214,7 +214,7 @@ internal sealed class TrapProblem : TouchProblem
     }
 }
 
-/// <summary>A first-time shot: elevation and azimuth of a speed, by where the ball passes the plane of the target.</summary>
+/// <summary>A first-time shot: solves for elevation and azimuth at a given speed, from where the ball crosses the target plane.</summary>
 internal sealed class FirstTimeProblem : TouchProblem
 {
     private const double Degree = Math.PI / 180.0;
@@ -234,26 +234,26 @@ internal sealed class FirstTimeProblem : TouchProblem
 
     public override int Unknowns => 2;
 
-    /// <summary>The closest approach of what was flown last.</summary>
+    /// <summary>The closest approach of the last flight.</summary>
     public PathPoint Closest { get; private set; }
 
-    /// <summary>Its distance from the target, m.</summary>
+    /// <summary>The distance of the closest approach from the target, in m.</summary>
     public double Miss { get; private set; }
 
-    /// <summary>Sets what is wanted.</summary>
+    /// <summary>Sets the request and the speed.</summary>
     public void Set(in BallState ball, FirstTimeRequest request, double speed)
     {
         Ball = ball;
         _request = request;
         _speed = speed;
 
-        // The plane through the target across the way there: a shot misses by height and aside in it.
+        // The plane through the target, perpendicular to the direction there; the residuals are the height and lateral offsets in it.
         Vector3d flat = (request.Target - ball.Position).Horizontal;
         Vector3d forward = flat / flat.Length;
         _plane = new Plane3d(request.Target, forward);
         _aside = Vector3d.Cross(Vector3d.Up, in forward);
 
-        // To the plane, and a little beyond: the closest approach of a ball that comes down may be behind it.
+        // Fly slightly beyond the plane: a descending ball may come closest behind it.
         _look = new LookAheadRequest
         {
             Duration = Longest,
@@ -276,7 +276,7 @@ internal sealed class FirstTimeProblem : TouchProblem
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
-        // The true flight; what it misses by in the plane is what the solver sees, the closest approach what the answer tells.
+        // The full flight. The solver uses the offsets in the plane; the result reports the closest approach.
         Simulator.LookAhead(in End, _look, _path);
         End = _path.Final;
         Closest = _path.ClosestApproach(_request.Target);

@@ -1,33 +1,33 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A dribbling touch: a running player pushes the ball on, to have it before him when he is there.</summary>
+/// <summary>A dribbling touch: a running player pushes the ball ahead to meet it again.</summary>
 public sealed record DribbleRequest
 {
-    /// <summary>Where the player is at the touch, m; components within ±1e6. Its height does not count.</summary>
+    /// <summary>The position of the player at the touch, in m; components within ±1e6. Its height is ignored.</summary>
     public Vector3d Position { get; init; }
 
-    /// <summary>Which way he runs from the touch on; any length but zero over the ground.</summary>
+    /// <summary>The direction in which he runs after the touch; its horizontal part must not be zero.</summary>
     public Vector3d Direction { get; init; } = new(0, 0, -1);
 
-    /// <summary>How fast he runs, m/s. 0 … 15; default 5.</summary>
+    /// <summary>His running speed, in m/s. 0 … 15; default 5.</summary>
     public double RunSpeed { get; init; } = 5;
 
-    /// <summary>When he wants the ball, s after the touch. 0.05 … 5; default 0.5.</summary>
+    /// <summary>The time at which he wants the ball, in s after the touch. 0.05 … 5; default 0.5.</summary>
     public double Duration { get; init; } = 0.5;
 
-    /// <summary>How far before him he wants it then, m. 0 … 10; default 0.6.</summary>
+    /// <summary>The distance of the ball ahead of him at that time, in m. 0 … 10; default 0.6.</summary>
     public double Lead { get; init; } = 0.6;
 
-    /// <summary>How far from there it may be, m; above 0. Default 0.1.</summary>
+    /// <summary>The tolerance of the ball's position, in m; above 0. Default 0.1.</summary>
     public double Tolerance { get; init; } = 0.1;
 
-    /// <summary>How far a touch with errors may bring it from there and still have come off, m; above 0. Default 0.5.</summary>
+    /// <summary>The position error at which a touch with errors still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
-    /// <summary>Where he wants the ball, m over the ground.</summary>
+    /// <summary>The position at which he wants the ball, on the ground, in m.</summary>
     internal Vector3d Wanted => Position + (((RunSpeed * Duration) + Lead) * Heading);
 
-    /// <summary>Which way he runs, of length 1.</summary>
+    /// <summary>The unit vector in which he runs.</summary>
     internal Vector3d Heading => Check.Direction("dribble.direction", Direction.Horizontal);
 
     internal void Validate()
@@ -42,19 +42,19 @@ public sealed record DribbleRequest
     }
 }
 
-/// <summary>A trap: the foot takes the ball's speed, and leaves it dead, or rolling with the player.</summary>
+/// <summary>A trap: the foot stops the ball, or leaves it rolling with the player.</summary>
 public sealed record TrapRequest
 {
-    /// <summary>Velocity of the player over the ground, m/s; speed at most 15. Default he stands, and the ball is dead.</summary>
+    /// <summary>The horizontal velocity of the player, in m/s; speed at most 15. Default 0: the ball is stopped dead.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>When the ball is to have settled, s after the touch. 0.05 … 5; default 0.5.</summary>
+    /// <summary>The time at which the ball must have settled, in s after the touch. 0.05 … 5; default 0.5.</summary>
     public double Duration { get; init; } = 0.5;
 
-    /// <summary>How fast it may be then against the player, m/s; above 0. Default 0.3.</summary>
+    /// <summary>The maximum speed of the settled ball relative to the player, in m/s; above 0. Default 0.3.</summary>
     public double Tolerance { get; init; } = 0.3;
 
-    /// <summary>How fast a touch with errors may leave it and still have come off, m/s; above 0. Default 1.</summary>
+    /// <summary>The relative speed at which a trap with errors still succeeds, in m/s; above 0. Default 1.</summary>
     public double SuccessSpeed { get; init; } = 1;
 
     internal void Validate()
@@ -66,31 +66,32 @@ public sealed record TrapRequest
     }
 }
 
-/// <summary>A first-time shot: the moving ball is struck to a target, as it comes.</summary>
+/// <summary>A first-time shot: a moving ball is struck at a target without a trap.</summary>
 public sealed record FirstTimeRequest
 {
-    /// <summary>The target, m; components within ±1e6. There is none by default.</summary>
+    /// <summary>The target, in m; components within ±1e6. Required: the default is NaN.</summary>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
-    /// <summary>Speed of the ball after the touch, m/s; less where the foot cannot give as much. 0.5 … 60; default 25.</summary>
+    /// <summary>The speed of the ball after the touch, in m/s. 0.5 … 60; default 25.</summary>
+    /// <remarks>The shot is slower if the foot cannot give this speed.</remarks>
     public double Speed { get; init; } = 25;
 
-    /// <summary>Topspin that the ball is to get, rad/s; as much of it as the foot can give. −200 … 200; default 0.</summary>
+    /// <summary>The topspin requested, in rad/s, as far as the foot can give it. −200 … 200; default 0.</summary>
     public double TopSpin { get; init; }
 
-    /// <summary>Sidespin that the ball is to get, rad/s; as much of it as the foot can give. −200 … 200; default 0.</summary>
+    /// <summary>The sidespin requested, in rad/s, as far as the foot can give it. −200 … 200; default 0.</summary>
     public double SideSpin { get; init; }
 
-    /// <summary>Greatest elevation of the shot, degrees. 0 … 80; default 45.</summary>
+    /// <summary>The maximum elevation of the shot, in degrees. 0 … 80; default 45.</summary>
     public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>Which of the two kicks of one speed that reach a target. Default the low one.</summary>
+    /// <summary>The choice between the two kicks of one speed that reach a target. Default: the low one.</summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
-    /// <summary>How far from the target the ball may pass, m; above 0. Default 0.01.</summary>
+    /// <summary>The tolerance of the distance to the target, in m; above 0. Default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
-    /// <summary>How far from it a touch with errors may pass and still have come off, m; above 0. Default 0.5.</summary>
+    /// <summary>The distance to the target at which a shot with errors still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
     internal void Validate()
@@ -105,19 +106,20 @@ public sealed record FirstTimeRequest
     }
 }
 
-/// <summary>How much the foot of a player errs: normally distributed, independent errors of its velocity and of where it touches. Evidence: guess.</summary>
+/// <summary>The errors of a player's foot: independent and normally distributed, in velocity and point of contact.</summary>
+/// <remarks>Evidence: guess.</remarks>
 public sealed record TouchSpread
 {
-    /// <summary>Standard deviation of the foot's speed, % of it. 0 … 100; default 4.</summary>
+    /// <summary>The standard deviation of the foot's speed, in %. 0 … 100; default 4.</summary>
     public double SpeedPercent { get; init; } = 4;
 
-    /// <summary>Standard deviation of its direction, degrees, each way. 0 … 45; default 2.</summary>
+    /// <summary>The standard deviation of its direction about each of two axes, in degrees. 0 … 45; default 2.</summary>
     public double DirectionDegrees { get; init; } = 2;
 
-    /// <summary>Standard deviation of the point where it touches the ball, m, each way. 0 … 0.1; default 0.005.</summary>
+    /// <summary>The standard deviation of the point of contact on each axis, in m. 0 … 0.1; default 0.005.</summary>
     public double Contact { get; init; } = 0.005;
 
-    /// <summary>How many touches with errors are tried for <see cref="Touch.Chance"/>; 0 for none. 0 … 100 000; default 64.</summary>
+    /// <summary>The number of random touches for <see cref="Touch.Chance"/>; 0 skips the estimate. 0 … 100 000; default 64.</summary>
     public int Draws { get; init; } = 64;
 
     internal void Validate()

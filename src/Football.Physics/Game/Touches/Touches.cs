@@ -1,22 +1,20 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>
-/// The ball at a player's feet: the dribbling touch, the trap, the first-time shot of a moving ball, and where it is shielded. Each answer is the motion of the foot, what the ball
-/// does then by the simulation itself, how far that is from what was wanted, and how surely it comes off.
-/// </summary>
+/// <summary>Finds touches of a ball at a player's feet: dribbling touch, trap, first-time shot and shielding.</summary>
 /// <remarks>
-/// The foot is a <see cref="Foot"/>: what it cannot give, for want of speed or friction, the answer does not have. The game's bodies and an engine's colliders are left out: the player's
-/// own legs are among them. Its memory is its own: one a thread.
+/// Each result contains the motion of the foot, the simulated path of the ball, the error against the request, and the chance of success. The foot is
+/// a <see cref="Foot"/>: the result contains no more speed or spin than it can give. The game's bodies and an engine's colliders are ignored, because
+/// they include the player's own legs. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class Touches
 {
-    /// <summary>A difference of the pace above this, m/s, is worth a topspin.</summary>
+    /// <summary>The speed error above which a topspin is tried, in m/s.</summary>
     private const double Pace = 0.05;
 
     private const int MostSpeeds = 8;
     private const long Seed = 20261124;
 
-    /// <summary>Elevations that a shot is begun with, degrees beside that of its aim.</summary>
+    /// <summary>The starting elevations of the search, in degrees relative to the aimed one.</summary>
     private static readonly double[] s_elevations = [0, 4, 8, 14, -4];
 
     private readonly Simulator _simulator;
@@ -27,14 +25,14 @@ public sealed class Touches
     private readonly double[] _x = new double[3];
     private readonly double[] _residuals = new double[3];
 
-    /// <summary>Prepares for touches in a scene.</summary>
+    /// <summary>Creates a solver for touches in a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="foot">The foot; default <see cref="Foot"/>'s numbers, with a fastest speed of 25 m/s.</param>
-    /// <param name="spread">How much the foot errs; default <see cref="TouchSpread"/>'s numbers.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <param name="foot">The foot; default: a <see cref="Foot"/> with a maximum speed of 25 m/s.</param>
+    /// <param name="spread">The errors of the foot; default: the values of <see cref="TouchSpread"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public Touches(Scene? scene = null, Foot? foot = null, TouchSpread? spread = null)
     {
-        // Without bodies and engine colliders: the foot that strikes is one of them, and would be in the way.
+        // Remove bodies and engine colliders: the striking foot is one of them, and would block the ball.
         Scene own = (scene ?? Scene.Default) with { Bodies = null, EngineColliders = null };
         Foot = foot ?? new Foot { MaximumSpeed = 25 };
         Spread = spread ?? new TouchSpread();
@@ -49,16 +47,15 @@ public sealed class Touches
     /// <summary>The foot.</summary>
     public Foot Foot { get; }
 
-    /// <summary>How much it errs.</summary>
+    /// <summary>The errors of the foot.</summary>
     public TouchSpread Spread { get; }
 
-    /// <summary>
-    /// Finds the touch after which the ball is where a running player wants it, at a time on his way, at his pace as near as its friction allows; whatever it did before.
-    /// </summary>
+    /// <summary>Finds the touch that brings the ball to a running player at a given time and speed.</summary>
+    /// <remarks>The ball may arrive with any motion. Its speed is matched as closely as friction allows.</remarks>
     /// <param name="ball">The ball at the touch.</param>
-    /// <param name="request">The player, his way, and where he wants the ball on it.</param>
+    /// <param name="request">The player, his run, and the position at which he wants the ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public Touch Dribble(in BallState ball, DribbleRequest request)
     {
@@ -66,7 +63,7 @@ public sealed class Touches
         request.Validate();
         BallState.Launched(in ball);
 
-        // 1. The velocity over the ground that brings it there in time. 2. Where it is then too slow or too fast, a topspin, as far as it helps.
+        // 1. Solve for the horizontal velocity that reaches the position on time. 2. If the speed is then wrong, try topspin.
         _dribble.Set(in ball, request);
 
         // First guess: the mean velocity over the ground.
@@ -80,19 +77,19 @@ public sealed class Touches
         {
             (double x, double z) = (_x[0], _x[1]);
 
-            // Three unknowns for place and pace; kept where it hits, or is still near enough and the pace is better.
+            // Three unknowns for position and speed. Keep the result if it hits, or is within tolerance with a better speed.
             _dribble.Free(spin: true);
             bool helps = _dribble.Solve(_x) || (Off(_dribble.Residuals) < request.Tolerance && Math.Abs(_dribble.Residuals[2]) < pace);
             _dribble.Free(spin: false);
             if (!helps)
             {
-                // Back to the touch without topspin.
+                // Return to the touch without topspin.
                 (_x[0], _x[1], _x[2]) = (x, z, 0);
                 _dribble.Solve(_x);
             }
         }
 
-        // What is told is what this touch does: place, pace and strike.
+        // Fly the chosen touch: the result reports its position, speed and strike.
         _dribble.Fly(_x, _residuals);
         double miss = Off(_residuals);
         double paceMiss = Math.Abs(_residuals[2]);
@@ -103,11 +100,11 @@ public sealed class Touches
         return new Touch(status, in strike, end.Position, end.Velocity, request.Duration, miss, paceMiss, chance);
     }
 
-    /// <summary>Finds the motion of the foot that takes the ball's speed, so that it lies dead, or rolls with the player, once it has settled.</summary>
+    /// <summary>Finds the strike that stops the ball, or leaves it rolling with the player.</summary>
     /// <param name="ball">The ball at the touch.</param>
-    /// <param name="request">The player's velocity, and how dead is dead.</param>
+    /// <param name="request">The player's velocity, and the tolerance.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public Touch Trap(in BallState ball, TrapRequest request)
     {
@@ -119,26 +116,27 @@ public sealed class Touches
         _x[0] = velocity.X;
         _x[1] = velocity.Z;
 
-        // First guess: the ball goes as the player does at once.
+        // First guess: the ball takes the player's velocity at once.
         _trap.Solve(_x);
         _trap.Fly(_x, _residuals);
         double off = Off(_residuals);
         FootStrike strike = _trap.Strike;
         BallState end = _trap.End;
 
-        // How far from where the player would have it: the ball's own way less his.
+        // The distance of the ball from the touch, in the player's frame: its displacement minus his.
         double gone = (end.Position - ball.Position - (request.Duration * velocity)).Horizontal.Length;
         TouchStatus status = off <= request.Tolerance ? TouchStatus.Done : !strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
         double chance = Chance(_trap, in strike, r => Off(r) <= request.SuccessSpeed);
         return new Touch(status, in strike, end.Position, end.Velocity, request.Duration, gone, off, chance);
     }
 
-    /// <summary>Finds the strike that sends a moving ball to a target as it comes, within what the foot can do: slower where it is not fast enough.</summary>
-    /// <remarks>The spin that the ball brings along the direction of the strike stays: no touch takes it. The shot is aimed with that.</remarks>
+    /// <summary>Finds the strike that sends a moving ball to a target without a trap.</summary>
+    /// <remarks>The shot is slower if the foot is not fast enough. A strike cannot remove incoming spin about its own direction; the search accounts
+    /// for this spin.</remarks>
     /// <param name="ball">The ball at the touch.</param>
-    /// <param name="request">The target, and how the ball is to go there.</param>
+    /// <param name="request">The target, and the speed and spin of the shot.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     /// <exception cref="ArgumentException"><paramref name="ball"/> was never launched.</exception>
     public Touch FirstTimeShot(in BallState ball, FirstTimeRequest request)
     {
@@ -150,18 +148,18 @@ public sealed class Touches
             return new Touch(TouchStatus.Degenerate, default, ball.Position, ball.Velocity, 0, (request.Target - ball.Position).Length, 0, double.NaN);
         }
 
-        // 1. A kick of a ball at rest to the target. 2. The strike for it, aimed again with the spin that stays. 3. Slower, where the foot is too slow for that.
+        // 1. Aim a ball at rest. 2. Solve for the strike, with the spin that remains. 3. Retry slower if the foot is too slow.
         double speed = request.Speed;
         bool fast = false;
         for (int i = 0; i < MostSpeeds && !fast; i++)
         {
-            // Unmeasured: it is only where the search for the strike begins.
+            // Skip the measurement: the aim is only the start of the search.
             AimResult aim = _aimer.Find(AimFor(in ball, request, speed), measure: false);
             _shot.Set(in ball, request, speed);
             SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
 
-            // Below what the foot gave the ball, and by a twentieth at least: a few tries are enough.
+            // Go below the speed that the foot achieved, by at least 5 %, so that a few tries suffice.
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
 
@@ -173,10 +171,11 @@ public sealed class Touches
         return new Touch(status, in strike, closest.Position, closest.Velocity, closest.Time - ball.Time, miss, 0, chance);
     }
 
-    /// <summary>Finds where the ball is shielded: where the player plays it before any opponent can, who must go around him.</summary>
-    /// <param name="request">The player, the opponents, and how far the ball may be from him.</param>
+    /// <summary>Finds the position at which a player shields the ball from his opponents.</summary>
+    /// <remarks>Opponents must run around him; he wants to play the ball before any of them can.</remarks>
+    /// <param name="request">The player, the opponents, and the maximum distance of the ball from him.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public static ShieldResult Shield(ShieldRequest request)
     {
         Check.Given(nameof(request), request);
@@ -184,7 +183,7 @@ public sealed class Touches
         return new ShieldResult(request);
     }
 
-    /// <summary>From the aim of a ball without the spin that stays; and where that first meets the ground, from steeper and flatter ones. The best stays.</summary>
+    /// <summary>Solves the shot from the aimed elevation, and from steeper and flatter ones if that fails; keeps the best.</summary>
     private void SolveShot(in AimResult aim, double steepest)
     {
         double least = double.PositiveInfinity;
@@ -223,7 +222,7 @@ public sealed class Touches
 
     private static double Off(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]));
 
-    /// <summary>The share of touches with the foot's errors that come off: each is struck and followed as the meant one.</summary>
+    /// <summary>Returns the share of touches with random errors that succeed; each is simulated like the intended one.</summary>
     private double Chance(TouchProblem problem, in FootStrike meant, Func<double[], bool> comesOff)
     {
         if (Spread.Draws == 0)
@@ -234,16 +233,16 @@ public sealed class Touches
         int good = 0;
         for (int i = 0; i < Spread.Draws; i++)
         {
-            // Five independent errors a draw; the same ones for every touch, so that two can be compared.
+            // Five independent errors per draw, with the same seeds for every touch, so that touches are comparable.
             NormalDistribution.Draw(SplitMix64.At(Seed, 6 * i), SplitMix64.At(Seed, (6 * i) + 1), out double a, out double b);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 2), SplitMix64.At(Seed, (6 * i) + 3), out double c, out double d);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 4), SplitMix64.At(Seed, (6 * i) + 5), out double e, out _);
 
-            // Where it touches by a metre on the ball's surface is an angle of the normal: Δ/r.
+            // An offset Δ of the contact point on the ball's surface turns the normal by Δ/r.
             double turn = Math.PI / 180.0 * Spread.DirectionDegrees;
             double tilt = Spread.Contact / _simulator.Scene.Ball.Radius;
 
-            // A foot of another speed, direction and point of contact strikes, and the ball goes where it goes.
+            // Strike with the perturbed speed, direction and contact point, and follow the ball.
             Vector3d foot = (1.0 + (0.01 * Spread.SpeedPercent * a)) * Turned(meant.FootVelocity, turn * b, turn * c);
             Vector3d normal = Turned(meant.Normal, tilt * d, tilt * e);
             FootStrike strike = Foot.Strike(
@@ -254,7 +253,7 @@ public sealed class Touches
         return (double)good / Spread.Draws;
     }
 
-    /// <summary>A vector turned by two small angles, rad, across itself; its length stays.</summary>
+    /// <summary>Turns a vector by two small angles, in rad, about axes perpendicular to it; its length is unchanged.</summary>
     private static Vector3d Turned(in Vector3d vector, double first, double second)
     {
         double length = vector.Length;
@@ -265,7 +264,7 @@ public sealed class Touches
 
         Vector3d along = vector / length;
 
-        // Two axes across it; from up, or where it is nearly that, from x.
+        // Two axes perpendicular to it, from the y axis, or from x if the vector is nearly vertical.
         Vector3d across = Vector3d.Cross(Math.Abs(along.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0), in along);
         across /= across.Length;
         Vector3d turned = along + (first * across) + (second * Vector3d.Cross(in along, in across));

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A time during which a runner can meet the ball.</summary>
+/// <summary>A time interval during which a player can meet the ball.</summary>
 public readonly struct InterceptWindow
 {
     internal InterceptWindow(int runner, double from, double to, in Vector3d position, in Vector3d velocity)
@@ -12,26 +12,27 @@ public readonly struct InterceptWindow
         Velocity = velocity;
     }
 
-    /// <summary>Which of the runners, from 0.</summary>
+    /// <summary>The index of the player.</summary>
     public int Player { get; }
 
-    /// <summary>When it begins, s since the launch.</summary>
+    /// <summary>The start of the interval, in s since the launch.</summary>
     public double From { get; }
 
-    /// <summary>When it ends, s since the launch.</summary>
+    /// <summary>The end of the interval, in s since the launch.</summary>
     public double To { get; }
 
-    /// <summary>Where the ball is when it begins, m: its height is that of the ball there.</summary>
+    /// <summary>The position of the ball at the start of the interval, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>The ball's velocity when it begins, m/s: how fast it comes, and which way.</summary>
+    /// <summary>The velocity of the ball at the start of the interval, in m/s.</summary>
     public Vector3d Velocity { get; }
 
     /// <inheritdoc/>
     public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, first at {Position:0.###}");
 }
 
-/// <summary>A part of the ball's way that one runner owns: of those who can meet the ball there, he could be there first.</summary>
+/// <summary>A part of the ball's path that one player owns: he can be there first.</summary>
+/// <remarks>Only players who can meet the ball in this interval count.</remarks>
 public readonly struct PossessionInterval
 {
     internal PossessionInterval(int runner, double from, double to, double lead)
@@ -42,16 +43,17 @@ public readonly struct PossessionInterval
         TimeMargin = lead;
     }
 
-    /// <summary>Which of the runners, from 0.</summary>
+    /// <summary>The index of the player.</summary>
     public int Player { get; }
 
-    /// <summary>When it begins, s since the launch.</summary>
+    /// <summary>The start of the interval, in s since the launch.</summary>
     public double From { get; }
 
-    /// <summary>When it ends, s since the launch.</summary>
+    /// <summary>The end of the interval, in s since the launch.</summary>
     public double To { get; }
 
-    /// <summary>By how much he could be where the ball is when it begins before the second of them, s; infinite where no one else can.</summary>
+    /// <summary>The lead of the owner over the second player at the start of the interval, in s.</summary>
+    /// <remarks>Infinite if no other player can meet the ball.</remarks>
     public double TimeMargin { get; }
 
     /// <inheritdoc/>

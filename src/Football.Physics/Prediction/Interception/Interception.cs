@@ -1,13 +1,14 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Who gets to the ball, and when: answers on a predicted path. Its memory is made once and used again; a query allocates nothing once there is room.</summary>
+/// <summary>Finds the players who can meet the ball on a predicted path, and when.</summary>
 /// <remarks>
-/// Exact on the dense path: no window and no gap of a microsecond or more is lost, which bounds of the speeds and accelerations of both prove, and ends are
-/// within a nanosecond of it. How far the path itself is off the game's own steps is up to the look-ahead.
+/// Create one and reuse it: a query allocates only to grow. The results are exact for the dense path: no window or gap of a microsecond or more is
+/// lost. Bounds on the speeds and accelerations of ball and player ensure this. Interval ends are accurate to a nanosecond. The look-ahead determines
+/// how far the path differs from the game's own steps.
 /// </remarks>
 public sealed class Interception
 {
-    /// <summary>Instants closer than this, s, are one.</summary>
+    /// <summary>Times closer than this are equal, in s.</summary>
     private const double Instant = 1e-9;
 
     private readonly PathSpans _path = new();
@@ -19,41 +20,44 @@ public sealed class Interception
     private InterceptWindow[] _earliest = new InterceptWindow[22];
     private int _runners;
 
-    /// <summary>Makes one without an answer.</summary>
+    /// <summary>Creates an object without results.</summary>
     public Interception() => _shares = new ShareSearch(_path, _windows);
 
-    /// <summary>The windows of all runners of the last <see cref="Find"/>: runner by runner, each in order of time.</summary>
+    /// <summary>The windows of all players from the last <see cref="Find"/>: sorted by player, then by time.</summary>
     public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
 
-    /// <summary>Who meets the ball first, of those who do within the same nanosecond the one with the lowest index; −1 where nobody does.</summary>
+    /// <summary>The index of the player who meets the ball first; −1 if nobody does.</summary>
+    /// <remarks>Of several within the same nanosecond, it is the lowest index.</remarks>
     public int First { get; private set; } = -1;
 
-    /// <summary>By how much he is first, s: how much later the next one meets it. Infinite where no one else does.</summary>
+    /// <summary>The time between the first meeting and that of the next player, in s.</summary>
+    /// <remarks>Infinite if no other player meets the ball.</remarks>
     public double TimeMargin { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>The windows of one runner of the last <see cref="Find"/>, in order of time.</summary>
-    /// <param name="runner">Which, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such runner.</exception>
+    /// <summary>Returns the windows of one player from the last <see cref="Find"/>, in order of time.</summary>
+    /// <param name="runner">The index of the player.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such player.</exception>
     public ReadOnlySpan<InterceptWindow> WindowsOf(int runner)
     {
         Check.Within(nameof(runner), runner, 0, _runners - 1);
         return _windows.Items.AsSpan(_starts[runner], _starts[runner + 1] - _starts[runner]);
     }
 
-    /// <summary>Finds all times at which each of the runners can meet the ball.</summary>
-    /// <param name="path">The ball's way. One that ends at rest goes on there.</param>
-    /// <param name="runners">The runners, as they are at <paramref name="now"/>.</param>
-    /// <param name="now">When their time begins, s since the launch; default the path's start. Nobody meets the ball before.</param>
-    /// <param name="until">When to end, s since the launch; default the path's end.</param>
+    /// <summary>Finds all time intervals in which each player can meet the ball.</summary>
+    /// <param name="path">The path of the ball. After an end at rest, the ball stays there.</param>
+    /// <param name="runners">The players, in their state at <paramref name="now"/>.</param>
+    /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
+    /// <param name="until">The end of the search, in s since the launch; default: the end of the path.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of a player is out of range; the message names the field, the value and the
+    /// range.</exception>
     public void Find(Trajectory path, Player[] runners, double? now = null, double? until = null)
     {
         double start = Begin(path, runners, now, until);
         _windows.Count = 0;
         for (int i = 0; i < _runners; i++)
         {
-            // One list for all: the windows of runner i are those from _starts[i] to _starts[i + 1].
+            // All windows share one list: those of player i are at _starts[i] up to _starts[i + 1].
             _starts[i] = _windows.Count;
             new WindowSearch(_path, in _motions[i], i, firstOnly: false, _windows).Run(start, _path.End);
             _earliest[i] = _windows.Count > _starts[i] ? _windows.Items[_starts[i]] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
@@ -63,15 +67,17 @@ public sealed class Interception
         Rank();
     }
 
-    /// <summary>Finds who meets the ball first: cheaper than <see cref="Find"/>, whose windows it leaves alone.</summary>
-    /// <param name="path">The ball's way. One that ends at rest goes on there.</param>
-    /// <param name="runners">The runners, as they are at <paramref name="now"/>.</param>
-    /// <param name="at">Where and when he meets it.</param>
-    /// <param name="now">When their time begins, s since the launch; default the path's start.</param>
-    /// <param name="until">When to end, s since the launch; default the path's end.</param>
-    /// <returns>Which of them; −1 where nobody does. <see cref="First"/> and <see cref="TimeMargin"/> tell so too.</returns>
+    /// <summary>Finds the player who meets the ball first.</summary>
+    /// <remarks>Cheaper than <see cref="Find"/>, and leaves <see cref="Windows"/> unchanged.</remarks>
+    /// <param name="path">The path of the ball. After an end at rest, the ball stays there.</param>
+    /// <param name="runners">The players, in their state at <paramref name="now"/>.</param>
+    /// <param name="at">The point at which he meets the ball.</param>
+    /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
+    /// <param name="until">The end of the search, in s since the launch; default: the end of the path.</param>
+    /// <returns>The index of the player; −1 if nobody meets the ball. Also sets <see cref="First"/> and <see cref="TimeMargin"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number of a runner is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number of a player is out of range; the message names the field, the value and the
+    /// range.</exception>
     public int FindFirst(Trajectory path, Player[] runners, out PathPoint at, double? now = null, double? until = null)
     {
         double start = Begin(path, runners, now, until);
@@ -79,13 +85,13 @@ public sealed class Interception
         double second = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
-            // Who comes after the second changes nothing. Each search is that of Find, so that both name the same one.
+            // Players later than the second do not matter. Use the same search as Find, so that both return the same player.
             _firsts.Count = 0;
             new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, _path.End, second + Instant);
             _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
             double from = _earliest[i].From;
 
-            // The two earliest so far.
+            // Update the two earliest times so far.
             second = Math.Min(second, Math.Max(first, from));
             first = Math.Min(first, from);
         }
@@ -95,24 +101,25 @@ public sealed class Interception
         return First;
     }
 
-    /// <summary>
-    /// Who owns which part of the ball's way: of those who can meet the ball somewhere, the one who could be there first. After <see cref="Find"/>, for its runners and path.
-    /// </summary>
-    /// <remarks>Who is ahead within a piece of the look-ahead without being so at either of its ends, or where a window begins or ends, is not told.</remarks>
-    /// <returns>The parts, in order of time; where nobody can meet the ball there is none. They last until the next call.</returns>
+    /// <summary>Divides the ball's path among the players, by who can be at each point first.</summary>
+    /// <remarks>
+    /// Call <see cref="Find"/> first; this uses its players and path. Only players who can meet the ball at a point compete for it. A lead that
+    /// begins and ends between two check points, which are window edges and ends of path segments, is not found.
+    /// </remarks>
+    /// <returns>The intervals in order of time; empty if nobody can meet the ball. Valid until the next call.</returns>
     public ReadOnlySpan<PossessionInterval> FindShares()
     {
         _shares.Run(_motions, _starts, _runners);
         return _shares.Items.AsSpan(0, _shares.Count);
     }
 
-    /// <summary>Finds a goalkeeper's answer to a shot: where and when it crosses the goal's plane, what he covers by then, whether he saves it, and when he must dive.</summary>
-    /// <param name="path">The ball's way.</param>
-    /// <param name="keeper">The goalkeeper as he is at <paramref name="now"/>, with the reach and the heights of his dive.</param>
+    /// <summary>Computes a goalkeeper's response to a shot: coverage of the goal line, save, and latest reaction.</summary>
+    /// <param name="path">The path of the ball.</param>
+    /// <param name="keeper">The goalkeeper in his state at <paramref name="now"/>, with the reach and heights of his dive.</param>
     /// <param name="goal">The goal.</param>
-    /// <param name="now">When his time begins, s since the launch; default the path's start.</param>
+    /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public KeeperResult FindSave(Trajectory path, in Player keeper, Goal goal, double? now = null)
     {
         Check.Given(nameof(path), path);
@@ -124,6 +131,7 @@ public sealed class Interception
         return new KeeperSearch(_path, _firsts).Run(path, in keeper, goal, start);
     }
 
+    /// <summary>Validates a query, loads the path and the motions, and returns the start of the search.</summary>
     private double Begin(Trajectory path, Player[] runners, double? now, double? until)
     {
         Check.Given(nameof(path), path);
@@ -132,7 +140,7 @@ public sealed class Interception
         Check.Finite(nameof(now), start);
         Check.Finite(nameof(until), until ?? 0);
 
-        // Memory grows to the most runners that were ever asked for.
+        // The buffers grow to the largest number of players so far.
         if (_motions.Length < runners.Length)
         {
             _motions = new RunnerMotion[runners.Length];
@@ -147,12 +155,12 @@ public sealed class Interception
             _motions[i] = new RunnerMotion(in runners[i], start);
         }
 
-        // As long as asked for, where the ball lies still; else up to the end of the path.
+        // A ball at rest stays until the requested end; otherwise stop at the end of the path.
         _path.Take(path, until ?? path.EndTime);
         return Math.Max(start, _path.Start);
     }
 
-    /// <summary>Who is first, and by how much. Instants are known to a nanosecond: within that, the lowest index is.</summary>
+    /// <summary>Determines the first player and his lead; ties within a nanosecond go to the lowest index.</summary>
     private void Rank()
     {
         double least = double.PositiveInfinity;
@@ -167,7 +175,7 @@ public sealed class Interception
         {
             double from = _earliest[i].From;
 
-            // The lowest index within a nanosecond of the earliest; all others are behind him.
+            // The lowest index within a nanosecond of the earliest; all others are behind.
             if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
             {
                 First = i;

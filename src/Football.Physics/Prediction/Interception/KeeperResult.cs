@@ -1,36 +1,41 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A goalkeeper's answer to a shot.</summary>
+/// <summary>A goalkeeper's response to a shot.</summary>
 public readonly struct KeeperResult
 {
-    /// <summary>True when the ball's centre crosses the vertical plane through the goal's line from the pitch, within the look-ahead.</summary>
+    /// <summary>True if the ball's centre crosses the goal line's vertical plane from the pitch within the look-ahead.</summary>
     public bool Crosses { get; init; }
 
-    /// <summary>Where and when it does.</summary>
+    /// <summary>The point at which the ball crosses the plane.</summary>
     public PathPoint Crossing { get; init; }
 
-    /// <summary>How far right of the goal's middle that is, seen by who stands in the goal and looks at the pitch, m.</summary>
+    /// <summary>The distance of the crossing to the right of the goal's centre, in m.</summary>
+    /// <remarks>Right is seen from the goal, facing the pitch.</remarks>
     public double LateralOffset { get; init; }
 
-    /// <summary>True when the ball's centre crosses between the posts and below the bar: what goes in comes through there, see <see cref="BallEventKind.Goal"/>.</summary>
+    /// <summary>True if the ball's centre crosses between the posts and below the bar.</summary>
+    /// <remarks>A goal goes through this opening; see <see cref="BallEventKind.Goal"/>.</remarks>
     public bool IsOnTarget { get; init; }
 
-    /// <summary>The left end of the part of the line that he can cover by then, m right of its middle; above <see cref="ReachRight"/> where it is none.</summary>
+    /// <summary>The left end of the goal line that he can cover by then, in m right of the centre.</summary>
+    /// <remarks>Greater than <see cref="ReachRight"/> if he covers none of the line.</remarks>
     public double ReachLeft { get; init; }
 
-    /// <summary>The right end of it, m right of the middle.</summary>
+    /// <summary>The right end of the goal line that he can cover by then, in m right of the centre.</summary>
     public double ReachRight { get; init; }
 
-    /// <summary>How high he covers it, m: his height, or that of the opening.</summary>
+    /// <summary>The height up to which he covers the line, in m: the lower of his reach and the bar.</summary>
     public double ReachHeight { get; init; }
 
-    /// <summary>True when he can meet the ball before it crosses.</summary>
+    /// <summary>True if he can meet the ball before it crosses.</summary>
     public bool Saves { get; init; }
 
-    /// <summary>Where and when he can meet it first, if he can.</summary>
+    /// <summary>The first point at which he can meet the ball, if he can.</summary>
     public PathPoint Save { get; init; }
 
-    /// <summary>The latest moment at which he may react, or dive, and still meets it, s since the launch; before that he goes on as he does. NaN where he cannot meet it. Where he runs on, a later reaction may do where earlier ones do not: this is the latest of all; of reactions that would do for less than a microsecond one may be missed.</summary>
+    /// <summary>The latest time at which he can react and still save, in s since the launch.</summary>
+    /// <remarks>NaN if he cannot meet the ball. Before the reaction he keeps his motion, so a later reaction may succeed where earlier ones fail;
+    /// this is the latest of all. Successful reactions within less than a microsecond may be missed.</remarks>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>

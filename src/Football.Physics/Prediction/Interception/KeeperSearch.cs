@@ -1,15 +1,15 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Finds what a goalkeeper can do about a shot.</summary>
+/// <summary>Computes a goalkeeper's response to a shot.</summary>
 internal readonly struct KeeperSearch
 {
-    /// <summary>Reactions that would do for less than this, s, may be missed.</summary>
+    /// <summary>The shortest interval of successful reactions that is always found, in s.</summary>
     private const double Shortest = 1e-6;
 
-    /// <summary>Halvings of that: it becomes a nanosecond.</summary>
+    /// <summary>The number of bisections of that interval, down to a nanosecond.</summary>
     private const int Halvings = 10;
 
-    /// <summary>So many reactions are asked for at most: a way that stays within nanometres of his reach asks for no end of them.</summary>
+    /// <summary>The maximum number of reactions tried; a path that stays within nanometres of his reach would need unlimited tries.</summary>
     private const int MostTries = 4096;
 
     private readonly PathSpans _spans;
@@ -21,12 +21,12 @@ internal readonly struct KeeperSearch
         _found = found;
     }
 
-    /// <summary>Finds it.</summary>
+    /// <summary>Runs the search.</summary>
     public KeeperResult Run(Trajectory path, in Player keeper, Goal goal, double now)
     {
         var mouth = new GoalMouth(goal);
 
-        // The shot: where the path comes through the goal's plane from the pitch, and up to when he may meet it.
+        // The shot crosses the goal's plane from the pitch; he may meet it until then.
         bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
         _spans.Take(path, path.EndTime);
         double end = crosses ? crossing.Time : _spans.End;
@@ -34,7 +34,7 @@ internal readonly struct KeeperSearch
         bool saves = Meets(in keeper, now, begin, end);
         InterceptWindow first = saves ? _found.Items[0] : default;
 
-        // What he covers: the part of the line within his circle when the ball gets there
+        // His coverage: the part of the goal line within his circle when the ball arrives.
         var motion = new RunnerMotion(in keeper, now);
         motion.MiddleAt(end, out double x, out double z);
         var middle = new Vector3d(x, 0, z);
@@ -43,7 +43,7 @@ internal readonly struct KeeperSearch
         double radius = motion.RadiusAt(end);
         double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
 
-        // And where the ball comes: aside and height, by which it is on target or not.
+        // Lateral offset and height of the crossing decide if the shot is on target.
         mouth.Place(crossing.Position, out double ballAside, out double height);
         return new KeeperResult
         {
@@ -68,17 +68,18 @@ internal readonly struct KeeperSearch
         return _found.Count > 0;
     }
 
-    /// <summary>
-    /// The latest reaction with which he still meets the ball. Who runs on may come closer by it, so that a later one can do where an earlier one does not; but
-    /// another reaction by Δ changes how far the ball is beyond him by no more than (v + |v₀|) Δ. So where he would not meet it with so much more reach either, a whole interval of reactions is
-    /// out; else it is halved, the later half first.
-    /// </summary>
+    /// <summary>Returns the latest reaction time with which he still meets the ball.</summary>
+    /// <remarks>
+    /// A player who keeps running may come closer, so a later reaction may succeed where an earlier one fails. But a change by Δ changes the distance
+    /// by at most (v + |v₀|) Δ. So if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and the later half is
+    /// searched first.
+    /// </remarks>
     private double Latest(in Player keeper, double now, double begin, double end)
     {
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
 
-        // Even one who only goes on as he does until the ball is there meets it.
+        // The latest possible reaction succeeds: he meets the ball without reacting at all.
         if (Meets(keeper.Reacting(high), now, begin, end))
         {
             return now + high;
@@ -91,17 +92,17 @@ internal readonly struct KeeperSearch
         return now + (latest >= low ? latest : low);
     }
 
-    /// <summary>The latest reaction of an interval with whose end he does not meet the ball; NaN where there is none.</summary>
+    /// <summary>Returns the latest successful reaction of an interval whose end fails; NaN if there is none.</summary>
     private double Latest(in Player keeper, double now, double begin, double end, double low, double high, double rate, double shortest, ref int tries)
     {
-        // With the reaction in the middle and so much more reach as half the interval is worth he would meet the ball, if any in it does.
+        // Test the middle with extra reach for half the interval: if that fails, every reaction in the interval fails.
         double half = 0.5 * (high - low);
         if (++tries > MostTries || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
         {
             return double.NaN;
         }
 
-        // Short enough: by its earlier end, and where that does, to the nanosecond.
+        // The interval is short enough: test its earlier end, then bisect to a nanosecond.
         if (2.0 * half <= shortest)
         {
             if (!Meets(keeper.Reacting(low), now, begin, end))
@@ -114,12 +115,12 @@ internal readonly struct KeeperSearch
             return low;
         }
 
-        // The later half first: the first that is found is the latest of all.
+        // Search the later half first, so that the first success is the latest.
         double later = Latest(in keeper, now, begin, end, low + half, high, rate, shortest, ref tries);
         return later >= low ? later : Latest(in keeper, now, begin, end, low, low + half, rate, shortest, ref tries);
     }
 
-    /// <summary>With this reaction he does not meet the ball any more.</summary>
+    /// <summary>Holds if he no longer meets the ball with this reaction.</summary>
     private readonly struct TooLate : ICondition
     {
         private readonly KeeperSearch _search;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>One of the conditions of a meeting over a span of path, positive until it changes: the squared distance, or the height.</summary>
+/// <summary>A condition of a meeting over a path segment as a function that falls through zero: the squared distance, or the height.</summary>
 internal readonly struct MeetingMargin : IDifferentiableFunction
 {
-    /// <summary>A root is known when the next correction is below this, s.</summary>
+    /// <summary>The size of a correction at which a root is accepted, in s.</summary>
     private const double Closeness = 1e-13;
 
     private readonly PathSpan _span;
@@ -30,10 +30,10 @@ internal readonly struct MeetingMargin : IDifferentiableFunction
     }
 }
 
-/// <summary>Conditions of a meeting of player and ball.</summary>
+/// <summary>The conditions for a player to meet the ball.</summary>
 internal enum MeetingCondition
 {
-    /// <summary>(D + ρ)² − |p − c|² ≥ 0, over the ground.</summary>
+    /// <summary>(D + ρ)² − |p − c|² ≥ 0, horizontally.</summary>
     Near = 0,
 
     /// <summary>y − h₀ ≥ 0.</summary>

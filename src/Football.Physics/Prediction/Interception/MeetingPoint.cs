@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>The conditions of a meeting at one instant, and their rates.</summary>
+/// <summary>The conditions of a meeting at one time, and their rates.</summary>
 internal struct MeetingPoint
 {
     private double _near;
@@ -9,15 +9,15 @@ internal struct MeetingPoint
     private double _high;
     private double _climb;
 
-    /// <summary>Distance from the runner's middle, m.</summary>
+    /// <summary>The horizontal distance of the ball from the centre of the player's circle, in m.</summary>
     public double Distance;
 
-    /// <summary>The conditions.</summary>
-    /// <param name="span">The path.</param>
-    /// <param name="runner">The runner.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="reacts">Whether the rates are those after his reaction.</param>
-    /// <param name="at">The conditions there.</param>
+    /// <summary>Evaluates the conditions.</summary>
+    /// <param name="span">The path segment.</param>
+    /// <param name="runner">The player.</param>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="reacts">True for the rates after his reaction.</param>
+    /// <param name="at">The result.</param>
     public static void At(in PathSpan span, in RunnerMotion runner, double time, bool reacts, out MeetingPoint at)
     {
         Vector3d p = span.PositionAt(time);
@@ -25,7 +25,7 @@ internal struct MeetingPoint
         runner.MiddleAt(time, out double x, out double z);
         runner.MiddleVelocity(reacts, out double vx, out double vz);
 
-        // w = ball − middle of his circle, over the ground; R the radius of that.
+        // w is the horizontal vector from the centre of his circle to the ball; R is the radius of the circle.
         double dx = p.X - x;
         double dz = p.Z - z;
         double radius = runner.RadiusAt(time);
@@ -36,17 +36,17 @@ internal struct MeetingPoint
         at._near = (radius * radius) - squared;
         at._nearRate = 2.0 * ((radius * runner.GrowthAt(time)) - (dx * (v.X - vx)) - (dz * (v.Z - vz)));
 
-        // h − h₀ and h₁ − h: their rates are ±ẏ.
+        // y − h₀ and h₁ − y have the rates ±ẏ.
         at._low = p.Y - runner.Lowest;
         at._high = runner.Highest - p.Y;
         at._climb = v.Y;
     }
 
-    /// <summary>A condition: it holds where this is not negative.</summary>
+    /// <summary>Returns the value of a condition, which holds if the value is not negative.</summary>
     public readonly double Value(MeetingCondition what) =>
         what == MeetingCondition.Near ? _near : what == MeetingCondition.NotTooLow ? _low : _high;
 
-    /// <summary>Its rate, 1/s of its unit.</summary>
+    /// <summary>Returns the rate of a condition, in its unit per s.</summary>
     public readonly double Slope(MeetingCondition what) =>
         what == MeetingCondition.Near ? _nearRate : what == MeetingCondition.NotTooLow ? _climb : -_climb;
 }

@@ -1,30 +1,30 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A piece of path as a polynomial of degree five in the fraction of its length, with bounds of how fast it goes and turns.</summary>
+/// <summary>A path segment as a polynomial of degree five in the fraction of its duration, with bounds on speed, acceleration and height.</summary>
 internal struct PathSpan
 {
-    /// <summary>When it starts, s.</summary>
+    /// <summary>The start time, in s.</summary>
     public double Start;
 
-    /// <summary>When it ends, s.</summary>
+    /// <summary>The end time, in s.</summary>
     public double End;
 
-    /// <summary>No faster than this over the ground, m/s.</summary>
+    /// <summary>The upper bound of the horizontal speed, in m/s.</summary>
     public double Speed;
 
-    /// <summary>No faster than this from its start to the end of the path, m/s.</summary>
+    /// <summary>The upper bound of the horizontal speed from here to the end of the path, in m/s.</summary>
     public double SpeedFromHere;
 
-    /// <summary>No stronger acceleration than this over the ground, m/s².</summary>
+    /// <summary>The upper bound of the horizontal acceleration, in m/s².</summary>
     public double Acceleration;
 
-    /// <summary>No stronger vertical acceleration than this, m/s².</summary>
+    /// <summary>The upper bound of the vertical acceleration, in m/s².</summary>
     public double VerticalAcceleration;
 
-    /// <summary>Nowhere lower than this, m.</summary>
+    /// <summary>The lower bound of the height, in m.</summary>
     public double Lowest;
 
-    /// <summary>Nowhere higher than this, m.</summary>
+    /// <summary>The upper bound of the height, in m.</summary>
     public double Highest;
 
     private Vector3d _c0;
@@ -35,7 +35,7 @@ internal struct PathSpan
     private Vector3d _c5;
     private double _perLength;
 
-    /// <summary>A stay, or a straight way at a steady speed.</summary>
+    /// <summary>Creates a segment of rest, or of straight motion at constant speed.</summary>
     public static PathSpan Straight(double start, double end, in Vector3d from, in Vector3d to)
     {
         PathSpan span = default;
@@ -48,10 +48,10 @@ internal struct PathSpan
         return span;
     }
 
-    /// <summary>A piece of path; its length is above 0.</summary>
+    /// <summary>Converts a path segment; its duration is above 0.</summary>
     public static PathSpan Of(in PathSegment piece, double end)
     {
-        // c₀ + c₁ s + … + c₅ s⁵ in s = (t − start)/length, by the degree that the integrator's piece has.
+        // c₀ + c₁ s + … + c₅ s⁵ in s = (t − start)/length, with the degree of the integrator's segment.
         double h = piece.Length;
         PathSpan span = default;
         span.Start = piece.Time;
@@ -62,7 +62,7 @@ internal struct PathSpan
         Vector3d rise = piece.EndPosition - piece.StartPosition - span._c1;
         switch (piece.Degree)
         {
-            // What position at the end is off steady motion is the quadratic part.
+            // The quadratic term is the deviation of the end position from steady motion.
             case 2:
                 span._c2 = rise;
                 break;
@@ -74,7 +74,7 @@ internal struct PathSpan
                 span._c3 = turn - (2.0 * rise);
                 break;
             default:
-                // As QuinticHermite3d: what is left of position, velocity and acceleration at the end after the quadratic part
+                // As QuinticHermite3d: the end position, velocity and acceleration that remain after the quadratic part.
                 span._c2 = 0.5 * h * h * piece.StartAcceleration;
                 Vector3d p = rise - span._c2;
                 Vector3d v = (h * (piece.EndVelocity - piece.StartVelocity)) - (2.0 * span._c2);
@@ -89,21 +89,21 @@ internal struct PathSpan
         return span;
     }
 
-    /// <summary>The place at a time, m.</summary>
+    /// <summary>Returns the position at a time, in m.</summary>
     public readonly Vector3d PositionAt(double time)
     {
         double s = (time - Start) * _perLength;
         return _c0 + (s * (_c1 + (s * (_c2 + (s * (_c3 + (s * (_c4 + (s * _c5)))))))));
     }
 
-    /// <summary>The velocity at a time, m/s.</summary>
+    /// <summary>Returns the velocity at a time, in m/s.</summary>
     public readonly Vector3d VelocityAt(double time)
     {
         double s = (time - Start) * _perLength;
         return _perLength * (_c1 + (s * ((2.0 * _c2) + (s * ((3.0 * _c3) + (s * ((4.0 * _c4) + (5.0 * s * _c5))))))));
     }
 
-    /// <summary>The place over the ground at a time, m.</summary>
+    /// <summary>Returns the horizontal position at a time, in m.</summary>
     public readonly void PlaceAt(double time, out double x, out double z)
     {
         double s = (time - Start) * _perLength;
@@ -111,7 +111,8 @@ internal struct PathSpan
         z = _c0.Z + (s * (_c1.Z + (s * (_c2.Z + (s * (_c3.Z + (s * (_c4.Z + (s * _c5.Z)))))))));
     }
 
-    /// <summary>Bounds by control points: a polynomial over 0 … 1 stays within the hull of the coefficients of its Bernstein form, b_i = Σ_j (i over j)/(n over j) c_j.</summary>
+    /// <summary>Computes the bounds from Bernstein coefficients, b_i = Σ_j (i over j)/(n over j) c_j: a polynomial over 0 … 1 stays within their
+    /// hull.</summary>
     private void Bound()
     {
         // Second derivative, of degree 3: 2 c₂ + 6 c₃ s + 12 c₄ s² + 20 c₅ s³

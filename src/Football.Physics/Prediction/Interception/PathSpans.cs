@@ -1,36 +1,36 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A path as spans without a gap, up to a time: a ball that came to rest stays there. Its memory is used again.</summary>
+/// <summary>A path as contiguous segments up to a time; a ball that came to rest stays there. The buffer is reused.</summary>
 internal sealed class PathSpans
 {
-    /// <summary>Two pieces this close, s, meet: more is a wait that no piece tells of.</summary>
+    /// <summary>The gap between two segments that counts as none, in s; a larger gap is a rest without a segment.</summary>
     private const double Meeting = 1e-9;
 
-    /// <summary>The spans.</summary>
+    /// <summary>The segments.</summary>
     public PathSpan[] Items = [];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of segments.</summary>
     public int Count { get; private set; }
 
-    /// <summary>When they begin, s.</summary>
+    /// <summary>The start time, in s.</summary>
     public double Start { get; private set; }
 
-    /// <summary>When they end, s.</summary>
+    /// <summary>The end time, in s.</summary>
     public double End { get; private set; }
 
-    /// <summary>Takes a path.</summary>
+    /// <summary>Loads a path.</summary>
     /// <param name="path">The path.</param>
-    /// <param name="until">Up to when, s; a path that ends in motion ends sooner.</param>
+    /// <param name="until">The end time, in s; a path that ends in motion may end earlier.</param>
     public void Take(Trajectory path, double until)
     {
         Count = 0;
         Start = path.StartTime;
 
-        // A ball at rest can be waited for; one that still moves is unknown from the end of the path on.
+        // A ball at rest stays; a ball in motion is unknown after the end of the path.
         End = path.Final.Motion == MotionState.Rest ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
 
-        // A wait after each piece at most, and the rest at the end.
+        // At most one rest after each segment, and one at the end.
         if (Items.Length < (2 * pieces) + 1)
         {
             Items = new PathSpan[(2 * pieces) + 1];
@@ -40,7 +40,7 @@ internal sealed class PathSpans
         {
             ref readonly PathSegment piece = ref path.Piece(i);
 
-            // Up to where the next begins, so that rounding leaves no gap between them.
+            // Extend each segment to the start of the next, so that rounding leaves no gap.
             double end = i + 1 < pieces ? path.Piece(i + 1).Time : piece.EndTime;
             bool waits = end - piece.EndTime > Meeting;
             end = waits ? piece.EndTime : end;
@@ -61,7 +61,7 @@ internal sealed class PathSpans
             Items[Count++] = PathSpan.Straight(last, End, path.Final.Position, path.Final.Position);
         }
 
-        // From the end backwards: the greatest speed from each span on.
+        // Backwards: the maximum speed from each segment to the end.
         double fastest = 0;
         for (int i = Count - 1; i >= 0; i--)
         {
@@ -70,7 +70,7 @@ internal sealed class PathSpans
         }
     }
 
-    /// <summary>The span that a time falls into; the later one where two meet.</summary>
+    /// <summary>Returns the index of the segment that contains a time; the later one at a boundary.</summary>
     public int Find(double time)
     {
         int low = 0;

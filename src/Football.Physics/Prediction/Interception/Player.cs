@@ -1,42 +1,44 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>
-/// A player who goes for the ball. Until his reaction time he goes on as he does; from there he can be anywhere within
-/// D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a), s being the time since.
-/// </summary>
-/// <remarks>He meets the ball when its horizontal distance from that place is no more than D and his reach together, and its height is within his.</remarks>
+/// <summary>A player who runs to the ball, as a model of reaction, acceleration and top speed.</summary>
+/// <remarks>
+/// Until his reaction time he keeps his velocity. From there he can be anywhere within a distance D(s), where s is the time since the reaction: D(s)
+/// = ½ a s² while s ≤ v/a, then v (s − v/2a). He meets the ball when its horizontal distance from that point is at most D plus his reach, and its
+/// height is between his limits.
+/// </remarks>
 public readonly struct Player
 {
-    /// <summary>A player with the numbers of a fit adult.</summary>
+    /// <summary>Creates a player with the values of a fit adult.</summary>
     public Player()
     {
     }
 
-    /// <summary>Where he is, m; components within ±1e6. Its height does not count.</summary>
+    /// <summary>The position, in m; components within ±1e6. Its height is ignored.</summary>
     public Vector3d Position { get; init; }
 
-    /// <summary>His velocity, m/s; speed at most 1000. Its vertical part does not count.</summary>
+    /// <summary>The velocity, in m/s; speed at most 1000. Its vertical part is ignored.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>Reaction time, s; not negative. Default 0.2.</summary>
+    /// <summary>The reaction time, in s; not negative. Default 0.2.</summary>
     public double Reaction { get; init; } = 0.2;
 
-    /// <summary>Acceleration, m/s²; above 0. Default 6.</summary>
+    /// <summary>The acceleration, in m/s²; above 0. Default 6.</summary>
     public double Acceleration { get; init; } = 6;
 
-    /// <summary>Top speed, m/s; above 0, at most 1000. Default 8.</summary>
+    /// <summary>The top speed, in m/s; above 0, at most 1000. Default 8.</summary>
     public double Speed { get; init; } = 8;
 
-    /// <summary>How far from him he can play the ball, horizontally, m; not negative. Default 0.6.</summary>
+    /// <summary>The horizontal distance at which he can play the ball, in m; not negative. Default 0.6.</summary>
     public double Reach { get; init; } = 0.6;
 
-    /// <summary>Least height of the ball's centre at which he can play it, m. Default 0.</summary>
+    /// <summary>The minimum height of the ball's centre that he can play, in m. Default 0.</summary>
     public double MinimumHeight { get; init; }
 
-    /// <summary>Greatest such height, m: 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands. Default 2.3.</summary>
+    /// <summary>The maximum height of the ball's centre that he can play, in m. Default 2.3.</summary>
+    /// <remarks>Typical values: 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands.</remarks>
     public double MaximumHeight { get; init; } = 2.3;
 
-    /// <summary>A copy with another reaction time, s, and with so much more reach, m.</summary>
+    /// <summary>Returns a copy with another reaction time, in s, and additional reach, in m.</summary>
     internal Player Reacting(double reaction, double further = 0) => new()
     {
         Position = Position,
@@ -49,7 +51,7 @@ public readonly struct Player
         MaximumHeight = MaximumHeight,
     };
 
-    /// <summary>Refuses numbers out of range.</summary>
+    /// <summary>Throws if a number is out of range.</summary>
     internal void Validate()
     {
         Check.Place("runner.position", Position);

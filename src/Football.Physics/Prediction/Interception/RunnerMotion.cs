@@ -1,9 +1,9 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Where a runner can be at a time: within a circle that is carried along until he reacts, and grows from then on.</summary>
+/// <summary>The positions that a player can reach at a time: a circle that moves with him until he reacts, and then grows.</summary>
 internal readonly struct RunnerMotion
 {
-    /// <summary>A ball this much beside his heights still counts, m: it is far below the error of a path, and lets a ball roll at his lowest height.</summary>
+    /// <summary>The tolerance of his height limits, in m; far below the error of a path, it admits a ball that rolls at his minimum height.</summary>
     private const double HeightSlack = 1e-9;
 
     private readonly double _x;
@@ -32,44 +32,44 @@ internal readonly struct RunnerMotion
         Highest = runner.MaximumHeight + HeightSlack;
     }
 
-    /// <summary>When he reacts, s.</summary>
+    /// <summary>The time of his reaction, in s.</summary>
     public double Start { get; }
 
-    /// <summary>ρ, m.</summary>
+    /// <summary>The reach ρ, in m.</summary>
     public double Reach { get; }
 
-    /// <summary>How fast he goes until he reacts, m/s.</summary>
+    /// <summary>His speed before the reaction, in m/s.</summary>
     public double Carried { get; }
 
-    /// <summary>Least height, m.</summary>
+    /// <summary>The minimum height, in m.</summary>
     public double Lowest { get; }
 
-    /// <summary>Greatest height, m.</summary>
+    /// <summary>The maximum height, in m.</summary>
     public double Highest { get; }
 
-    /// <summary>A bound of how fast the rim of his circle comes towards any point, m/s.</summary>
+    /// <summary>An upper bound of the speed at which the rim of his circle approaches any point, in m/s.</summary>
     public double Fastest => Math.Max(Carried, _speed);
 
-    /// <summary>How fast his circle's middle goes at a time, m/s; at its jump the one after.</summary>
+    /// <summary>Returns the speed of the circle's centre at a time, in m/s; 0 from the reaction on.</summary>
     public double CarriedAt(double time) => time < Start ? Carried : 0;
 
-    /// <summary>The middle of his circle, m.</summary>
+    /// <summary>Returns the centre of his circle, in m.</summary>
     public void MiddleAt(double time, out double x, out double z)
     {
-        // He goes on until he reacts; from then on the circle grows about where he was then.
+        // He keeps moving until he reacts; then the circle grows about his position at that time.
         double before = Math.Min(time - Start, 0);
         x = _x + (before * _velocityX);
         z = _z + (before * _velocityZ);
     }
 
-    /// <summary>Velocity of the middle, m/s.</summary>
+    /// <summary>Returns the velocity of the centre, in m/s.</summary>
     public void MiddleVelocity(bool reacts, out double x, out double z)
     {
         x = reacts ? 0 : _velocityX;
         z = reacts ? 0 : _velocityZ;
     }
 
-    /// <summary>Radius of his circle, D + ρ, m.</summary>
+    /// <summary>Returns the radius of his circle, D + ρ, in m.</summary>
     public double RadiusAt(double time)
     {
         // D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a)
@@ -77,13 +77,13 @@ internal readonly struct RunnerMotion
         return Reach + (s <= 0 ? 0 : s <= _rampTime ? 0.5 * _acceleration * s * s : _speed * (s - (0.5 * _rampTime)));
     }
 
-    /// <summary>How fast it grows, m/s.</summary>
+    /// <summary>Returns the rate of growth of the radius, in m/s.</summary>
     public double GrowthAt(double time) => Math.Min(Math.Max(0, time - Start) * _acceleration, _speed);
 
-    /// <summary>A bound of how fast that grows from a time on, m/s².</summary>
+    /// <summary>Returns an upper bound of the acceleration of the radius from a time on, in m/s².</summary>
     public double GrowthRateFrom(double time) => time - Start < _rampTime ? _acceleration : 0;
 
-    /// <summary>The first time at which a distance from the middle is within his circle, s: the inverse of <see cref="RadiusAt"/>.</summary>
+    /// <summary>Returns the first time at which his circle reaches a distance from its centre, in s; the inverse of <see cref="RadiusAt"/>.</summary>
     public double ArrivalAt(double distance)
     {
         // s = √(2 d/a) up to ½ v²/a, then d/v + v/2a.

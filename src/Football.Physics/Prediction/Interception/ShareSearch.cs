@@ -1,12 +1,12 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Who owns which part of the ball's way, by when each of those who can meet the ball could have been there.</summary>
+/// <summary>Divides the ball's path among the players who can meet the ball, by who could be at each point first.</summary>
 internal sealed class ShareSearch
 {
-    /// <summary>Halvings of an interval in which the owner changes: 80 ms become a nanosecond.</summary>
+    /// <summary>The number of bisections of an interval with a change of owner: 80 ms become a nanosecond.</summary>
     private const int Halvings = 27;
 
-    /// <summary>Instants nearer to each other than this, s, are one.</summary>
+    /// <summary>Times closer than this are equal, in s.</summary>
     private const double Shortest = 1e-9;
 
     private readonly PathSpans _path;
@@ -21,13 +21,13 @@ internal sealed class ShareSearch
         _windows = windows;
     }
 
-    /// <summary>The parts.</summary>
+    /// <summary>The intervals.</summary>
     public PossessionInterval[] Items = new PossessionInterval[64];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of intervals.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Finds the parts.</summary>
+    /// <summary>Finds the intervals.</summary>
     public void Run(RunnerMotion[] motions, int[] starts, int runners)
     {
         Count = 0;
@@ -35,7 +35,7 @@ internal sealed class ShareSearch
         _starts = starts;
         _runners = runners;
 
-        // From edge to edge of windows, between which the same runners can meet the ball, and no farther than a span of path.
+        // Step between window edges and segment ends: in between, the same players can meet the ball.
         double t = NextEdge(double.NegativeInfinity);
         while (t < _path.End)
         {
@@ -47,7 +47,7 @@ internal sealed class ShareSearch
         }
     }
 
-    /// <summary>The next time after one at which a window begins or ends.</summary>
+    /// <summary>Returns the next time at which a window begins or ends.</summary>
     private double NextEdge(double after)
     {
         double next = double.PositiveInfinity;
@@ -62,10 +62,10 @@ internal sealed class ShareSearch
         return next;
     }
 
-    /// <summary>The owners of an interval over which the same runners can meet the ball.</summary>
+    /// <summary>Finds the owners within an interval in which the same players can meet the ball.</summary>
     private void Split(in PathSpan span, double a, double b)
     {
-        // Windows are looked up in the middle, away from their ends.
+        // Look up the windows at the midpoint, away from their ends.
         double middle = 0.5 * (a + b);
         int owner = Owner(in span, a, middle, out double lead);
         if (owner < 0)
@@ -73,11 +73,11 @@ internal sealed class ShareSearch
             return;
         }
 
-        // As often as there are runners: who are level with each other to rounding would change for ever.
+        // Limit the changes to the number of players: two who are equal to rounding could alternate forever.
         int last = Owner(in span, b, middle, out _);
         for (int changes = 0; owner != last && changes < _runners; changes++)
         {
-            // The first change of owner, by bisection; then on from there, until the owner at the end is reached.
+            // Bisect for the first change of owner, then continue from there until the owner at the end is reached.
             double low = a;
             double high = b;
             var changed = new OwnerChanged(this, in span, middle, owner);
@@ -86,7 +86,7 @@ internal sealed class ShareSearch
             a = high;
             int next = Owner(in span, a, middle, out lead);
 
-            // Level to rounding: it would not get on.
+            // Equal to rounding: stop, because the search would not advance.
             last = next == owner ? owner : last;
             owner = next;
         }
@@ -94,7 +94,7 @@ internal sealed class ShareSearch
         Add(owner, a, b, lead);
     }
 
-    /// <summary>Who could be where the ball is at a time first, of those who have a window at another.</summary>
+    /// <summary>Returns the first player who could be at the ball's position at a time, among those with a window at another time.</summary>
     private int Owner(in PathSpan span, double time, double window, out double lead)
     {
         int owner = -1;
@@ -108,7 +108,7 @@ internal sealed class ShareSearch
                 continue;
             }
 
-            // When he could be where the ball is at that time: at the latest then, for he can meet it.
+            // The time at which he could be there; never later than the ball, because he can meet it.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
             double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
@@ -143,7 +143,7 @@ internal sealed class ShareSearch
 
     private void Add(int runner, double from, double to, double lead)
     {
-        // The same owner goes on: one share, with the lead that he had at its start.
+        // The same owner continues: extend his interval, with the lead at its start.
         if (Count > 0 && Items[Count - 1].Player == runner && from - Items[Count - 1].To <= Shortest)
         {
             PossessionInterval before = Items[Count - 1];
@@ -159,7 +159,7 @@ internal sealed class ShareSearch
         Items[Count++] = new PossessionInterval(runner, from, to, lead);
     }
 
-    /// <summary>The ball belongs to another runner.</summary>
+    /// <summary>Holds if the ball belongs to another player.</summary>
     private readonly struct OwnerChanged : ICondition
     {
         private readonly ShareSearch _search;

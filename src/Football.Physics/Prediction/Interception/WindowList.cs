@@ -1,15 +1,15 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Windows as they are found, in memory that is used again.</summary>
+/// <summary>The windows found so far, in a reused buffer.</summary>
 internal sealed class WindowList
 {
     /// <summary>The windows.</summary>
     public InterceptWindow[] Items = new InterceptWindow[64];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of windows.</summary>
     public int Count { get; set; }
 
-    /// <summary>True when a time goes on with the runner's last window.</summary>
+    /// <summary>True if a time directly follows the player's last window.</summary>
     public bool Continues(int runner, double time, double closeness) =>
         Count > 0 && Items[Count - 1].Player == runner && time - Items[Count - 1].To <= closeness;
 
@@ -24,14 +24,14 @@ internal sealed class WindowList
         Items[Count++] = new InterceptWindow(runner, from, from, in position, in velocity);
     }
 
-    /// <summary>Ends the last window; one without length was none.</summary>
-    /// <param name="from">When the ball came, s.</param>
-    /// <param name="to">When it went, s.</param>
+    /// <summary>Ends the last window, and removes it if it has no length.</summary>
+    /// <param name="from">The time at which the ball entered, in s.</param>
+    /// <param name="to">The time at which the ball left, in s.</param>
     public void End(double from, double to)
     {
         InterceptWindow last = Items[Count - 1];
 
-        // A touch without length leaves no window, but one that went on and ended there again stays.
+        // Remove a window without length, unless it extends an earlier one.
         if (!(to > from) && last.From == from)
         {
             Count--;

@@ -1,16 +1,17 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>
-/// Finds all times at which one runner can meet the ball. Far from him and close to him a path goes on unasked for as long as the bounds of both speeds
-/// prove that nothing changes. In between, a span is halved until each of the conditions is decided: over a time h a function with |f̈| ≤ M lies within
-/// M h²/8 of the chord between its ends, and falls or rises throughout where |ḟ| &gt; M h at its start. So no window and no gap of a microsecond or more is lost.
-/// </summary>
+/// <summary>Finds all windows in which one player can meet the ball.</summary>
+/// <remarks>
+/// Far from the player, and close to him, speed bounds prove that nothing changes for some time, and the search skips that time. In between, it
+/// halves a segment until each condition is decided: over a time h, a function with |f̈| ≤ M lies within M h²/8 of the chord between its ends, and is
+/// monotone if |ḟ| &gt; M h at its start. So no window or gap of a microsecond or more is lost.
+/// </remarks>
 internal struct WindowSearch
 {
-    /// <summary>Shortest interval, s: one that is undecided at this length is decided by its ends.</summary>
+    /// <summary>The shortest interval, in s; an interval of this length is decided by its ends.</summary>
     private const double Shortest = 1e-7;
 
-    /// <summary>Windows closer than this, s, are one.</summary>
+    /// <summary>Windows closer than this are merged, in s.</summary>
     private const double Adjoining = 1e-9;
 
     private readonly PathSpans _path;
@@ -35,21 +36,22 @@ internal struct WindowSearch
     }
 
     /// <summary>Adds the windows between two times.</summary>
-    /// <param name="from">Where to begin, s.</param>
-    /// <param name="until">Where to end, s.</param>
+    /// <param name="from">The start of the search, in s.</param>
+    /// <param name="until">The end of the search, in s.</param>
     public void Run(double from, double until) => Run(from, until, double.PositiveInfinity);
 
-    /// <summary>Adds the windows between two times as far as any begins by a third: how the search divides the way, and so each bit of an answer, does not depend on that.</summary>
-    /// <param name="from">Where to begin, s.</param>
-    /// <param name="until">Where to end, s.</param>
-    /// <param name="latest">What begins after this does not matter, s.</param>
+    /// <summary>Adds the windows between two times that begin by a third time.</summary>
+    /// <remarks>The third time does not affect the subdivision, so the results are bit-identical with any value.</remarks>
+    /// <param name="from">The start of the search, in s.</param>
+    /// <param name="until">The end of the search, in s.</param>
+    /// <param name="latest">The latest start of a window, in s; later ones may be skipped.</param>
     public void Run(double from, double until, double latest)
     {
         double t = from;
         double nearUntil = double.NegativeInfinity;
         for (int i = _path.Count > 0 ? _path.Find(from) : 0; i < _path.Count && t < until && t <= latest && !_done; i++)
         {
-            // A part may lead far beyond its span: then spans are passed over.
+            // A part may end far beyond its segment; skip the segments in between.
             ref readonly PathSpan span = ref _path.Items[i];
             while (t < span.End && t < until && t <= latest && !_done)
             {
@@ -63,21 +65,21 @@ internal struct WindowSearch
         }
     }
 
-    /// <summary>The next part of a span: up to its end, or to the runner's reaction, where his motion has a kink.</summary>
-    /// <returns>When to go on.</returns>
+    /// <summary>Handles the next part of a segment: up to its end, or to the player's reaction, where his velocity jumps.</summary>
+    /// <returns>The time at which to continue.</returns>
     private double Part(in PathSpan span, double t, double end, ref double nearUntil)
     {
         bool reacts = t >= _runner.Start;
         end = !reacts && end > _runner.Start ? _runner.Start : end;
 
-        // Out of his height throughout.
+        // Out of his height range throughout.
         if (span.Highest < _runner.Lowest || span.Lowest > _runner.Highest)
         {
             Leave(t);
             return end;
         }
 
-        // Within his height throughout: only the distance is left to decide.
+        // Within his height range throughout: only the distance is left to decide.
         bool level = span.Lowest >= _runner.Lowest && span.Highest <= _runner.Highest;
         bool near = end <= nearUntil;
         if (!near)
@@ -85,19 +87,19 @@ internal struct WindowSearch
             span.PlaceAt(t, out double x, out double z);
             _runner.MiddleAt(t, out double cx, out double cz);
 
-            // How far apart they are, and by how much the end of the part can change that.
+            // Their distance, and the most by which it can change over the part.
             double distance = Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)));
             double drift = (span.Speed + _runner.CarriedAt(t)) * (end - t);
             double gap = distance - _runner.RadiusAt(t);
 
-            // Too far even so. No sooner can they meet than at both their greatest speeds: up to then nothing is asked.
+            // Too far for the whole part. Skip ahead to the earliest possible meeting, at the maximum speeds of both.
             if (distance - drift > _runner.RadiusAt(end))
             {
                 Leave(t);
                 return Math.Max(end, t + (gap / (span.SpeedFromHere + _runner.Fastest)));
             }
 
-            // Well within his circle; how long at least is remembered for the parts to come.
+            // The ball stays inside his circle; remember the minimum time for which this holds.
             near = gap <= -drift;
             nearUntil = near ? t - (gap / (span.SpeedFromHere + _runner.CarriedAt(t))) : nearUntil;
         }
@@ -114,7 +116,7 @@ internal struct WindowSearch
         return end;
     }
 
-    /// <summary>Halves a part of a span until all is decided. The halves are visited in order by their number at their level.</summary>
+    /// <summary>Halves a part of a segment until every condition is decided; visits the halves in order.</summary>
     private void Halve(in PathSpan span, double start, double end, bool reacts)
     {
         int level = 0;
@@ -123,7 +125,7 @@ internal struct WindowSearch
         MeetingPoint.At(in span, in _runner, start, reacts, out MeetingPoint low);
         while (level >= 0 && !_done)
         {
-            // Interval number of the 2^level of this size; the last ends where the part does, whatever rounding says.
+            // Interval `number` of the 2^level of this size; the last one ends exactly at the end of the part.
             double h = length / (1L << level);
             double a = start + (number * h);
             double b = number + 1 == 1L << level ? end : start + ((number + 1) * h);
@@ -135,7 +137,7 @@ internal struct WindowSearch
                 continue;
             }
 
-            // The next half: that of the nearest ancestor which is a first half.
+            // The next interval: go up to the nearest ancestor that is a first half, and take its second half.
             low = high;
             while (level > 0 && (number & 1) != 0)
             {
@@ -148,7 +150,7 @@ internal struct WindowSearch
         }
     }
 
-    /// <summary>Decides an interval, if that can be done: within, without, or one change of which the instant is found.</summary>
+    /// <summary>Decides an interval if possible: inside, outside, or a single crossing that is solved for.</summary>
     private bool Decide(in PathSpan span, double a, double b, bool reacts, in MeetingPoint low, in MeetingPoint high)
     {
         double h = b - a;
@@ -156,7 +158,7 @@ internal struct WindowSearch
         bool hopeless = false;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
-            // Each condition by its values at the ends and a bound of its second derivative: holds throughout, never, or changes.
+            // Values at the ends and a bound on the second derivative show if a condition always holds, never holds, or changes.
             double start = low.Value(what);
             double end = high.Value(what);
             double bend = what == MeetingCondition.Near ? NearBend(in span, a, b, in low) : span.VerticalAcceleration;
@@ -173,7 +175,7 @@ internal struct WindowSearch
                 return true;
             }
 
-            // One condition that changes once can be solved for; more, or one that may change twice, is halved.
+            // A single condition with a single change can be solved. Otherwise halve the interval.
             hopeless |= open >= 0 || !monotone;
             open = (int)what;
         }
@@ -195,7 +197,7 @@ internal struct WindowSearch
             return false;
         }
 
-        // So short that it does not matter: decided by the ends.
+        // Too short to matter: decide by the ends.
         bool holds = true;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
@@ -214,20 +216,20 @@ internal struct WindowSearch
         return true;
     }
 
-    /// <summary>A bound of |q̈| over an interval, q = R² − |w|²: 2 (Ṙ² + R R̈ + |ẇ|² + |w| |ẅ|).</summary>
+    /// <summary>Returns a bound of |q̈| over an interval, where q = R² − |w|²: 2 (Ṙ² + R R̈ + |ẇ|² + |w| |ẅ|).</summary>
     private readonly double NearBend(in PathSpan span, double a, double b, in MeetingPoint low)
     {
-        // Each factor by its largest over the interval: growth and radius at its end, the distance by how far both can go.
+        // The maximum of each factor: growth and radius at the end, the distance from the farthest motion of both.
         double growth = _runner.GrowthAt(b);
         double speed = span.Speed + _runner.CarriedAt(a);
         double farthest = low.Distance + (speed * (b - a));
         return 2.0 * ((growth * growth) + (_runner.RadiusAt(b) * _runner.GrowthRateFrom(a)) + (speed * speed) + (farthest * span.Acceleration));
     }
 
-    /// <summary>The instant at which the one condition that changes does so.</summary>
+    /// <summary>Solves for the time at which the single undecided condition changes.</summary>
     private void Cross(in PathSpan span, double a, double b, bool reacts, MeetingCondition what, double start)
     {
-        // Newton from the end at which the condition does not hold, with the sign so that it falls.
+        // Newton's method from the end at which the condition fails, with the sign chosen so that the function falls.
         bool falls = start >= 0;
         var margin = new MeetingMargin(in span, in _runner, what, reacts, falls);
         double at = Roots.Newton(ref margin, a, b, falls ? b : a);
@@ -247,7 +249,7 @@ internal struct WindowSearch
     {
         if (_inside)
         {
-            // A window without length is none, so one is found when it goes on.
+            // A window needs length, so the first window counts only once it continues.
             _done = _firstOnly && time > _from;
             return;
         }
