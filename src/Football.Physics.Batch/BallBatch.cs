@@ -1,12 +1,12 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Flies thousands of independent balls of one scene, from the launch to the first impact or a time.</summary>
+/// <summary>Simulates thousands of independent balls in one scene, each from its launch to the first impact or a time limit.</summary>
 /// <remarks>
-/// Each result depends on its own launch alone: not on the others, their order, the number of threads or the width of the processor's
-/// registers. Made once and used again, a run on one thread allocates nothing. Not for several threads at once; <see cref="BatchSettings.Threads"/> is.
-/// Scenes with forces of a game's own, with wind by place and time or a knuckle force, with things that move, ground that is not level or not the same
-/// everywhere, or with constant and fitted laws mixed, and what <see cref="BatchPrecision.Single"/> excepts, are flown ball by ball, in double. So is every
-/// ball that may meet a goal or an obstacle on its way; <see cref="ScalarFallbackCount"/> counts them.
+/// <para>Each result depends only on its own launch: not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
+/// reuse it: a run on one thread does not allocate. Not thread-safe; set <see cref="BatchSettings.Threads"/> to use several threads.</para>
+/// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. These have custom forces, a variable wind, a knuckle
+/// force, moving objects, ground that is not level and uniform, or a mixture of constant and fitted laws. The same holds for the exceptions of <see cref="BatchPrecision.Single"/>,
+/// and for every ball that may hit a goal or an obstacle; <see cref="ScalarFallbackCount"/> counts these balls.</para>
 /// </remarks>
 public sealed class BallBatch
 {
@@ -16,9 +16,9 @@ public sealed class BallBatch
     private BatchFlights? _flights;
     private double _duration;
 
-    /// <summary>Compiles a scene.</summary>
+    /// <summary>Compiles a scene for batches.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">How to fly the balls; default <see cref="BatchSettings.Default"/>.</param>
+    /// <param name="settings">The settings; default <see cref="BatchSettings.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public BallBatch(Scene? scene = null, BatchSettings? settings = null)
         : this(scene ?? Scene.Default, settings ?? BatchSettings.Default, LaneFlight.BestLanes)
@@ -43,17 +43,19 @@ public sealed class BallBatch
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>How the balls are flown.</summary>
+    /// <summary>The settings.</summary>
     public BatchSettings Settings { get; }
 
-    /// <summary>Length of a step, s: the float next to the one asked for.</summary>
+    /// <summary>The length of a step, in s: the requested length, rounded to float.</summary>
     public double TimeStep => (float)Settings.TimeStep;
 
-    /// <summary>True when the balls of a scene fly side by side in a batch: laws that lanes have, wind that is the same everywhere, no forces of a game's own. Others fly one by one.</summary>
+    /// <summary>Returns true if SIMD lanes support the scene; otherwise balls are simulated one by one.</summary>
+    /// <remarks>Lanes support constant or fitted laws, a uniform wind and level ground, without custom forces.</remarks>
     /// <param name="scene">The scene.</param>
     public static bool SupportsSimd(Scene scene) => LaneFlight.Covers(scene);
 
-    /// <summary>How many of the last balls were flown alone, in double: all where the scene or <see cref="BatchSettings.Precision"/> is not for lanes.</summary>
+    /// <summary>The number of balls in the last run that were simulated one by one, in double precision.</summary>
+    /// <remarks>These are all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
     public int ScalarFallbackCount
     {
         get
@@ -68,17 +70,17 @@ public sealed class BallBatch
         }
     }
 
-    /// <summary>Flies the first balls of some launches.</summary>
+    /// <summary>Simulates the first balls of an array of launches.</summary>
     /// <param name="launches">The launches.</param>
-    /// <param name="flights">Where the flights' ends go, each at its launch's index.</param>
-    /// <param name="count">How many balls; 0 … the capacity of both.</param>
-    /// <param name="duration">How long a flight may last, s. Above 0, at most 600; default 30.</param>
-    /// <param name="progress">Told now and then how many are done, on the thread that did them; default nobody.</param>
-    /// <param name="cancellation">Ends the run between two groups of balls; default never.</param>
+    /// <param name="flights">Receives the result of each launch at the same index.</param>
+    /// <param name="count">The number of balls; 0 … the capacity of both.</param>
+    /// <param name="duration">The longest flight, in s. Above 0, at most 600; default 30.</param>
+    /// <param name="progress">Receives the number of finished balls from time to time, on a worker thread; default none.</param>
+    /// <param name="cancellation">Cancels the run between two groups of balls; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled. Some flights may have been written.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some flights may have been written.</exception>
-    /// <remarks>What a force of the game's own throws comes through as it was thrown, whatever the number of threads; some flights may have been written.</remarks>
+    /// <remarks>Exceptions of custom forces pass through unchanged, for any number of threads; some flights may have been written.</remarks>
     public void Fly(BatchLaunches launches, BatchFlights flights, int count, double duration = 30, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
         _launches = launches ?? throw new ArgumentNullException(nameof(launches));
@@ -94,8 +96,8 @@ public sealed class BallBatch
         _groups.Run(count, progress, cancellation);
     }
 
-    /// <summary>Flies a group of balls that nobody sees, so that no frame of a game has to compile the code of a flight.</summary>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    /// <summary>Simulates a group of dummy balls, so that the code is compiled before the first real run.</summary>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public void WarmUp()
     {
         const int Count = 64;

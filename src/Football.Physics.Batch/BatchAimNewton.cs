@@ -1,18 +1,16 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// Newton's method on the crossing of the target's plane, as <see cref="PlaneNewton"/>, for kicks of a batch: one iteration, read off a flight
-/// in the lanes.
-/// </summary>
+/// <summary>One Newton iteration on the crossing of the target's plane for kicks of a batch, from a flight in SIMD lanes.</summary>
+/// <remarks>The method is that of <see cref="PlaneNewton"/>.</remarks>
 internal sealed class BatchAimNewton
 {
-    /// <summary>An iteration must shrink the miss to this share of it.</summary>
+    /// <summary>The share to which an iteration must reduce the miss.</summary>
     private const double Progress = 0.7;
 
-    /// <summary>Largest corrections of elevation and azimuth, rad.</summary>
+    /// <summary>The largest correction of elevation and azimuth, in rad.</summary>
     private const double LargestTurn = 0.2;
 
-    /// <summary>Least part of its speed that a kick has towards the target.</summary>
+    /// <summary>The smallest share of the speed that must point towards the target.</summary>
     private const double LeastForward = 0.5;
 
     private readonly double _windUp;
@@ -25,12 +23,12 @@ internal sealed class BatchAimNewton
         _upward = context.Upward;
     }
 
-    /// <summary>Reads the crossing off a flight, and turns the kick by what it asks for.</summary>
+    /// <summary>Reads the crossing from a flight, and corrects the kick.</summary>
     /// <param name="s">The kick.</param>
     /// <param name="group">The flights.</param>
-    /// <param name="i">Which of them is the kick's.</param>
-    /// <param name="isFirst">Whether it is the kick's first flight.</param>
-    /// <param name="tolerance">The miss distance that is good enough, m.</param>
+    /// <param name="i">The index of the kick's flight.</param>
+    /// <param name="isFirst">True for the first flight of the kick.</param>
+    /// <param name="tolerance">The miss that counts as a hit, in m.</param>
     public BatchAimOutcome Improve(ref BatchAimState s, LaneGroup group, int i, bool isFirst, double tolerance)
     {
         if (!group.Reached[i])
@@ -90,7 +88,7 @@ internal sealed class BatchAimNewton
         return BatchAimOutcome.Corrected;
     }
 
-    /// <summary>As <see cref="CrossingJacobian.Of"/>, in numbers: the way turns with the kick, but for the displacements by gravity and wind.</summary>
+    /// <summary>Returns the Jacobian as <see cref="CrossingJacobian.Of"/>, in scalars: the path turns with the kick, except for the displacements by gravity and wind.</summary>
     private CrossingJacobian Jacobian(in BatchAimState s, double t, double up, double left, double vf, double vu, double vl)
     {
         double flat = Math.Sqrt((s.DirectionForward * s.DirectionForward) + (s.DirectionLeft * s.DirectionLeft));
@@ -100,49 +98,49 @@ internal sealed class BatchAimNewton
         double qu = s.Rise + up - (0.45 * _upward * t * t) - (0.3 * t * _windUp);
         double ql = left - (0.3 * t * s.WindLeft);
 
-        // Raising turns the plane of d and up; the azimuth turns forward to left.
+        // Elevation rotates the plane of d and up; azimuth rotates forward to left.
         double ef = -(df * qu);
         double eu = (qf * df) + (ql * dl);
         double el = -(dl * qu);
         double af = -ql;
         double al = qf;
 
-        // Back along the velocity to the plane.
+        // Project along the velocity back to the plane.
         double slopeUp = vf > 1e-3 ? vu / vf : 0;
         double slopeLeft = vf > 1e-3 ? vl / vf : 0;
         return new CrossingJacobian(eu - (ef * slopeUp), -(af * slopeUp), el - (ef * slopeLeft), al - (af * slopeLeft));
     }
 }
 
-/// <summary>Outcome of an iteration for a kick.</summary>
+/// <summary>The outcome of an iteration for a kick.</summary>
 internal enum BatchAimOutcome
 {
-    /// <summary>It misses, and has been corrected.</summary>
+    /// <summary>The kick missed, and was corrected.</summary>
     Corrected = 0,
 
-    /// <summary>It hits.</summary>
+    /// <summary>The kick hits.</summary>
     Hits = 1,
 
-    /// <summary>It does not converge.</summary>
+    /// <summary>The iteration does not converge.</summary>
     Fails = 2,
 }
 
-/// <summary>One kick on its way to be found, in the frame of its target: forward, up, left.</summary>
+/// <summary>The state of one search, in the frame of its target: forward, up, left.</summary>
 internal struct BatchAimState
 {
-    /// <summary>Horizontal unit vector to the target, and the distance.</summary>
+    /// <summary>The horizontal unit vector to the target, and the distance.</summary>
     public double ForwardX;
     public double ForwardZ;
     public double Distance;
 
-    /// <summary>Height of the target above the ball.</summary>
+    /// <summary>The height of the target above the ball.</summary>
     public double Rise;
 
-    /// <summary>Wind along forward and left.</summary>
+    /// <summary>The wind along forward and left.</summary>
     public double WindForward;
     public double WindLeft;
 
-    /// <summary>True when the ball lies on the ground.</summary>
+    /// <summary>True if the ball lies on the ground.</summary>
     public bool OnGround;
 
     public double Speed;
@@ -150,28 +148,28 @@ internal struct BatchAimState
     public double Side;
     public double SpinRate;
 
-    /// <summary>Unit vector of the kick.</summary>
+    /// <summary>The unit vector of the kick.</summary>
     public double DirectionForward;
     public double DirectionUp;
     public double DirectionLeft;
 
-    /// <summary>Time to the target.</summary>
+    /// <summary>The time to the target.</summary>
     public double Time;
 
-    /// <summary>How the crossing moves with elevation and azimuth.</summary>
+    /// <summary>The derivatives of the crossing by elevation and azimuth.</summary>
     public CrossingJacobian Jacobian;
 
-    /// <summary>The last flight's crossing, and the step that led to it.</summary>
+    /// <summary>The crossing of the last flight, and the step that led to it.</summary>
     public double Up;
     public double Left;
     public double Miss;
     public double StepElevation;
     public double StepAzimuth;
 
-    /// <summary>Turns the kick; both angles are small.</summary>
+    /// <summary>Rotates the kick by two small angles.</summary>
     public void Turn(double elevation, double azimuth)
     {
-        // tan x = x + x³/3 within 2e-4 x for |x| ≤ 0.2: what is missing, the next correction mends.
+        // tan x = x + x³/3 within 2e-4 x for |x| ≤ 0.2; the next correction removes the error.
         double horizontal = Math.Sqrt((DirectionForward * DirectionForward) + (DirectionLeft * DirectionLeft));
         double e = elevation * (1.0 + (elevation * elevation * (1.0 / 3.0)));
         double a = azimuth * (1.0 + (azimuth * azimuth * (1.0 / 3.0)));

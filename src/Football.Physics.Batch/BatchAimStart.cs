@@ -1,13 +1,13 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The frame of a batch's target, and a first kick in closed form.</summary>
+/// <summary>Computes the frame of a target and a first kick in closed form.</summary>
 internal sealed class BatchAimStart
 {
-    /// <summary>Horizontal distances of the targets that are taken, m.</summary>
+    /// <summary>The range of horizontal distances to the target, in m.</summary>
     private const double Nearest = 0.1;
     private const double Farthest = 200;
 
-    /// <summary>Least part of its speed that a kick has towards the target, and the longest time to it, s: beyond, it is near the end of the reach.</summary>
+    /// <summary>The smallest share of speed towards the target, and the longest time to it, in s. Beyond these, the target is near the end of the range.</summary>
     private const double LeastForward = 0.5;
     private const double LongestTime = 8;
 
@@ -17,7 +17,7 @@ internal sealed class BatchAimStart
     private readonly double _upward;
 
     /// <param name="context">The scene, compiled for aiming.</param>
-    /// <param name="timeStep">Step of the flights, s.</param>
+    /// <param name="timeStep">The step of the flights, in s.</param>
     public BatchAimStart(AimContext context, double timeStep)
     {
         _simulator = context.Game;
@@ -27,7 +27,7 @@ internal sealed class BatchAimStart
     }
 
     /// <summary>Prepares a request.</summary>
-    /// <returns>False for what is better left to the single aimer.</returns>
+    /// <returns>False if the request is left to the single aimer.</returns>
     public bool Prepare(BatchAims aims, int index, ref BatchAimState s)
     {
         double contact = _simulator.ContactHeight;
@@ -60,10 +60,8 @@ internal sealed class BatchAimStart
         return _domain.Covers(most * most, s.SpinRate, 100, _wind.Y, 10) && Guess(ref s);
     }
 
-    /// <summary>
-    /// The flight in closed form (<see cref="FlatFire"/>, its damping by rational functions), by iteration on the slant: where the kick must point
-    /// so that with fall, bend and wind it comes out at the target.
-    /// </summary>
+    /// <summary>Computes the direction of a first kick by iteration on the slant, with the flight in closed form.</summary>
+    /// <remarks>It is <see cref="FlatFire"/> with rational functions for the damping. The result compensates for fall, bend and wind.</remarks>
     private bool Guess(ref BatchAimState s)
     {
         double v = s.Speed;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds one group of kicks after the other, on one thread.</summary>
+/// <summary>Finds groups of kicks one after another, on one thread.</summary>
 internal sealed class BatchAimWorker
 {
-    /// <summary>Step of the flights, s.</summary>
+    /// <summary>The step of the flights, in s.</summary>
     private const double Step = 0.08;
 
     private const int MostRounds = 8;
@@ -17,13 +17,13 @@ internal sealed class BatchAimWorker
     private readonly int[] _active = new int[LaneGroup.Size];
     private readonly double _windUp;
 
-    /// <summary>True where the air alone may lift a ball that has begun to fall.</summary>
+    /// <summary>True if the air alone can lift a ball that has begun to fall.</summary>
     private readonly bool _floats;
 
-    /// <summary>Upward speed from which on a kick leaves the ground, m/s.</summary>
+    /// <summary>The upward speed above which a kick leaves the ground, in m/s.</summary>
     private readonly double _leavesGround;
 
-    /// <summary>Sines of the lowest and the highest elevation.</summary>
+    /// <summary>The sines of the lowest and highest elevation.</summary>
     private double _lowest;
     private double _highest;
 
@@ -42,7 +42,7 @@ internal sealed class BatchAimWorker
 
     public long Flights { get; private set; }
 
-    /// <summary>Prepares for the requests.</summary>
+    /// <summary>Prepares for an array of requests.</summary>
     public void Begin(BatchAims aims)
     {
         FlownSingly = 0;
@@ -73,7 +73,7 @@ internal sealed class BatchAimWorker
             }
         }
 
-        // Twice the longest guess, and a little: what has not arrived by then is not on the low arc.
+        // A bit more than twice the longest guess: a ball that arrives later is not on the low arc.
         double duration = (2.0 * longest) + 0.2;
         for (int round = 0; round < MostRounds && active > 0; round++)
         {
@@ -107,10 +107,8 @@ internal sealed class BatchAimWorker
         }
     }
 
-    /// <summary>
-    /// Flies all active kicks to the vertical planes through their targets. In the lanes x is up, y is backward and z is right, so that a flight ends
-    /// where its way along y falls below minus the distance.
-    /// </summary>
+    /// <summary>Simulates all active kicks to the vertical planes through their targets.</summary>
+    /// <remarks>The lanes use x up, y backward and z right, so that a flight ends when its y falls below minus the distance.</remarks>
     private void FlyAll(int active, double duration)
     {
         _group.Clear();
@@ -137,9 +135,8 @@ internal sealed class BatchAimWorker
         _lanes!.Fly(_group, duration);
     }
 
-    /// <summary>
-    /// True when a kick that hits keeps to the bounds, leaves the ground, and cannot touch it again before: a ball that rises, or that nothing lifts, falls but once.
-    /// </summary>
+    /// <summary>Returns true if a kick that hits respects the elevations, leaves the ground, and cannot touch it before the target.</summary>
+    /// <remarks>A ball that rises, or that nothing lifts, falls only once.</remarks>
     private bool StaysClear(in BatchAimState s) =>
         s.DirectionUp >= _lowest && s.DirectionUp <= _highest && (s.DirectionUp >= 0 || (s.Top >= 0 && !_floats))
         && !(s.OnGround && s.Speed * s.DirectionUp < _leavesGround);
@@ -163,7 +160,7 @@ internal sealed class BatchAimWorker
         FlownSingly++;
         AimRequest request = aims.Request(index);
 
-        // What comes here is hard: also a flight that grazes the drag law's jump, where large steps may miss it. The true miss decides.
+        // These requests are hard: a flight may graze the jump of the drag law, where large steps can miss it. Only the true miss decides.
         AimResult result = _aimer.Find(request);
         kicks.Status[index] = result.Status;
         kicks.Velocity[index] = result.Velocity;

@@ -1,12 +1,11 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds many kicks of one scene at once: the same question as <see cref="Aimer"/> answers.</summary>
+/// <summary>Finds many kicks in one scene at once: the batch version of <see cref="Aimer"/>.</summary>
 /// <remarks>
-/// Elevation and azimuth start in closed form and are improved with flights of many kicks at once; what does not converge, is out of reach,
-/// grazes the drag law's jump or would touch the ground on its way is handed to an <see cref="Aimer"/>, and called a hit only where its miss,
-/// measured, is one. The true miss of a hit is within the tolerance, down to 1 mm. Each answer depends on its own request alone: not on the
-/// others, the number of threads or the width of the processor's registers. On one thread nothing is allocated but for what is handed on.
-/// Not for several threads at once; its own threads are.
+/// <para>Elevation and azimuth start from a closed form, and Newton iterations with SIMD flights refine them. An <see cref="Aimer"/> handles requests that do not
+/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. They count as hits only if their measured miss does.</para>
+/// <para>The true miss of a hit is within the tolerance, down to 1 mm. Each result depends only on its own request: not on the others, the number of threads or the
+/// SIMD width. On one thread, only the fallback allocates. Not thread-safe, but it can use several threads itself.</para>
 /// </remarks>
 public sealed class BatchAimer
 {
@@ -15,9 +14,9 @@ public sealed class BatchAimer
     private BatchAims? _aims;
     private BatchKicks? _kicks;
 
-    /// <summary>Compiles a scene.</summary>
+    /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="threads">How many threads. The answers do not depend on it. 1 … 1024; default 1.</param>
+    /// <param name="threads">The number of threads; the results do not depend on it. 1 … 1024; default 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public BatchAimer(Scene? scene = null, int threads = 1)
         : this(scene ?? Scene.Default, threads, LaneFlight.BestLanes)
@@ -41,7 +40,7 @@ public sealed class BatchAimer
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>How many of the last requests were handed to the single aimer.</summary>
+    /// <summary>The number of the last requests that the single aimer handled.</summary>
     public int ScalarFallbackCount
     {
         get
@@ -56,7 +55,7 @@ public sealed class BatchAimer
         }
     }
 
-    /// <summary>Flights of the last requests that were flown together.</summary>
+    /// <summary>The number of SIMD flights for the last requests.</summary>
     public long Flights
     {
         get
@@ -71,12 +70,12 @@ public sealed class BatchAimer
         }
     }
 
-    /// <summary>Finds the kicks for the first of some requests.</summary>
+    /// <summary>Finds the kicks for the first requests of an array.</summary>
     /// <param name="aims">The requests.</param>
-    /// <param name="kicks">Where the kicks go, each at its request's index.</param>
-    /// <param name="count">How many; 0 … the capacity of both.</param>
-    /// <param name="progress">Told now and then how many are done, on the thread that did them; default nobody.</param>
-    /// <param name="cancellation">Ends the run between two groups of kicks; default never.</param>
+    /// <param name="kicks">Receives the kick of each request at the same index.</param>
+    /// <param name="count">The number of requests; 0 … the capacity of both.</param>
+    /// <param name="progress">Receives the number of finished requests from time to time, on a worker thread; default none.</param>
+    /// <param name="cancellation">Cancels the run between two groups of kicks; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled. Some kicks may have been written.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some kicks may have been written.</exception>
@@ -96,8 +95,8 @@ public sealed class BatchAimer
         _groups.Run(count, progress, cancellation);
     }
 
-    /// <summary>Finds a group of kicks that nobody plays, so that no frame of a game has to compile the code of a search.</summary>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite.</exception>
+    /// <summary>Finds a group of dummy kicks, so that the code is compiled before the first real run.</summary>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public void WarmUp()
     {
         const int Count = 64;

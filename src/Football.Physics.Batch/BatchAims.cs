@@ -2,11 +2,12 @@ using System.Globalization;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Many requests for kicks, as arrays of numbers; points are for the ball's centre. All with the low arc and targets at rest.</summary>
+/// <summary>Many aiming requests, as arrays. Points are for the ball's centre.</summary>
+/// <remarks>All requests use the low arc, and targets at rest.</remarks>
 public sealed class BatchAims
 {
-    /// <summary>Makes room for requests; all zero until set.</summary>
-    /// <param name="capacity">How many; not negative.</param>
+    /// <summary>Creates a set of requests; all numbers are 0 until set.</summary>
+    /// <param name="capacity">The number of requests; at least 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchAims(int capacity)
     {
@@ -18,40 +19,41 @@ public sealed class BatchAims
         SideSpin = new double[capacity];
     }
 
-    /// <summary>How many there is room for.</summary>
+    /// <summary>The number of requests.</summary>
     public int Capacity => Speed.Length;
 
-    /// <summary>Where the balls are, m; components within ±1e6. A place in the ground is raised straight up out of it.</summary>
+    /// <summary>The positions of the balls, in m; components within ±1e6.</summary>
+    /// <remarks>A position in the ground is raised straight up to the surface.</remarks>
     public Vector3dColumns From { get; }
 
-    /// <summary>Where they are to go, m; components within ±1e6.</summary>
+    /// <summary>The targets, in m; components within ±1e6.</summary>
     public Vector3dColumns Target { get; }
 
-    /// <summary>Speeds of the kicks, m/s. Above 0, at most 1000.</summary>
+    /// <summary>The speeds of the kicks, in m/s. Above 0, at most 1000.</summary>
     public double[] Speed { get; }
 
-    /// <summary>Topspins, rad/s. Within ±10 000.</summary>
+    /// <summary>The topspins, in rad/s; within ±10 000.</summary>
     public double[] TopSpin { get; }
 
-    /// <summary>Sidespins, rad/s. Within ±10 000.</summary>
+    /// <summary>The sidespins, in rad/s; within ±10 000.</summary>
     public double[] SideSpin { get; }
 
-    /// <summary>Lowest elevation, degrees. −90 … 90; default 0.</summary>
+    /// <summary>The lowest elevation, in degrees. −90 … 90; default 0.</summary>
     public double MinimumElevationDegrees { get; init; }
 
-    /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 45.</summary>
+    /// <summary>The highest elevation, in degrees. At least the lowest, at most 90; default 45.</summary>
     public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>How close to the target is a hit, m. Above 0; default 0.01.</summary>
+    /// <summary>The distance from the target that counts as a hit, in m. Above 0; default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>Sets a request.</summary>
-    /// <param name="index">Which; 0 … <see cref="Capacity"/> − 1.</param>
-    /// <param name="from">Where the ball is, m.</param>
-    /// <param name="target">Where it is to go, m.</param>
-    /// <param name="speed">Speed of the kick, m/s.</param>
-    /// <param name="topSpin">Topspin, rad/s.</param>
-    /// <param name="sideSpin">Sidespin, rad/s.</param>
+    /// <param name="index">The index, 0 … <see cref="Capacity"/> − 1.</param>
+    /// <param name="from">The position of the ball, in m.</param>
+    /// <param name="target">The target, in m.</param>
+    /// <param name="speed">The speed of the kick, in m/s.</param>
+    /// <param name="topSpin">The topspin, in rad/s.</param>
+    /// <param name="sideSpin">The sidespin, in rad/s.</param>
     /// <exception cref="IndexOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public void Set(int index, Vector3d from, Vector3d target, double speed, double topSpin = 0, double sideSpin = 0)
     {
@@ -62,7 +64,7 @@ public sealed class BatchAims
         SideSpin[index] = sideSpin;
     }
 
-    /// <summary>One of them for the single aimer.</summary>
+    /// <summary>Returns one request for the single aimer.</summary>
     internal AimRequest Request(int index) => new()
     {
         From = From[index],

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Where the flights of many balls ended, as arrays of numbers.</summary>
+/// <summary>The ends of many flights, as arrays.</summary>
 public sealed class BatchFlights
 {
-    /// <summary>Makes room for flights.</summary>
-    /// <param name="capacity">How many; not negative.</param>
+    /// <summary>Creates a set of results.</summary>
+    /// <param name="capacity">The number of flights; at least 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchFlights(int capacity)
     {
@@ -19,30 +19,30 @@ public sealed class BatchFlights
         Apex = new double[capacity];
     }
 
-    /// <summary>How many there is room for.</summary>
+    /// <summary>The number of flights.</summary>
     public int Capacity => Time.Length;
 
-    /// <summary>How the flights ended.</summary>
+    /// <summary>The way in which each flight ended.</summary>
     public BatchEnd[] End { get; }
 
-    /// <summary>When, s after the launch.</summary>
+    /// <summary>The end times, in s since the launch.</summary>
     public double[] Time { get; }
 
-    /// <summary>Positions of the centres then, m.</summary>
+    /// <summary>The positions of the centres at the end, in m.</summary>
     public Vector3dColumns Position { get; }
 
-    /// <summary>Velocities then, m/s; before the impact.</summary>
+    /// <summary>The velocities at the end, before the impact, in m/s.</summary>
     public Vector3dColumns Velocity { get; }
 
-    /// <summary>Spins then, rad/s, world frame; before the impact.</summary>
+    /// <summary>The spins at the end, before the impact, in rad/s, in the world frame.</summary>
     public Vector3dColumns Spin { get; }
 
-    /// <summary>Velocities just after the impact, m/s; the same as before where there was none.</summary>
+    /// <summary>The velocities just after the impact, in m/s; without an impact, the same as before.</summary>
     public Vector3dColumns VelocityAfter { get; }
 
-    /// <summary>Spins just after the impact, rad/s; the same as before where there was none.</summary>
+    /// <summary>The spins just after the impact, in rad/s; without an impact, the same as before.</summary>
     public Vector3dColumns SpinAfter { get; }
 
-    /// <summary>The greatest heights of the centres, m, where <see cref="BatchSettings.FindApex"/> asks for them; else 0.</summary>
+    /// <summary>The greatest heights of the centres, in m, if <see cref="BatchSettings.FindApex"/> is true; otherwise 0.</summary>
     public double[] Apex { get; }
 }

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Many kicks that were found, as arrays of numbers.</summary>
+/// <summary>The results of many aiming requests, as arrays.</summary>
 public sealed class BatchKicks
 {
-    /// <summary>Makes room for kicks.</summary>
-    /// <param name="capacity">How many; not negative.</param>
+    /// <summary>Creates a set of results.</summary>
+    /// <param name="capacity">The number of kicks; at least 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchKicks(int capacity)
     {
@@ -16,21 +16,21 @@ public sealed class BatchKicks
         Time = new double[capacity];
     }
 
-    /// <summary>How many there is room for.</summary>
+    /// <summary>The number of kicks.</summary>
     public int Capacity => Time.Length;
 
     /// <summary>The outcomes of the searches.</summary>
     public AimStatus[] Status { get; }
 
-    /// <summary>Velocities of the kicks, m/s.</summary>
+    /// <summary>The velocities of the kicks, in m/s.</summary>
     public Vector3dColumns Velocity { get; }
 
-    /// <summary>Spins of the kicks, rad/s, world frame.</summary>
+    /// <summary>The spins of the kicks, in rad/s, in the world frame.</summary>
     public Vector3dColumns Spin { get; }
 
-    /// <summary>The method's estimates of the misses, m.</summary>
+    /// <summary>The estimated misses, in m.</summary>
     public double[] Miss { get; }
 
-    /// <summary>Times to the targets, s.</summary>
+    /// <summary>The times to the targets, in s.</summary>
     public double[] Time { get; }
 }

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The launches of many balls, as arrays of numbers.</summary>
+/// <summary>The launches of many balls, as arrays.</summary>
 public sealed class BatchLaunches
 {
-    /// <summary>Makes room for launches; all zero until set.</summary>
-    /// <param name="capacity">How many; not negative.</param>
+    /// <summary>Creates a set of launches; all numbers are 0 until set.</summary>
+    /// <param name="capacity">The number of launches; at least 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public BatchLaunches(int capacity)
     {
@@ -13,23 +13,24 @@ public sealed class BatchLaunches
         Spin = new Vector3dColumns(capacity);
     }
 
-    /// <summary>How many there is room for.</summary>
+    /// <summary>The number of launches.</summary>
     public int Capacity => Position.Length;
 
-    /// <summary>Positions of the centres, m; components within ±1e6. A ball in the ground is raised straight up until it is not.</summary>
+    /// <summary>The positions of the centres, in m; components within ±1e6.</summary>
+    /// <remarks>A ball in the ground is raised straight up to the surface.</remarks>
     public Vector3dColumns Position { get; }
 
-    /// <summary>Velocities, m/s; speeds at most 1000.</summary>
+    /// <summary>The velocities, in m/s; at most 1000.</summary>
     public Vector3dColumns Velocity { get; }
 
-    /// <summary>Spins, rad/s, world frame; sizes at most 10 000.</summary>
+    /// <summary>The spins, in rad/s, in the world frame; at most 10 000.</summary>
     public Vector3dColumns Spin { get; }
 
     /// <summary>Sets a launch.</summary>
-    /// <param name="index">Which; 0 … <see cref="Capacity"/> − 1.</param>
-    /// <param name="position">Position of the centre, m.</param>
-    /// <param name="velocity">Velocity, m/s.</param>
-    /// <param name="spin">Spin, rad/s.</param>
+    /// <param name="index">The index, 0 … <see cref="Capacity"/> − 1.</param>
+    /// <param name="position">The position of the centre, in m.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
     /// <exception cref="IndexOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public void Set(int index, Vector3d position, Vector3d velocity, Vector3d spin)
     {

@@ -1,16 +1,17 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>With which numbers the balls of a batch are flown.</summary>
+/// <summary>The floating-point precision of a batch.</summary>
 public enum BatchPrecision
 {
-    /// <summary>
-    /// Floats with compensated sums, several balls at once in wide registers. With steps up to 20 ms a landing is typically 1e-6 m from the
-    /// single ball's at the same step, of 99 % of footballers' shots within 1e-5 m, of all within 1e-4 m (5e-4 m with steps of 40 ms).
-    /// The published drag law's jump is located in the step that crosses it. What only grazes it or slides along it, what spins faster than a
-    /// surface speed of 14 m/s, and what is beyond 128 m/s or 100 m above the ground, is flown in double.
-    /// </summary>
+    /// <summary>Single precision with compensated sums, several balls at once in SIMD lanes.</summary>
+    /// <remarks>
+    /// <para>With steps up to 20 ms, a landing is typically 1e-6 m from that of a single ball with the same step. It is within 1e-5 m for 99 % of footballers' shots,
+    /// and within 1e-4 m for all (5e-4 m with steps of 40 ms).</para>
+    /// <para>The jump of the published drag law is located within its step. Double precision is used for balls that only graze the jump or slide along it, for surface
+    /// speeds above 14 m/s, for speeds above 128 m/s, and for heights above 100 m.</para>
+    /// </remarks>
     Single = 0,
 
-    /// <summary>The single ball itself, one by one: its bits.</summary>
+    /// <summary>Double precision, ball by ball: bit-identical to a single ball.</summary>
     Double = 1,
 }

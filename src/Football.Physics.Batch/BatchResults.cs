@@ -1,12 +1,12 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The outcome of many balls that were played to a plane, to rest or to a time, as arrays of numbers.</summary>
+/// <summary>The results of many balls that were simulated to a plane, to rest or to a time, as arrays.</summary>
 public sealed class BatchResults
 {
-    /// <summary>Makes room for balls.</summary>
-    /// <param name="capacity">How many; not negative.</param>
-    /// <param name="samples">Places of each path to make room for; not negative, default 0.</param>
-    /// <param name="interval">Time between two of them, s. Above 0; default 0.05.</param>
+    /// <summary>Creates a set of results.</summary>
+    /// <param name="capacity">The number of balls; at least 0.</param>
+    /// <param name="samples">The number of samples of each path; at least 0, default 0.</param>
+    /// <param name="interval">The time between two samples, in s. Above 0; default 0.05.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public BatchResults(int capacity, int samples = 0, double interval = 0.05)
     {
@@ -28,42 +28,42 @@ public sealed class BatchResults
         Places = new Vector3dColumns(capacity * samples);
     }
 
-    /// <summary>How many there is room for.</summary>
+    /// <summary>The number of balls.</summary>
     public int Capacity => Time.Length;
 
-    /// <summary>Places of each path that there is room for.</summary>
+    /// <summary>The number of samples of each path.</summary>
     public int Samples { get; }
 
-    /// <summary>Time between two of them, s.</summary>
+    /// <summary>The time between two samples, in s.</summary>
     public double Interval { get; }
 
-    /// <summary>True where the ball crossed the plane; what follows is then as it was there.</summary>
+    /// <summary>True if the ball crossed the plane. Time, position and velocity are then those of the crossing.</summary>
     public bool[] Crossed { get; }
 
-    /// <summary>True where the ball came to rest.</summary>
+    /// <summary>True if the ball came to rest.</summary>
     public bool[] Rests { get; }
 
-    /// <summary>True where the whole ball was in a goal of the scene.</summary>
+    /// <summary>True if the ball went into a goal of the scene.</summary>
     public bool[] Scored { get; }
 
-    /// <summary>How often it hit something.</summary>
+    /// <summary>The number of impacts.</summary>
     public int[] Bounces { get; }
 
-    /// <summary>When it ended, s after the launch.</summary>
+    /// <summary>The end times, in s since the launch.</summary>
     public double[] Time { get; }
 
-    /// <summary>Positions of the centres then, m.</summary>
+    /// <summary>The positions of the centres at the end, in m.</summary>
     public Vector3dColumns Position { get; }
 
-    /// <summary>Velocities then, m/s.</summary>
+    /// <summary>The velocities at the end, in m/s.</summary>
     public Vector3dColumns Velocity { get; }
 
-    /// <summary>Spins at the end of the last step, rad/s, world frame.</summary>
+    /// <summary>The spins at the end of the last step, in rad/s, in the world frame.</summary>
     public Vector3dColumns Spin { get; }
 
-    /// <summary>How many places of each path were written.</summary>
+    /// <summary>The number of samples written for each path.</summary>
     public int[] SampleCount { get; }
 
-    /// <summary>Places of the paths, m: those of ball i from i × <see cref="Samples"/> on.</summary>
+    /// <summary>The sampled positions, in m. Those of ball i start at index i × <see cref="Samples"/>.</summary>
     public Vector3dColumns Places { get; }
 }

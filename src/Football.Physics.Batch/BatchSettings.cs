@@ -1,29 +1,30 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>How a batch of balls is flown.</summary>
+/// <summary>The settings of a batch.</summary>
 public sealed record BatchSettings
 {
     /// <summary>The one-step method: <see cref="Integrator.Rk2"/> or <see cref="Integrator.Rk4"/>. Default <see cref="Integrator.Rk4"/>.</summary>
     public Integrator Integrator { get; init; } = Integrator.Rk4;
 
-    /// <summary>Length of a step, s; rounded to the next float. 1e-5 … 1; default 0.02.</summary>
+    /// <summary>The length of a step, in s; rounded to float. 1e-5 … 1; default 0.02.</summary>
     public double TimeStep { get; init; } = 0.02;
 
-    /// <summary>With which numbers. Default <see cref="BatchPrecision.Single"/>.</summary>
+    /// <summary>The floating-point precision. Default <see cref="BatchPrecision.Single"/>.</summary>
     public BatchPrecision Precision { get; init; } = BatchPrecision.Single;
 
-    /// <summary>How many threads. The results do not depend on it. 1 … 1024; default 1.</summary>
+    /// <summary>The number of threads; the results do not depend on it. 1 … 1024; default 1.</summary>
     public int Threads { get; init; } = 1;
 
-    /// <summary>True when the highest point of each flight is wanted. Default false.</summary>
+    /// <summary>True to compute the highest point of each flight. Default false.</summary>
     public bool FindApex { get; init; }
 
-    /// <summary>RK4 in floats, steps of 20 ms, one thread.</summary>
+    /// <summary>The default: RK4 in single precision, steps of 20 ms, one thread.</summary>
     public static BatchSettings Default { get; } = new();
 
-    /// <summary>The fastest settings for a wanted accuracy: RK4 in floats with steps of 40 ms or 20 ms, or for 1 µm in double with 5 ms.</summary>
-    /// <param name="accuracy">How close to the exact solution a shot is to be, from the kick to the impact.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is none of the enumeration.</exception>
+    /// <summary>Returns the fastest settings for an accuracy.</summary>
+    /// <remarks>RK4 in single precision with steps of 40 ms or 20 ms; for 1 µm, in double precision with 5 ms.</remarks>
+    /// <param name="accuracy">The required accuracy of a shot, from the kick to the impact.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is not a defined value.</exception>
     public static BatchSettings For(Accuracy accuracy)
     {
         Check.Defined(nameof(accuracy), accuracy, (int)accuracy, 3);

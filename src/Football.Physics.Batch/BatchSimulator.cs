@@ -1,9 +1,9 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Plays thousands of independent balls of one scene beyond their first impact: to a plane, to rest, or to a time, with their paths.</summary>
+/// <summary>Simulates thousands of independent balls in one scene to a plane, to rest or to a time, with their paths.</summary>
 /// <remarks>
-/// Ball by ball in double, on several threads. Each result depends on its own launch alone. For flights to the first impact <see cref="BallBatch"/> is much faster.
-/// Not for several threads at once; its own threads are.
+/// It simulates ball by ball in double precision, on several threads. Each result depends only on its own launch. For flights to the first impact,
+/// <see cref="BallBatch"/> is much faster. Not thread-safe, but it can use several threads itself.
 /// </remarks>
 public sealed class BatchSimulator
 {
@@ -14,9 +14,9 @@ public sealed class BatchSimulator
     private BatchResults? _plays;
     private LookAheadRequest? _request;
 
-    /// <summary>Prepares for balls of a compiled scene.</summary>
-    /// <param name="simulator">The scene.</param>
-    /// <param name="threads">How many threads; one where a ball may move what it meets. The results do not depend on it. 1 … 1024; default 1.</param>
+    /// <summary>Creates a batch simulator for a compiled scene.</summary>
+    /// <param name="simulator">The compiled scene.</param>
+    /// <param name="threads">The number of threads; the results do not depend on it. 1 … 1024; default 1. Only one is used if balls can move objects.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="threads"/> is out of range.</exception>
     public BatchSimulator(Simulator simulator, int threads = 1)
@@ -36,16 +36,16 @@ public sealed class BatchSimulator
     /// <summary>The scene.</summary>
     public Simulator Simulator { get; }
 
-    /// <summary>Plays the first balls of some launches.</summary>
+    /// <summary>Simulates the first balls of an array of launches.</summary>
     /// <param name="launches">The launches.</param>
-    /// <param name="plays">Where the answers go, each at its launch's index.</param>
-    /// <param name="count">How many balls; 0 … the capacity of both.</param>
-    /// <param name="request">How far to play, in which steps, and what ends it.</param>
-    /// <param name="progress">Told now and then how many are done, on the thread that did them; default nobody.</param>
-    /// <param name="cancellation">Ends the run between two groups of balls; default never.</param>
+    /// <param name="plays">Receives the result of each launch at the same index.</param>
+    /// <param name="count">The number of balls; 0 … the capacity of both.</param>
+    /// <param name="request">The duration, the step, and the conditions that end a run.</param>
+    /// <param name="progress">Receives the number of finished balls from time to time, on a worker thread; default none.</param>
+    /// <param name="cancellation">Cancels the run between two groups of balls; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some answers may have been written.</exception>
-    /// <exception cref="OperationCanceledException">The run was cancelled. Some answers may have been written.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some results may have been written.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled. Some results may have been written.</exception>
     public void Run(
         BatchLaunches launches, BatchResults plays, int count, LookAheadRequest request, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
@@ -54,7 +54,7 @@ public sealed class BatchSimulator
         _request = request ?? throw new ArgumentNullException(nameof(request));
         Check.Within(nameof(count), count, 0, Math.Min(launches.Capacity, plays.Capacity));
 
-        // What an impact moves, what an engine says and where the game has its bodies belong to the simulator: one ball at a time.
+        // Movable objects, engine colliders and bodies are shared state of the simulator, so use one thread.
         bool isShared = Simulator.World.GivesWay || Simulator.World.Engine is not null || request.MoveBodies is not null;
         (isShared ? _alone : _groups).Run(count, progress, cancellation);
     }
@@ -68,7 +68,7 @@ public sealed class BatchSimulator
             Simulator.LookAhead(in ball, _request!, path);
             while (!path.IsComplete)
             {
-                // Nothing but its memory ends a path early: what a force of the game's own throws comes through.
+                // Only a full buffer ends a path early; exceptions of custom forces pass through. Grow the buffer and repeat.
                 path = new Trajectory(2 * path.Pieces.Length);
                 _paths[thread] = path;
                 Simulator.LookAhead(in ball, _request!, path);
@@ -106,7 +106,7 @@ public sealed class BatchSimulator
             }
         }
 
-        // To its end a path has as many as were counted, also those that its memory of events has no place for.
+        // A complete path counts all its impacts, including dropped events.
         bounces = crossed ? bounces : path.Events.Impacts;
         plays.Crossed[index] = crossed;
         plays.Rests[index] = !crossed && end.Motion == MotionState.Rest;

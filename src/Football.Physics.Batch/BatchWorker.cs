@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Flies one group of balls after the other, on one thread.</summary>
+/// <summary>Simulates groups of balls one after another, on one thread.</summary>
 internal sealed class BatchWorker
 {
     private readonly Scene _scene;
@@ -20,7 +20,7 @@ internal sealed class BatchWorker
     private readonly HighestPoint _highest = new();
     private readonly double _upward;
 
-    /// <summary>True when there is anything to hit, all of which stands still.</summary>
+    /// <summary>True if the scene has objects, and all of them are static.</summary>
     private readonly bool _standsStill;
 
     public BatchWorker(Scene scene, BatchSettings settings, int lanes)
@@ -44,13 +44,13 @@ internal sealed class BatchWorker
         }
     }
 
-    /// <summary>Balls of this run that were flown alone, in double.</summary>
+    /// <summary>The number of balls in this run that were simulated one by one, in double precision.</summary>
     public int FlownSingly { get; private set; }
 
     /// <summary>Prepares for a run.</summary>
     public void Begin() => FlownSingly = 0;
 
-    /// <summary>Flies some balls.</summary>
+    /// <summary>Simulates some balls.</summary>
     [MethodImpl(Hot.Path)]
     public void Fly(BatchLaunches launches, BatchFlights flights, int from, int count, double duration)
     {
@@ -132,14 +132,14 @@ internal sealed class BatchWorker
         }
     }
 
-    /// <summary>True when a flight can have met nothing but the ground.</summary>
+    /// <summary>Returns true if a flight can have hit nothing but the ground.</summary>
     private bool IsClear(BatchLaunches launches, int index, in Vector3d from, in Vector3d to, double time)
     {
         Vector3d u = launches.Velocity[index] - _scene.Air.Wind;
         return time > 0 && _simulator.FliesClear(in from, in to, time, u.Length, launches.Spin[index].Length);
     }
 
-    /// <summary>By the single ball.</summary>
+    /// <summary>Simulates one ball in double precision.</summary>
     private void FlyAlone(BatchFlights flights, int index, in Vector3d position, in Vector3d velocity, in Vector3d spin, double duration)
     {
         FlownSingly++;
@@ -156,7 +156,7 @@ internal sealed class BatchWorker
         double apex = _settings.FindApex ? _highest.Apex : 0;
         if (hit)
         {
-            // Among things, other events may come before, and what is hit may be none of the ground.
+            // With objects in the scene, other events may come first, and the impact need not be on the ground.
             BallEvent impact = LastImpact();
             Write(flights, index, BatchEnd.Impact, impact.Time, impact.Position, impact.VelocityBefore, impact.SpinBefore, apex);
             flights.VelocityAfter[index] = impact.Velocity;

@@ -2,10 +2,10 @@ using System.Runtime.ExceptionServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Hands groups of balls to threads, in order, until none are left.</summary>
+/// <summary>Distributes groups of balls to threads, in order.</summary>
 /// <remarks>
-/// What a group throws ends the run, and comes out as it was thrown. Of several it is the first group's: every group before one that has
-/// begun has begun too, so it does not depend on the number of threads.
+/// An exception in a group ends the run and is rethrown unchanged. If several groups throw, the first group's exception counts. Every group before a started one has
+/// started too, so the result does not depend on the number of threads.
 /// </remarks>
 internal sealed class GroupRun
 {
@@ -21,9 +21,9 @@ internal sealed class GroupRun
     private IProgress<int>? _progress;
     private CancellationToken _cancellation;
 
-    /// <summary>Makes a run that can be made again.</summary>
-    /// <param name="threads">How many threads.</param>
-    /// <param name="work">Does a group: by which thread, from which ball, and how many.</param>
+    /// <summary>Creates a run that can be repeated.</summary>
+    /// <param name="threads">The number of threads.</param>
+    /// <param name="work">Processes a group: index of the thread, first ball, number of balls.</param>
     public GroupRun(int threads, Action<int, int, int> work)
     {
         _threads = threads;
@@ -31,10 +31,10 @@ internal sealed class GroupRun
         _take = Take;
     }
 
-    /// <summary>Does so many balls.</summary>
-    /// <param name="count">How many.</param>
-    /// <param name="progress">Told after every group how many are done; one call at a time.</param>
-    /// <param name="cancellation">Ends the run between two groups.</param>
+    /// <summary>Processes a number of balls.</summary>
+    /// <param name="count">The number of balls.</param>
+    /// <param name="progress">Receives the number of finished balls after every group; one call at a time.</param>
+    /// <param name="cancellation">Cancels the run between two groups.</param>
     /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
     public void Run(int count, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds the greatest height of the centre, located inside the step.</summary>
+/// <summary>Finds the greatest height of the centre, located within the step.</summary>
 internal sealed class HighestPoint : PieceObserver
 {
-    /// <summary>The greatest height so far, m.</summary>
+    /// <summary>The greatest height so far, in m.</summary>
     public double Apex { get; private set; } = double.NegativeInfinity;
 
-    /// <summary>Starts again from a launch.</summary>
+    /// <summary>Restarts from a launch.</summary>
     public void Reset(in BallState launch) => Apex = launch.Position.Y;
 
     public override bool Add(in PathSegment piece)

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Many vectors as three arrays of numbers, one a component.</summary>
+/// <summary>Many vectors, stored as one array per component.</summary>
 public sealed class Vector3dColumns
 {
-    /// <summary>Makes zero vectors.</summary>
-    /// <param name="length">How many; not negative.</param>
+    /// <summary>Creates zero vectors.</summary>
+    /// <param name="length">The number of vectors; at least 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="length"/> is negative.</exception>
     public Vector3dColumns(int length)
     {
@@ -14,20 +14,20 @@ public sealed class Vector3dColumns
         Z = new double[length];
     }
 
-    /// <summary>The components along x.</summary>
+    /// <summary>The x components.</summary>
     public double[] X { get; }
 
-    /// <summary>The components along y, up.</summary>
+    /// <summary>The y components, up.</summary>
     public double[] Y { get; }
 
-    /// <summary>The components along z.</summary>
+    /// <summary>The z components.</summary>
     public double[] Z { get; }
 
-    /// <summary>How many vectors.</summary>
+    /// <summary>The number of vectors.</summary>
     public int Length => X.Length;
 
-    /// <summary>One of the vectors.</summary>
-    /// <param name="index">Which; 0 … <see cref="Length"/> − 1.</param>
+    /// <summary>Gets or sets one vector.</summary>
+    /// <param name="index">The index, 0 … <see cref="Length"/> − 1.</param>
     /// <exception cref="IndexOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public Vector3d this[int index]
     {

@@ -1,17 +1,18 @@
 namespace FootballPhysics.Thesis;
 
-/// <summary>By which method to find a kick.</summary>
+/// <summary>The method that finds a kick.</summary>
 public enum AimMethod
 {
-    /// <summary>That of <see cref="Aimer"/>: closed-form start, quasi-Newton on the crossing of the target's plane, bracketed fallback, verdict. For one and two points.</summary>
+    /// <summary>The method of <see cref="Aimer"/>, for one or two points.</summary>
+    /// <remarks>It uses a closed-form start, quasi-Newton on the crossing of the target's plane, a bracketed fallback, and a final check.</remarks>
     Direct = 0,
 
-    /// <summary>The thesis' Method A (4.1): the velocity is turned by the angle between where the ball went and the target.</summary>
+    /// <summary>The thesis' Method A (4.1): rotate the velocity by the angle between the ball's path and the target.</summary>
     Angle = 1,
 
-    /// <summary>The thesis' Method B (4.2): bisection over the elevation, with a correction of the azimuth.</summary>
+    /// <summary>The thesis' Method B (4.2): bisect the elevation, and correct the azimuth.</summary>
     Bisection = 2,
 
-    /// <summary>The thesis' two-point method (4.3): velocity towards the point on the way, spin to bend on to the target.</summary>
+    /// <summary>The thesis' two-point method (4.3): the velocity aims at the waypoint, and the spin bends the path to the target.</summary>
     TwoPoint = 3,
 }

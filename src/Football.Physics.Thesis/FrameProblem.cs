@@ -1,12 +1,10 @@
 namespace FootballPhysics.Thesis;
 
-/// <summary>
-/// The boundary-value problem as the thesis' single-target methods see it: kicks are flown in the game's own frames, and their residual is the
-/// closest point between frames.
-/// </summary>
+/// <summary>The boundary-value problem of the thesis' single-target methods.</summary>
+/// <remarks>Kicks are simulated in the game's own frames. The residual is the closest point between frames.</remarks>
 internal sealed class FrameProblem
 {
-    /// <summary>The closest point between frames is a little off the true one: methods end this far inside the tolerance.</summary>
+    /// <summary>The share of the tolerance at which methods end, because the closest point between frames has an error.</summary>
     public const double Margin = 0.9;
 
     private readonly AimContext _context;
@@ -31,10 +29,10 @@ internal sealed class FrameProblem
     /// <summary>The last kick.</summary>
     public Kick Kick { get; private set; }
 
-    /// <summary>Its closest point between frames.</summary>
+    /// <summary>The closest point of the last kick, between frames.</summary>
     public Vector3d Closest { get; private set; }
 
-    /// <summary>Its miss distance between frames.</summary>
+    /// <summary>The miss of the last kick, between frames.</summary>
     public double Miss { get; private set; }
 
     /// <summary>Sets the problem.</summary>
@@ -65,8 +63,8 @@ internal sealed class FrameProblem
         }
     }
 
-    /// <summary>Flies the highest and the lowest kick: the target is in reach where they pass above and below it (4.1.2).</summary>
-    /// <param name="extreme">Where it is not: the extreme kick to return.</param>
+    /// <summary>Simulates the highest and lowest kicks. True if they pass above and below the target, so that it is in reach (4.1.2).</summary>
+    /// <param name="extreme">The extreme kick to return if the target is out of reach.</param>
     public bool BetweenExtremes(out AimSolution extreme)
     {
         extreme = default;
@@ -78,7 +76,7 @@ internal sealed class FrameProblem
         double lowMiss = double.PositiveInfinity;
         if (!(targetHeight > _frame.From.Y + _tolerance && _context.StaysDown(in _frame.From, _speed * sine)))
         {
-            // Along the ground it passes below: that needs no flight.
+            // A kick along the ground passes below the target, without a simulation.
             Fly(in kick);
             lowHeight = Closest.Y;
             lowMiss = Miss;
@@ -97,25 +95,25 @@ internal sealed class FrameProblem
             kick.Elevation = _bounds.Lowest;
         }
 
-        // The extreme kick, turned horizontally as the thesis' later iterations would.
+        // Rotate the extreme kick horizontally, as later iterations of the thesis would.
         extreme = Solution(in kick, kick.Elevation == _bounds.Highest ? Miss : lowMiss, 0);
         extreme.Status = _frame.IsDegenerate ? AimStatus.Degenerate : AimStatus.OutOfReach;
         return false;
     }
 
-    /// <summary>The horizontal angle from where the ball went to the target, rad.</summary>
+    /// <summary>Returns the horizontal angle from the direction that the ball took to the target, in rad.</summary>
     public double HorizontalAngle()
     {
         Vector3d guess = Closest - _frame.From;
         Vector3d target = _frame.Target - _frame.From;
 
-        // ŷ-component of guess × target over their horizontal scalar product
+        // The ŷ component of guess × target, and their horizontal dot product.
         double sine = (guess.Z * target.X) - (guess.X * target.Z);
         double cosine = (guess.X * target.X) + (guess.Z * target.Z);
         return Elementary.Atan2(sine, cosine);
     }
 
-    /// <summary>The best kick so far.</summary>
+    /// <summary>Returns the best kick so far.</summary>
     public AimSolution Best(int iterations) => Solution(in _best, _bestMiss, iterations);
 
     private AimSolution Solution(in Kick kick, double miss, int iterations) => new()
@@ -129,7 +127,7 @@ internal sealed class FrameProblem
     };
 }
 
-/// <summary>The thesis' Method A (4.1): fly, and turn the velocity by the angle between where the ball went and the target.</summary>
+/// <summary>The thesis' Method A (4.1): simulate, then rotate the velocity by the angle between the ball's path and the target.</summary>
 internal sealed class AngleAim
 {
     private readonly FrameProblem _problem;
@@ -142,10 +140,10 @@ internal sealed class AngleAim
         return _problem.BetweenExtremes(out AimSolution extreme) ? Iterate(request, FrameProblem.Margin) : extreme;
     }
 
-    /// <summary>The iteration alone, from a kick that is not an extreme one: the two-point method's last resort.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="start">Where to begin.</param>
-    /// <param name="margin">Share of the tolerance within which it ends.</param>
+    /// <summary>Iterates from a given kick: the fallback of the two-point method.</summary>
+    /// <param name="request">The request.</param>
+    /// <param name="start">The first kick.</param>
+    /// <param name="margin">The share of the tolerance at which it ends.</param>
     public AimSolution Refine(AimRequest request, in Kick start, double margin)
     {
         _problem.Set(request, start.Top, start.Side);
@@ -181,14 +179,15 @@ internal sealed class AngleAim
     }
 }
 
-/// <summary>The thesis' correction of a kick (4.1): its velocity is turned as the way to where the ball went must be turned to lead to the target.</summary>
+/// <summary>The thesis' correction of a kick (4.1).</summary>
+/// <remarks>It rotates the velocity by the rotation that maps the direction the ball took to the direction of the target.</remarks>
 internal static class AngleCorrection
 {
-    /// <summary>Turns a direction about u_guess × u_target by the angle between them.</summary>
-    /// <param name="guess">From the ball to where it went.</param>
-    /// <param name="target">From the ball to where it is to go.</param>
+    /// <summary>Rotates a direction about u_guess × u_target by the angle between them.</summary>
+    /// <param name="guess">The vector from the ball's start to its closest point.</param>
+    /// <param name="target">The vector from the ball's start to the target.</param>
     /// <param name="direction">The direction of the kick.</param>
-    /// <returns>False where there is nothing to turn by, or no axis to turn about.</returns>
+    /// <returns>False if the angle is zero, or the axis undefined.</returns>
     public static bool Turn(in Vector3d guess, in Vector3d target, ref Vector3d direction)
     {
         Vector3d normal = Vector3d.Cross(in guess, in target);
@@ -204,7 +203,7 @@ internal static class AngleCorrection
     }
 }
 
-/// <summary>The thesis' Method B (4.2): bisection over the elevation, the azimuth corrected by the horizontal angle each time.</summary>
+/// <summary>The thesis' Method B (4.2): bisect the elevation, and correct the azimuth by the horizontal angle each time.</summary>
 internal sealed class BisectionAim
 {
     private readonly FrameProblem _problem;
@@ -213,7 +212,7 @@ internal sealed class BisectionAim
 
     public AimSolution Find(AimRequest request) => Find(request, request.TopSpin, request.SideSpin);
 
-    /// <summary>Finds a kick with spins other than the request's.</summary>
+    /// <summary>Finds a kick with other spins than those of the request.</summary>
     public AimSolution Find(AimRequest request, double top, double side)
     {
         _problem.Set(request, top, side);
@@ -233,7 +232,7 @@ internal sealed class BisectionAim
         return _problem.Best(passes.Iterations);
     }
 
-    /// <summary>The condition that a kick of an elevation passes above the target; done where it hits.</summary>
+    /// <summary>Condition: a kick of this elevation passes above the target. The search ends if it hits.</summary>
     private struct PassesAbove : ICondition
     {
         private readonly FrameProblem _problem;

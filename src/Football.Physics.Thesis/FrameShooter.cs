@@ -1,6 +1,6 @@
 namespace FootballPhysics.Thesis;
 
-/// <summary>Flies kicks in the game's own steps, as the thesis does, and looks at the frames between them.</summary>
+/// <summary>Simulates kicks in the game's own steps, as the thesis does, and checks the path between frames.</summary>
 internal sealed class FrameShooter : KickObserver
 {
     private readonly AimContext _context;
@@ -9,9 +9,9 @@ internal sealed class FrameShooter : KickObserver
     private readonly KickFlight _flight;
     private FrameApproach? _before;
 
-    /// <param name="context">Where flights are counted.</param>
+    /// <param name="context">The context that counts flights.</param>
     /// <param name="simulator">The scene with the game's own integrator.</param>
-    /// <param name="timeStep">The game's own step, s.</param>
+    /// <param name="timeStep">The game's own step, in s.</param>
     public FrameShooter(AimContext context, Simulator simulator, double timeStep)
     {
         _context = context;
@@ -20,20 +20,20 @@ internal sealed class FrameShooter : KickObserver
         _flight = new KickFlight(simulator, this);
     }
 
-    /// <summary>How the last flight came to the point that it was for.</summary>
+    /// <summary>The closest approach of the last flight to its target.</summary>
     public FrameApproach Target { get; } = new();
 
-    /// <summary>How it came to a point on the way.</summary>
+    /// <summary>The closest approach of the last flight to its waypoint.</summary>
     public FrameApproach Through { get; } = new();
 
-    /// <summary>Flies a kick past a point.</summary>
+    /// <summary>Simulates a kick past a point.</summary>
     public void Fly(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point)
     {
         Target.Begin(in from, in point);
         Run(in from, in velocity, in spin, null);
     }
 
-    /// <summary>Flies a kick past a point, and until a plane through it is crossed.</summary>
+    /// <summary>Simulates a kick past a point, and until it crosses a plane through the point.</summary>
     public void FlyToPlane(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d point, in Vector3d normal)
     {
         Target.Begin(in from, in point);
@@ -41,7 +41,7 @@ internal sealed class FrameShooter : KickObserver
         Run(in from, in velocity, in spin, null);
     }
 
-    /// <summary>Flies a kick past two points.</summary>
+    /// <summary>Simulates a kick past two points.</summary>
     public void FlyThrough(in Vector3d from, in Vector3d velocity, in Vector3d spin, in Vector3d through, in Vector3d point)
     {
         Target.Begin(in from, in point);
@@ -57,7 +57,7 @@ internal sealed class FrameShooter : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // What comes before the target is looked at until it is passed; the flight ends with the ground, or past both.
+        // Track the waypoint until the ball has passed it. The flight ends on the ground, or past both points.
         _before = _before is not null && _before.Add(in after) ? null : _before;
         ended |= Target.Add(in after) && _before is null;
         return false;
@@ -72,7 +72,7 @@ internal sealed class FrameShooter : KickObserver
     }
 }
 
-/// <summary>A flight's closest approach to a point by the thesis' fast error (4.1.3): on the segments beside the nearest frame.</summary>
+/// <summary>The closest approach of a flight to a point by the thesis' fast error (4.1.3), on the segments next to the nearest frame.</summary>
 internal sealed class FrameApproach
 {
     private Vector3d _point;
@@ -86,13 +86,13 @@ internal sealed class FrameApproach
     private Vector3d _normal;
     private bool _wantsCrossing;
 
-    /// <summary>True when the plane through the point was crossed.</summary>
+    /// <summary>True if the flight crossed the plane through the point.</summary>
     public bool Crossed { get; private set; }
 
-    /// <summary>Where, between frames, m.</summary>
+    /// <summary>The crossing, between frames, in m.</summary>
     public Vector3d Crossing { get; private set; }
 
-    /// <summary>The closest point between frames, m.</summary>
+    /// <summary>The closest point, between frames, in m.</summary>
     public Vector3d Closest
     {
         get
@@ -113,7 +113,7 @@ internal sealed class FrameApproach
         }
     }
 
-    /// <summary>Distance of the closest point between frames from the point, m.</summary>
+    /// <summary>The distance between the closest point and the target point, in m.</summary>
     public double Miss => Vector3d.Distance(Closest, in _point);
 
     /// <summary>Starts a flight.</summary>
@@ -129,15 +129,15 @@ internal sealed class FrameApproach
         Crossed = false;
     }
 
-    /// <summary>Also asks for the crossing of the vertical plane through the point.</summary>
+    /// <summary>Requests the crossing of the vertical plane through the point too.</summary>
     public void WantCrossing(in Vector3d normal)
     {
         _normal = normal;
         _wantsCrossing = true;
     }
 
-    /// <summary>Takes the next frame.</summary>
-    /// <returns>True when it has seen enough.</returns>
+    /// <summary>Adds the next frame.</summary>
+    /// <returns>True if no more frames are needed.</returns>
     public bool Add(in BallState frame)
     {
         Vector3d p = frame.Position;
@@ -159,7 +159,7 @@ internal sealed class FrameApproach
                 _hasAfter = true;
             }
 
-            // Past the nearest frame: the answer is known.
+            // Past the nearest frame: the result is final.
             passed = Vector3d.Dot(p - _point, frame.Velocity) > 0;
         }
 

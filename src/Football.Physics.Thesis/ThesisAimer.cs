@@ -1,7 +1,9 @@
 namespace FootballPhysics.Thesis;
 
-/// <summary>Finds kicks by the methods of the thesis, kept for comparison: in the game's own integrator and steps, judged between frames.</summary>
-/// <remarks>Made once for a scene and used again; a search allocates nothing. Not for several threads at once.</remarks>
+/// <summary>Finds kicks by the methods of the thesis, for comparison.</summary>
+/// <remarks>
+/// It uses the game's own integrator and steps, and judges kicks between frames. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
+/// </remarks>
 public sealed class ThesisAimer
 {
     private readonly AngleAim _angle;
@@ -11,7 +13,7 @@ public sealed class ThesisAimer
     /// <summary>Compiles a scene for aiming.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <param name="settings">The integrator of the flights; default <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="timeStep">The step of the flights, s. Above 0; default 0.01.</param>
+    /// <param name="timeStep">The step of the flights, in s. Above 0; default 0.01.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public ThesisAimer(Scene? scene = null, SolverSettings? settings = null, double timeStep = 0.01)
     {
@@ -27,15 +29,15 @@ public sealed class ThesisAimer
         _twoPoint = new TwoPointAim(context, frames, _angle, _bisection);
     }
 
-    /// <summary>The library's own way to aim in the same scene, to compare with.</summary>
+    /// <summary>The library's own aimer for the same scene, for comparison.</summary>
     public Aimer Direct { get; }
 
     /// <summary>Finds a kick.</summary>
-    /// <param name="request">What the kick is to do.</param>
-    /// <param name="method">By which method.</param>
-    /// <param name="measure">Whether to measure the miss of the kick that was found; without it the result has the method's own estimate.</param>
+    /// <param name="request">The request.</param>
+    /// <param name="method">The method.</param>
+    /// <param name="measure">True to measure the miss of the result; otherwise it contains the method's own estimate.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the two-point method lacks its point.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request for the two-point method has no waypoint.</exception>
     public AimResult Find(AimRequest request, AimMethod method, bool measure = true)
     {
         Check.Given(nameof(request), request);

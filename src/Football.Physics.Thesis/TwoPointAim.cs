@@ -1,19 +1,19 @@
 namespace FootballPhysics.Thesis;
 
-/// <summary>
-/// The thesis' two-point method (4.3): the velocity is turned towards the point on the way, then the side spin, then the top spin is
-/// scaled by how far the flight without and the flight with it pass the target's plane. Spins at their limit end it, and Method A
-/// then hits the target from there.
-/// </summary>
+/// <summary>The thesis' two-point method (4.3).</summary>
+/// <remarks>
+/// It rotates the velocity towards the waypoint, then scales the sidespin, then the topspin. The scale compares where flights with and without the spin cross the
+/// target's plane. If a spin reaches its limit, Method A continues from there and hits the target.
+/// </remarks>
 internal sealed class TwoPointAim
 {
-    /// <summary>The share of the limit that a spin starts with where none is given.</summary>
+    /// <summary>The initial spin, as a share of its limit, if the request gives none.</summary>
     private const double FirstSpin = 0.25;
 
-    /// <summary>It ends this far inside the tolerance: up to 40 m/s the closest point between frames is further off the true one.</summary>
+    /// <summary>The share of the tolerance at which it ends: up to 40 m/s, the closest point between frames has a larger error here.</summary>
     private const double Margin = 0.5;
 
-    /// <summary>It goes round in circles where so many iterations do not shrink the miss at the target to this share of the least so far.</summary>
+    /// <summary>The search stops after this many iterations that do not reduce the miss at the target to this share of the best so far.</summary>
     private const int MostIdle = 4;
     private const double Progress = 0.95;
 
@@ -43,7 +43,7 @@ internal sealed class TwoPointAim
         double throughDistance = Vector3d.Dot(through - _frame.From, in _frame.Forward);
         if (!(_frame.Distance > 1e-6 && throughDistance > 1e-6 && throughDistance < _frame.Distance))
         {
-            // No point between the ball and the target: the target alone.
+            // No waypoint between the ball and the target: aim at the target alone.
             AimSolution alone = _bisection.Find(request);
             alone.Status = alone.Status == AimStatus.Hit ? AimStatus.Hit : AimStatus.Degenerate;
             return alone;
@@ -65,7 +65,7 @@ internal sealed class TwoPointAim
             TurnTowardsThrough(in through);
             saturated |= !Scale(side: false, request.TopSpin, request.MaximumTopSpin);
 
-            // One flight tells both misses, and where to turn if they are too large.
+            // One flight gives both misses, and the rotation if they are too large.
             _kick.Vectors(request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
             _frames.FlyThrough(in _frame.From, in velocity, in spin, in through, in _frame.Target);
             double targetMiss = _frames.Target.Miss;
@@ -102,7 +102,7 @@ internal sealed class TwoPointAim
             return solution;
         }
 
-        // The target first: the single-target method with the spin as it is.
+        // The target has priority: use the single-target method with the current spin.
         AimSolution fallback = _angle.Refine(request, in best, Margin);
         if (fallback.Status != AimStatus.Hit)
         {
@@ -115,17 +115,17 @@ internal sealed class TwoPointAim
         return fallback;
     }
 
-    /// <summary>Where a kick crosses the vertical plane through the target, or where it is closest if it does not get there.</summary>
+    /// <summary>Returns the point at which a kick crosses the vertical plane through the target, or its closest point if it does not get there.</summary>
     private Vector3d Crossing(in Kick kick)
     {
-        // The plane's normal, towards the ball in the thesis, is turned forward here.
+        // The thesis uses a normal towards the ball; here it points forward.
         kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         _frames.FlyToPlane(in _frame.From, in velocity, in spin, in _frame.Target, in _frame.Forward);
         FrameApproach target = _frames.Target;
         return target.Crossed ? target.Crossing : target.Closest;
     }
 
-    /// <summary>Turns the velocity by the angle between where the ball went and the point on the way.</summary>
+    /// <summary>Rotates the velocity by the angle between the direction that the ball took and the waypoint.</summary>
     private void TurnTowardsThrough(in Vector3d through)
     {
         _kick.Vectors(_request.Speed, in _frame.Forward, out Vector3d velocity, out Vector3d spin);
@@ -133,7 +133,7 @@ internal sealed class TwoPointAim
         Turn(in through, _frames.Target);
     }
 
-    /// <summary>The turn itself, from a flight that watched the point on the way.</summary>
+    /// <summary>Applies the rotation from a flight that tracked the waypoint.</summary>
     private void Turn(in Vector3d through, FrameApproach approach)
     {
         _kick.Vectors(1.0, in _frame.Forward, out Vector3d direction, out _);
@@ -144,8 +144,8 @@ internal sealed class TwoPointAim
         }
     }
 
-    /// <summary>The new spin is ω · d₂/d₁, signed: d₁ from the crossing without the spin to the one with it, d₂ from there to the target (4.16, the right way up).</summary>
-    /// <returns>False where the spin is at its limit.</returns>
+    /// <summary>Scales the spin to ω · d₂/d₁, signed (4.16, corrected). d₁ is the shift of the crossing by the spin, d₂ the distance from the crossing without spin to the target.</summary>
+    /// <returns>False if the spin is at its limit.</returns>
     private bool Scale(bool side, double given, double limit)
     {
         if (!(limit > 0))
@@ -169,7 +169,7 @@ internal sealed class TwoPointAim
         double wanted = Vector3d.Dot(_frame.Target - bare, in direction);
         if (spin == 0)
         {
-            // Side spin bends to the left, top spin down.
+            // Sidespin bends to the left, topspin downwards.
             double first = given != 0 ? Math.Abs(given) : FirstSpin * limit;
             spin = Math.Min(first, limit) * (wanted < 0 != side ? 1 : -1);
         }

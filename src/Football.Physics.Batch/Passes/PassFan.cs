@@ -1,20 +1,21 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds the best of many passes, through the air or along the ground: the earliest that a team mate meets before any opponent can.</summary>
+/// <summary>Finds the best of many passes, in the air or on the ground: the earliest that a team mate reaches before any opponent.</summary>
 /// <remarks>
-/// A pass through the air is to be met before it comes down, one along the ground until it rests. Kicks through the air are flown in lanes, kicks along the ground are
-/// stepped, and two bounds are computed of each, step by step: the earliest time at which anybody can meet it, and whether an opponent intercepts it for certain. In that order they are judged on their
-/// exact paths, until no other can be better: the answer is that of judging every kick. Without team mates it is the kick that no opponent can meet and that comes
-/// down, or along the ground comes to rest, closest to a target. Made once for a scene and used again; then nothing is allocated, as long as the duration is the same. Not for several threads at once.
-/// A pass that meets a thing of the scene before it is met itself, a post, a board, a net, is none. Scenes with what lanes do not know (see <see cref="BallBatch"/>),
-/// or that the game moves, are refused.
+/// <para>A pass in the air must be reached before it lands, a pass on the ground before it rests. SIMD lanes simulate the passes in the air; passes on
+/// the ground are stepped. Step by step, the search bounds the earliest time at which any team mate can reach each pass, and detects certain interceptions. It then judges the kicks on
+/// their exact paths, in the order of these bounds, until no other can be better. The result equals that of judging every kick.</para>
+/// <para>Without team mates, it returns the kick that no opponent can reach and that lands, or comes to rest on the ground, closest to a target. A pass
+/// that first hits an object of the scene, such as a post, a board or a net, does not count.</para>
+/// <para>Create one per scene and reuse it: searches with the same duration do not allocate. Not thread-safe. The constructor throws for scenes that
+/// lanes do not support (see <see cref="BallBatch"/>), and for scenes with moving bodies.</para>
 /// </remarks>
 public sealed class PassFan
 {
-    /// <summary>Step of the lanes, s.</summary>
+    /// <summary>The step of the lanes, in s.</summary>
     private const double Step = 0.04;
 
-    /// <summary>A flight in lanes is no further off than this, m.</summary>
+    /// <summary>The maximum error of a flight in lanes, in m.</summary>
     private const double LaneError = 0.002;
 
     private readonly Simulator _simulator;
@@ -27,15 +28,15 @@ public sealed class PassFan
     private readonly PassJudge _judge;
     private double[] _scores = new double[1000];
 
-    /// <summary>How many kicks the last search judged on their exact paths.</summary>
+    /// <summary>The number of kicks that the last search judged on their exact paths.</summary>
     internal int Judged { get; private set; }
 
-    /// <summary>Compiles a scene.</summary>
+    /// <summary>Compiles a scene for the search.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the scene has what lanes do not know; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or lanes do not support the scene; the message names field, value and range.</exception>
     public PassFan(Scene? scene = null)
     {
-        // Kicks are tried over the open pitch: one that meets a thing is lost, and so an open pitch never tells less of it than there is.
+        // Bounds are computed on the open pitch. A kick that hits an object is lost, so these bounds are always optimistic.
         Scene whole = scene ?? Scene.Default;
         if (whole.Ground.IsNone)
         {
@@ -59,9 +60,9 @@ public sealed class PassFan
     }
 
     /// <summary>Finds the best pass.</summary>
-    /// <param name="request">Which passes to try.</param>
-    /// <param name="mates">The team mates at the kick; may be none.</param>
-    /// <param name="opponents">The opponents at the kick; may be none.</param>
+    /// <param name="request">The passes to try.</param>
+    /// <param name="mates">The team mates at the kick; can be empty.</param>
+    /// <param name="opponents">The opponents at the kick; can be empty.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public PassResult Find(PassFanRequest request, Player[] mates, Player[] opponents)
@@ -110,7 +111,7 @@ public sealed class PassFan
             : _judge.Completed(request, found, opponents, in answer, count, open);
     }
 
-    /// <summary>Writes down what each kick is no better than: when it is met, or how far from the target it ends; infinite for those that are lost.</summary>
+    /// <summary>Computes a lower bound of each kick's score: the time at which it is reached, or its distance from the target; infinite if it is lost.</summary>
     private void Score(PassFanRequest request, in Vector3d from)
     {
         double rolling = RollAcceleration(request);
@@ -131,8 +132,8 @@ public sealed class PassFan
         }
     }
 
-    /// <summary>Puts a kick into the group.</summary>
-    /// <returns>Not a number; 0 for one that lanes do not know: it is judged in any case.</returns>
+    /// <summary>Adds a kick to the group.</summary>
+    /// <returns>NaN if the kick was added; 0 if lanes do not support it, so that it is judged in any case.</returns>
     private double Launch(PassFanRequest request, in Vector3d from, int ball, in Vector3d velocity, in Vector3d spin)
     {
         double contact = _simulator.ContactHeight;
@@ -148,10 +149,10 @@ public sealed class PassFan
         return double.NaN;
     }
 
-    /// <summary>Flies the group.</summary>
+    /// <summary>Simulates the group.</summary>
     private void Fly(PassFanRequest request, in Vector3d from, int first, int end)
     {
-        // Whole steps, so that players and balls are seen at the same times.
+        // Use full steps, so that players and balls are compared at the same times.
         _lanes.Fly(_group, Math.Ceiling(request.Duration / _lanes.TimeStep) * _lanes.TimeStep);
         Vector3d wind = _simulator.Scene.Air.Wind;
         Vector3d target = request.Target ?? request.From;
@@ -179,7 +180,7 @@ public sealed class PassFan
         }
     }
 
-    /// <summary>The kick with the least score below a bound; −1 where there is none.</summary>
+    /// <summary>Returns the kick with the lowest score below a bound; −1 if there is none.</summary>
     private int Best(int count, double below)
     {
         int best = -1;
@@ -195,7 +196,7 @@ public sealed class PassFan
         return best;
     }
 
-    /// <summary>No kick through the air is accelerated more strongly, m/s²: in the air's frame only gravity does work.</summary>
+    /// <summary>Returns a bound on the acceleration of kicks in the air, in m/s². In the air's frame only gravity does work.</summary>
     private double FlightAcceleration(PassFanRequest request, in Vector3d from)
     {
         Scene scene = _simulator.Scene;
@@ -205,7 +206,8 @@ public sealed class PassFan
         return _domain.AccelerationAtMost(fastest, request.SpinRate);
     }
 
-    /// <summary>No kick along the ground is accelerated more strongly, m/s²: friction is no more than its coefficient times weight and lift, and a slide turns no more than all its energy into spin.</summary>
+    /// <summary>Returns a bound on the acceleration of kicks on the ground, in m/s².</summary>
+    /// <remarks>Friction is at most its coefficient times weight and lift. A slide turns at most all its energy into spin.</remarks>
     private double RollAcceleration(PassFanRequest request)
     {
         Scene scene = _simulator.Scene;

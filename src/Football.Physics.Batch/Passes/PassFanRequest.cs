@@ -1,69 +1,72 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Which passes to try: kicks of all speeds, elevations and directions of a fan, through the air or along the ground.</summary>
-/// <remarks>A kick of a ball on the ground that rises slower than <see cref="Ground.MinimumBounceSpeed"/>, as all of elevation 0 do, goes along the ground: it slides, then rolls.</remarks>
+/// <summary>The passes to try: kicks of all speeds, elevations and directions of a fan.</summary>
+/// <remarks>
+/// A kick of a ball on the ground stays on the ground if its upward speed is below <see cref="Ground.MinimumBounceSpeed"/>, as at elevation 0. It slides, then rolls.
+/// </remarks>
 public sealed record PassFanRequest
 {
-    /// <summary>Most kicks of a fan.</summary>
+    /// <summary>The maximum number of kicks.</summary>
     private const int Most = 100_000;
 
-    /// <summary>Longest that a pass is looked at, s.</summary>
+    /// <summary>The maximum duration, in s.</summary>
     private const double Longest = 60;
 
     private const double PerDegree = Math.PI / 180.0;
 
-    /// <summary>Where the ball is, m; components within ±1e6.</summary>
+    /// <summary>The position of the ball, in m; components within ±1e6.</summary>
     public required Vector3d From { get; init; }
 
-    /// <summary>The middle direction; its horizontal part counts and must not be zero.</summary>
+    /// <summary>The central direction. Only its horizontal part counts, which must not be zero.</summary>
     public required Vector3d Direction { get; init; }
 
-    /// <summary>Angle of the whole fan, degrees. 0 … 360; default 90.</summary>
+    /// <summary>The angle of the entire fan, in degrees. 0 … 360; default 90.</summary>
     public double FanDegrees { get; init; } = 90;
 
-    /// <summary>How many directions, from one edge to the other. At least 1; default 10.</summary>
+    /// <summary>The number of directions, from edge to edge. At least 1; default 10.</summary>
     public int Directions { get; init; } = 10;
 
-    /// <summary>Lowest elevation, degrees. 0 … 90; default 8; 0 for passes along the ground.</summary>
+    /// <summary>The lowest elevation, in degrees. 0 … 90; default 8; 0 for passes on the ground.</summary>
     public double MinimumElevationDegrees { get; init; } = 8;
 
-    /// <summary>Highest elevation, degrees. At least the lowest, at most 90; default 50.</summary>
+    /// <summary>The highest elevation, in degrees. At least the lowest, at most 90; default 50.</summary>
     public double MaximumElevationDegrees { get; init; } = 50;
 
-    /// <summary>How many elevations. At least 1; default 10.</summary>
+    /// <summary>The number of elevations. At least 1; default 10.</summary>
     public int Elevations { get; init; } = 10;
 
-    /// <summary>Slowest kick, m/s. Above 0; default 8.</summary>
+    /// <summary>The lowest speed, in m/s. Above 0; default 8.</summary>
     public double MinimumSpeed { get; init; } = 8;
 
-    /// <summary>Fastest kick, m/s. At least the slowest, at most 1000; default 28.</summary>
+    /// <summary>The highest speed, in m/s. At least the lowest, at most 1000; default 28.</summary>
     public double MaximumSpeed { get; init; } = 28;
 
-    /// <summary>How many speeds. At least 1; default 10.</summary>
+    /// <summary>The number of speeds. At least 1; default 10.</summary>
     public int Speeds { get; init; } = 10;
 
-    /// <summary>Topspin of all kicks, rad/s. Within ±10 000; default 0.</summary>
+    /// <summary>The topspin of all kicks, in rad/s. Within ±10 000; default 0.</summary>
     public double TopSpin { get; init; }
 
-    /// <summary>Sidespin of all kicks, rad/s. Within ±10 000; default 0.</summary>
+    /// <summary>The sidespin of all kicks, in rad/s. Within ±10 000; default 0.</summary>
     public double SideSpin { get; init; }
 
-    /// <summary>How much earlier than any opponent a team mate must be able to meet the ball, s. Not negative; default 0.1.</summary>
+    /// <summary>The lead that a team mate needs over every opponent, in s. At least 0; default 0.1.</summary>
     public double Margin { get; init; } = 0.1;
 
-    /// <summary>Without team mates: where the ball is to come down, and along the ground to come to rest, m. Default the place where it is.</summary>
+    /// <summary>The target if there are no team mates, in m: the point to land, or to come to rest on the ground.</summary>
+    /// <remarks>Default: the position of the ball.</remarks>
     public Vector3d? Target { get; init; }
 
-    /// <summary>How long a pass is looked at, s: whom it has not come to by then, it does not come to. Above 0, at most 60; default 8.</summary>
+    /// <summary>The time within which a player must reach the ball, in s. Above 0, at most 60; default 8.</summary>
     public double Duration { get; init; } = 8;
 
-    /// <summary>How many kicks.</summary>
+    /// <summary>The number of kicks.</summary>
     internal int Count => Directions * Elevations * Speeds;
 
-    /// <summary>Size of the spin, rad/s.</summary>
+    /// <summary>The magnitude of the spin, in rad/s.</summary>
     internal double SpinRate => Math.Sqrt((TopSpin * TopSpin) + (SideSpin * SideSpin));
 
-    /// <summary>One of the kicks.</summary>
+    /// <summary>Computes one of the kicks.</summary>
     internal void Kick(int index, out Vector3d velocity, out Vector3d spin)
     {
         double azimuth = PerDegree * FanDegrees * (Share(index % Directions, Directions) - 0.5);
@@ -77,7 +80,7 @@ public sealed record PassFanRequest
         spin = new Vector3d(TopSpin * d.Z, SideSpin, -(TopSpin * d.X));
     }
 
-    /// <summary>The kick of a pair along x: all its directions are this one turned about the vertical.</summary>
+    /// <summary>Computes the kick of a speed and elevation along x. Rotating it about the vertical gives all directions.</summary>
     internal void KickAlongX(int pair, out Vector3d velocity, out Vector3d spin)
     {
         double speed = Launch(pair, out double up, out double flat);
@@ -107,7 +110,7 @@ public sealed record PassFanRequest
         Check.Place("fan.target", Target ?? From);
     }
 
-    /// <summary>Speed of a pair, m/s, and sine and cosine of its elevation.</summary>
+    /// <summary>Returns the speed of a pair, in m/s, and the sine and cosine of its elevation.</summary>
     private double Launch(int pair, out double up, out double flat)
     {
         Elementary.SinCos(

@@ -3,10 +3,10 @@ namespace FootballPhysics.Batch;
 /// <summary>Judges kicks of a fan on their exact paths.</summary>
 internal sealed class PassJudge
 {
-    /// <summary>How much longer a kick is looked at than it is known to need, s.</summary>
+    /// <summary>The extra time that a look-ahead covers beyond the known bound, in s.</summary>
     private const double Ahead = 0.4;
 
-    /// <summary>Step of a kick that is followed among things, s.</summary>
+    /// <summary>The step of a kick in a scene with objects, in s.</summary>
     private const double TimeStep = 0.02;
 
     private readonly Simulator _simulator;
@@ -15,21 +15,21 @@ internal sealed class PassJudge
     private readonly Interception _query = new();
     private Trajectory _path = new();
 
-    /// <summary>Look-aheads of 1, 2, 3 … s, the last of them of a whole pass; and the same for passes along the ground.</summary>
+    /// <summary>Look-aheads of 1, 2, 3 … s, up to the duration of a pass, for passes in the air and on the ground.</summary>
     private LookAheadRequest[] _toImpact = [];
     private LookAheadRequest[] _toRest = [];
     private double _duration;
 
-    /// <summary>Judges kicks of a scene.</summary>
-    /// <param name="simulator">Its open pitch.</param>
-    /// <param name="amongThings">All of it; null where there is nothing on it.</param>
+    /// <summary>Creates a judge for a scene.</summary>
+    /// <param name="simulator">The open pitch.</param>
+    /// <param name="amongThings">The complete scene; null if it has no objects.</param>
     public PassJudge(Simulator simulator, Simulator? amongThings)
     {
         _simulator = simulator;
         _amongThings = amongThings;
     }
 
-    /// <summary>Prepares for passes of a duration.</summary>
+    /// <summary>Prepares for passes of a given duration.</summary>
     public void Begin(double duration)
     {
         if (_duration == duration)
@@ -50,12 +50,12 @@ internal sealed class PassJudge
 
     /// <summary>Judges a kick.</summary>
     /// <param name="request">The fan.</param>
-    /// <param name="index">Which of its kicks.</param>
+    /// <param name="index">The index of the kick.</param>
     /// <param name="mates">The team mates.</param>
     /// <param name="opponents">The opponents.</param>
-    /// <param name="score">What it is known to be no better than; then how good it is, infinite where it is lost: when it is met, s, or how far from the target it ends, m.</param>
-    /// <param name="choice">The kick, if it holds.</param>
-    /// <returns>False where it was not looked at for long enough: it is no better than the score then is.</returns>
+    /// <param name="score">The known lower bound. On return the score: the time at which the kick is reached, in s, or its distance from the target, in m; infinite if it is lost.</param>
+    /// <param name="choice">The result for this kick, if it is not lost.</param>
+    /// <returns>False if the look-ahead was too short: the score is then an improved lower bound.</returns>
     public bool Judge(PassFanRequest request, int index, Player[] mates, Player[] opponents, ref double score, out PassResult choice)
     {
         double known = mates.Length > 0 ? Math.Min(score + request.Margin + Ahead, _duration) : _duration;
@@ -96,16 +96,16 @@ internal sealed class PassJudge
         return true;
     }
 
-    /// <summary>True when a kick meets a thing of the scene within a time.</summary>
+    /// <summary>Returns true if a kick hits an object of the scene within a time.</summary>
     private bool MeetsThing(in Vector3d from, in Vector3d velocity, in Vector3d spin, double time)
     {
-        // Who has the ball already meets it where it is.
+        // A player who has the ball already reaches it at once.
         if (_amongThings is null || !(time > 0))
         {
             return false;
         }
 
-        // Only to see: what gives way stays where it is for the next kick.
+        // A test run only: objects that it pushes are put back for the next kick.
         BallState ball = _amongThings.Launch(from, velocity, spin);
         _log.Clear();
         _log.Pushes = false;
@@ -119,7 +119,7 @@ internal sealed class PassJudge
         return meets;
     }
 
-    /// <summary>Says by how much a kick that holds is met before any opponent could meet it: that may be long after.</summary>
+    /// <summary>Returns the result of a kick with its lead over every opponent, which may need a longer look-ahead.</summary>
     public PassResult Completed(PassFanRequest request, int index, Player[] opponents, in PassResult choice, int kicks, int open)
     {
         double lead = choice.TimeMargin;
@@ -143,8 +143,8 @@ internal sealed class PassJudge
         };
     }
 
-    /// <summary>Looks ahead.</summary>
-    /// <returns>Whether the pass comes down, or comes to rest.</returns>
+    /// <summary>Simulates a kick.</summary>
+    /// <returns>True if the pass lands, or comes to rest.</returns>
     private bool Fly(PassFanRequest request, int index, int seconds, out Vector3d velocity, out Vector3d spin)
     {
         request.Kick(index, out velocity, out spin);

@@ -2,10 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Where the players of a fan can be, step by step: the same for all kicks, so it is worked out once a step.</summary>
+/// <summary>The circles that the players of a fan can reach at each step, shared by all kicks.</summary>
 internal sealed class PassPlayers
 {
-    /// <summary>A ball this much within a circle is so on its exact path too, m: lanes and tracks are closer than that.</summary>
+    /// <summary>The depth within a circle, in m, at which the exact path is inside too: more than the error of lanes and tracks.</summary>
     private const double Surely = 0.005;
 
     private RunnerMotion[] _motions = new RunnerMotion[22];
@@ -14,22 +14,22 @@ internal sealed class PassPlayers
     private int _filled;
     private double _length;
 
-    /// <summary>How many team mates there are: the first players.</summary>
+    /// <summary>The number of team mates; they are the first players.</summary>
     public int Mates { get; private set; }
 
-    /// <summary>Least height at which anyone plays the ball, m.</summary>
+    /// <summary>The lowest height at which anyone can play the ball, in m.</summary>
     public double Lowest { get; private set; }
 
-    /// <summary>Greatest such height, m.</summary>
+    /// <summary>The greatest height at which anyone can play the ball, in m.</summary>
     public double Highest { get; private set; }
 
-    /// <summary>No circle comes towards a place faster, m/s.</summary>
+    /// <summary>A bound on the speed at which any circle approaches a point, in m/s.</summary>
     public double Fastest { get; private set; }
 
     /// <summary>Prepares for players.</summary>
     /// <param name="mates">The team mates.</param>
     /// <param name="opponents">The opponents.</param>
-    /// <param name="length">Length of a step, s.</param>
+    /// <param name="length">The length of a step, in s.</param>
     public void Begin(Player[] mates, Player[] opponents, double length)
     {
         Mates = mates.Length;
@@ -55,7 +55,7 @@ internal sealed class PassPlayers
         }
     }
 
-    /// <summary>Makes sure of the circles up to a step.</summary>
+    /// <summary>Computes the circles up to a step.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Reach(int step)
     {
@@ -65,15 +65,15 @@ internal sealed class PassPlayers
         }
     }
 
-    /// <summary>Looks at a ball on its way from one place to another between two steps.</summary>
-    /// <param name="first">The step at which it is at the first place.</param>
-    /// <param name="last">The step at which it is at the other.</param>
-    /// <param name="from">The first place, m.</param>
-    /// <param name="to">The other, m.</param>
-    /// <param name="slack">How far off the straight way at a steady speed it may be, m.</param>
-    /// <param name="earliest">The earliest time at which a team mate could meet it, s; looked for where it is infinite.</param>
-    /// <param name="isLost">Whether an opponent is surely within reach at the end.</param>
-    /// <returns>How far it then is from the circles of those who matter, m.</returns>
+    /// <summary>Checks a ball that moves from one point to another between two steps.</summary>
+    /// <param name="first">The step at the first point.</param>
+    /// <param name="last">The step at the second point.</param>
+    /// <param name="from">The first point, in m.</param>
+    /// <param name="to">The second point, in m.</param>
+    /// <param name="slack">The maximum deviation from uniform motion, in m.</param>
+    /// <param name="earliest">The earliest time at which a team mate could reach the ball, in s; computed if it is infinite.</param>
+    /// <param name="isLost">True if an opponent can surely reach the ball at the end.</param>
+    /// <returns>The distance at the end from the nearest relevant circle, in m.</returns>
     [MethodImpl(Hot.Path)]
     public double Look(int first, int last, in Vector3d from, in Vector3d to, double slack, ref double earliest, out bool isLost)
     {
@@ -109,7 +109,7 @@ internal sealed class PassPlayers
         return gap;
     }
 
-    /// <summary>The earliest time at which one team mate could meet a ball; infinite where he could not.</summary>
+    /// <summary>Returns the earliest time at which one team mate could reach the ball; infinite if he cannot.</summary>
     private double Meeting(int mate, int first, int last, in Vector3d from, in Vector3d to, double slack)
     {
         ref readonly RunnerMotion motion = ref _motions[mate];
@@ -124,10 +124,10 @@ internal sealed class PassPlayers
         return start + (length * Share(in _circles[(first * _players) + mate], in _circles[(last * _players) + mate], in motion, in from, in to, beside, slack));
     }
 
-    /// <summary>The first share of a way at which its end can be within a circle that moves and grows steadily; infinite where it is not.</summary>
+    /// <summary>Returns the first fraction of a path at which it can be within a circle that moves and grows steadily; infinite if never.</summary>
     private static double Share(in Circle start, in Circle end, in RunnerMotion mate, in Vector3d from, in Vector3d to, double beside, double above)
     {
-        // q(s) = (R₀ + s ΔR)² − |w₀ + s Δw|² = A s² + 2 B s + C. A radius grows ever faster, so it is below its chord.
+        // q(s) = (R₀ + s ΔR)² − |w₀ + s Δw|² = A s² + 2 B s + C. The radius is convex in time, so its chord is an upper bound.
         double wx = from.X - start.X;
         double wz = from.Z - start.Z;
         double dx = to.X - end.X - wx;
@@ -151,7 +151,7 @@ internal sealed class PassPlayers
         return share <= 1 ? share : double.PositiveInfinity;
     }
 
-    /// <summary>How far the middle of a circle is off its straight way in a step in which the player reacts, m.</summary>
+    /// <summary>Returns the deviation of a circle's centre from uniform motion in the step in which the player reacts, in m.</summary>
     private static double Kink(in RunnerMotion mate, double start, double length) =>
         start < mate.Start && mate.Start < start + length ? 0.25 * length * mate.Carried : 0;
 
@@ -175,17 +175,17 @@ internal sealed class PassPlayers
         }
     }
 
-    /// <summary>Where a player can be at a step.</summary>
+    /// <summary>The circle that a player can reach at a step.</summary>
     private struct Circle
     {
-        /// <summary>Middle, m.</summary>
+        /// <summary>The centre, in m.</summary>
         public double X;
         public double Z;
 
-        /// <summary>Radius, m.</summary>
+        /// <summary>The radius, in m.</summary>
         public double Radius;
 
-        /// <summary>How far outside a place is, m.</summary>
+        /// <summary>Returns the distance of a point outside the circle, in m.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double Distance(double x, double z)
         {

@@ -3,28 +3,31 @@ namespace FootballPhysics.Batch;
 /// <summary>The best pass of a fan.</summary>
 public readonly struct PassResult
 {
-    /// <summary>True when there is one; without it only the counts below count.</summary>
+    /// <summary>True if there is a pass. Otherwise only the counts are valid.</summary>
     public bool IsFound { get; init; }
 
-    /// <summary>Velocity of the kick, m/s.</summary>
+    /// <summary>The velocity of the kick, in m/s.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>Spin of the kick, rad/s.</summary>
+    /// <summary>The spin of the kick, in rad/s.</summary>
     public Vector3d Spin { get; init; }
 
-    /// <summary>Which team mate meets it first; −1 where none were given.</summary>
+    /// <summary>The index of the team mate who reaches the ball first; −1 if none were given.</summary>
     public int Receiver { get; init; }
 
-    /// <summary>Where and when he meets it; without team mates where it comes down, or along the ground comes to rest.</summary>
+    /// <summary>The point and time at which he reaches the ball.</summary>
+    /// <remarks>Without team mates: where it lands, or comes to rest on the ground.</remarks>
     public PathPoint Meeting { get; init; }
 
-    /// <summary>How much earlier that is than an opponent could meet the ball, s; infinite where none can while the pass is judged: until it comes down, or along the ground until it rests, for <see cref="PassFanRequest.Duration"/> at most.</summary>
+    /// <summary>The lead over the fastest opponent, in s; infinite if no opponent can reach the ball.</summary>
+    /// <remarks>Opponents count until the ball lands, or on the ground until it rests, for at most <see cref="PassFanRequest.Duration"/>.</remarks>
     public double TimeMargin { get; init; }
 
-    /// <summary>Kicks that were flown.</summary>
+    /// <summary>The number of simulated kicks.</summary>
     public int Kicks { get; init; }
 
-    /// <summary>Those of them that a team mate seems to meet before any opponent; without team mates those that no opponent seems to meet.</summary>
+    /// <summary>The number of kicks that a team mate seems to reach before any opponent.</summary>
+    /// <remarks>Without team mates: those that no opponent seems to reach.</remarks>
     public int Open { get; init; }
 
     /// <inheritdoc/>

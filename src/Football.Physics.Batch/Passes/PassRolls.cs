@@ -1,19 +1,19 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Looks at the kicks of a fan that go along the ground.</summary>
+/// <summary>Evaluates the kicks of a fan that stay on the ground.</summary>
 /// <remarks>
-/// Where nothing tells one direction from another (no wind across, the same bounce along x and z), all kicks of one speed and spin go the same way, turned about the
-/// vertical: it is stepped once, and kept for the next fan. Else each kick is stepped, as far as needed.
+/// If all directions are equivalent (no wind across, the same bounce along x and z), kicks of one speed and spin differ only by a rotation about the vertical. One
+/// is stepped, and cached for the next fan. Otherwise each kick is stepped, as far as needed.
 /// </remarks>
 internal sealed class PassRolls
 {
-    /// <summary>Ways that are kept.</summary>
+    /// <summary>The maximum number of cached tracks.</summary>
     private const int MostKept = 64;
 
-    /// <summary>How many of the watch's steps a step along the ground has.</summary>
+    /// <summary>The number of watch steps per step on the ground.</summary>
     private const int Stride = 2;
 
-    /// <summary>A track, and a turned one, is no further off, m.</summary>
+    /// <summary>The maximum error of a track, rotated or not, in m.</summary>
     private const double Error = 0.001;
 
     private readonly Simulator _simulator;
@@ -36,22 +36,23 @@ internal sealed class PassRolls
         _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 
-    /// <summary>True when a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
+    /// <summary>Returns true if a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
     public bool IsFlat(in Vector3d from, in Vector3d velocity) =>
         velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight;
 
-    /// <summary>Bound of a kick's score: when a team mate meets it, or how far from the target it rests; infinite where it is lost, 0 where it is not known.</summary>
+    /// <summary>Returns a lower bound of a kick's score; infinite if it is lost, 0 if unknown.</summary>
+    /// <remarks>The score is the time at which a team mate reaches the ball, or the distance from the target at rest.</remarks>
     /// <param name="request">The fan.</param>
-    /// <param name="index">Which of its kicks.</param>
-    /// <param name="from">Where it begins, m.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="spin">Its spin, rad/s.</param>
-    /// <param name="acceleration">Nothing on the ground is accelerated more strongly, m/s².</param>
+    /// <param name="index">The index of the kick.</param>
+    /// <param name="from">The start, in m.</param>
+    /// <param name="velocity">The velocity of the kick, in m/s.</param>
+    /// <param name="spin">The spin of the kick, in rad/s.</param>
+    /// <param name="acceleration">A bound on the acceleration on the ground, in m/s².</param>
     public double Score(PassFanRequest request, int index, in Vector3d from, in Vector3d velocity, in Vector3d spin, double acceleration)
     {
         if (_simulator.LaunchAt(in from, in velocity, in spin, 0).Motion == MotionState.Airborne)
         {
-            // Its spin lifts it off: it may be back at once.
+            // The spin lifts the ball off the ground: it may come back at once.
             return 0;
         }
 
@@ -77,7 +78,7 @@ internal sealed class PassRolls
         int step = 0;
         while (!isKnown && idle < request.Duration)
         {
-            // The first step that ends later than nothing happens.
+            // Skip to the first step that ends after the idle time.
             step = Math.Max(step, (int)(idle / length)) + 1;
             Advance(track, step, length);
             if (step > track.Steps)
@@ -89,7 +90,7 @@ internal sealed class PassRolls
             Vector3d end = from + Turned(in turn, in track.Place(step));
             _players.Reach(Stride * step);
 
-            // In its last step the ball comes to rest, and after that nobody is asked any more.
+            // The ball comes to rest in the last step; after that, no opponent counts.
             double last = track.Rests ? Math.Min(request.Duration, (track.Steps - 1) * length) : request.Duration;
             isKnown = _watch.Look(ref earliest, Stride * (step - 1), Stride * step, in start, in end, track.Slack(step) + Error, track.Fastest, last, out idle);
         }
@@ -99,7 +100,7 @@ internal sealed class PassRolls
             return double.IsNaN(earliest) ? double.PositiveInfinity : earliest;
         }
 
-        // A track that is kept may go on for longer than is asked for.
+        // A cached track may be longer than needed.
         int whole = (int)(request.Duration / length) + 1;
         Advance(track, whole, length);
         return track.Rests && track.Steps <= whole
@@ -107,7 +108,7 @@ internal sealed class PassRolls
             : double.PositiveInfinity;
     }
 
-    /// <summary>Steps a kick as often as asked for, or to its rest.</summary>
+    /// <summary>Steps a kick as far as needed, or until it rests.</summary>
     private void Advance(PassTrack track, int steps, double length)
     {
         while (track.Steps < steps && !track.Rests)

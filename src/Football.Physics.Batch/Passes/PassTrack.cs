@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>A kick along the ground, stepped as far as it was asked for. Places are relative to its start; its memory is used again.</summary>
+/// <summary>A kick on the ground, stepped as far as needed. Positions are relative to its start; the memory is reused.</summary>
 internal sealed class PassTrack
 {
     private Vector3d[] _places = new Vector3d[64];
@@ -10,26 +10,26 @@ internal sealed class PassTrack
     private Vector3d _spin;
     private double _acceleration = double.NaN;
 
-    /// <summary>Steps taken.</summary>
+    /// <summary>The number of steps taken.</summary>
     public int Steps { get; private set; }
 
-    /// <summary>True when the ball rests after them.</summary>
+    /// <summary>True if the ball is at rest after these steps.</summary>
     public bool Rests => _state.Motion == MotionState.Rest;
 
-    /// <summary>No faster than this does the ball ever get, m/s.</summary>
+    /// <summary>A bound on the speed of the ball, in m/s.</summary>
     public double Fastest { get; private set; }
 
-    /// <summary>Where the ball is after so many steps, m.</summary>
+    /// <summary>Returns the position of the ball after a number of steps, in m.</summary>
     public ref readonly Vector3d Place(int step) => ref _places[step];
 
-    /// <summary>How far off the straight way at a steady speed the ball may be in the step that ends there, m.</summary>
+    /// <summary>Returns the maximum deviation from uniform motion in the step that ends there, in m.</summary>
     public double Slack(int step) => _slacks[step];
 
-    /// <summary>Starts a kick, if it is not the one that it was.</summary>
+    /// <summary>Starts a kick, unless the track already holds it.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="velocity">Velocity of the kick, m/s.</param>
-    /// <param name="spin">Spin of the kick, rad/s.</param>
-    /// <param name="acceleration">Nothing on the ground is accelerated more strongly, m/s².</param>
+    /// <param name="velocity">The velocity of the kick, in m/s.</param>
+    /// <param name="spin">The spin of the kick, in rad/s.</param>
+    /// <param name="acceleration">A bound on the acceleration on the ground, in m/s².</param>
     public void Start(Simulator simulator, in Vector3d velocity, in Vector3d spin, double acceleration)
     {
         if (_velocity == velocity && _spin == spin && _acceleration == acceleration)
@@ -44,14 +44,14 @@ internal sealed class PassTrack
         _places[0] = Vector3d.Zero;
         Steps = 0;
 
-        // All of a spin may become speed, and the wind may take a slow ball along.
+        // All spin may turn into speed, and the wind may drive a slow ball.
         Fastest = velocity.Length + (simulator.Scene.Ball.Radius * spin.Length) + (2.0 * simulator.Scene.Air.Wind.Length);
     }
 
     /// <summary>Takes another step.</summary>
     /// <param name="simulator">The scene.</param>
-    /// <param name="length">Length of the step, s.</param>
-    /// <param name="log">For its events.</param>
+    /// <param name="length">The length of the step, in s.</param>
+    /// <param name="log">Receives the events.</param>
     public void Advance(Simulator simulator, double length, StepLog log)
     {
         if (Steps + 1 == _places.Length)
@@ -68,7 +68,7 @@ internal sealed class PassTrack
         Steps++;
         _places[Steps] = _state.Position - new Vector3d(0, simulator.ContactHeight, 0);
 
-        // |p − chord| ≤ a h²/8 where nothing strikes the ball; else no further than it gets: an impact turns spin into speed, and makes no energy.
+        // |p − chord| ≤ a h²/8 without impacts; otherwise at most the distance covered, since an impact turns spin into speed but adds no energy.
         isSmooth &= _state.Motion != MotionState.Airborne && log.Events.Impacts == 0;
         _slacks[Steps] = isSmooth ? 0.125 * _acceleration * length * length : fastest * length;
     }

@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Watches kicks step by step: before when no team mate can meet each of them, and which an opponent surely takes.</summary>
+/// <summary>Watches kicks step by step: it bounds the time at which a team mate can reach each, and finds those that an opponent surely intercepts.</summary>
 internal sealed class PassWatch : LaneWatch
 {
     private readonly PassPlayers _players;
     private readonly bool[] _decided = new bool[LaneGroup.Size];
 
-    /// <summary>By ball of the group: nothing happens before, s.</summary>
+    /// <summary>For each ball of the group: the time before which nothing can happen, in s.</summary>
     private readonly double[] _idle = new double[LaneGroup.Size];
     private readonly double _contact;
     private readonly double _twiceGravity;
@@ -29,20 +29,20 @@ internal sealed class PassWatch : LaneWatch
         _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
     }
 
-    /// <summary>By ball of the group: no team mate meets it before, s; infinite where none does at all, not a number where an opponent does before.</summary>
+    /// <summary>For each ball: a lower bound of the time at which a team mate reaches it, in s; infinite if none does, NaN if it is lost.</summary>
     public double[] Earliest { get; } = new double[LaneGroup.Size];
 
-    /// <summary>By ball of the group: whether it was seen long enough.</summary>
+    /// <summary>Returns true if a ball of the group needs no further steps.</summary>
     public bool IsDecided(int ball) => _decided[ball];
 
     /// <summary>Prepares for a fan.</summary>
-    /// <param name="from">Where the kicks begin, m.</param>
-    /// <param name="wind">The wind, m/s.</param>
-    /// <param name="duration">How long the kicks are looked at, s.</param>
-    /// <param name="length">Length of a step, s.</param>
-    /// <param name="margin">How much earlier than any opponent a team mate must be there, s.</param>
-    /// <param name="acceleration">No flight of the fan is accelerated more strongly, m/s².</param>
-    /// <param name="error">How far off the flights may be, m.</param>
+    /// <param name="from">The start of the kicks, in m.</param>
+    /// <param name="wind">The wind, in m/s.</param>
+    /// <param name="duration">The duration of a pass, in s.</param>
+    /// <param name="length">The length of a step, in s.</param>
+    /// <param name="margin">The lead that a team mate needs over every opponent, in s.</param>
+    /// <param name="acceleration">A bound on the acceleration of all flights of the fan, in m/s².</param>
+    /// <param name="error">The maximum error of the flights, in m.</param>
     public void Begin(in Vector3d from, in Vector3d wind, double duration, double length, double margin, double acceleration, double error)
     {
         _from = from;
@@ -96,7 +96,7 @@ internal sealed class PassWatch : LaneWatch
             bool isKnown;
             if ((y > highest && y - rise > highest) || (y < lowest && y - rise < lowest))
             {
-                // Too high for anyone, now and a step ago.
+                // Too high for anyone, both now and one step ago.
                 isKnown = time - Earliest[ball] >= _margin;
             }
             else
@@ -116,21 +116,21 @@ internal sealed class PassWatch : LaneWatch
 
             if (isKnown)
             {
-                // Whom a kick comes to is then known: it need not fly on.
+                // The receiver is known, so the kick need not fly on.
                 _decided[ball] = true;
                 group.GiveUp(at);
             }
         }
     }
 
-    /// <summary>Looks at the last part of a flight, which ends between two steps.</summary>
+    /// <summary>Checks the last part of a flight, which ends between two steps.</summary>
     public void LookAtEnd(int ball, double time, in Vector3d at, in Vector3d velocity)
     {
         int step = (int)(time / _length);
         _players.Reach(step + 1);
         if (double.IsPositiveInfinity(Earliest[ball]))
         {
-            // The circles of a whole step hold all that they are until the flight's end.
+            // The circles at the end of the full step contain those at the end of the flight.
             Vector3d from = at - ((time - (step * _length)) * velocity);
             double met = double.PositiveInfinity;
             _players.Look(step, step + 1, in from, in at, _slack + (at - from).Length, ref met, out _);
@@ -138,17 +138,17 @@ internal sealed class PassWatch : LaneWatch
         }
     }
 
-    /// <summary>Looks at a way between two steps.</summary>
-    /// <param name="earliest">What is known of the kick.</param>
-    /// <param name="first">The step at which it begins.</param>
-    /// <param name="last">The step at which it ends.</param>
-    /// <param name="from">Where it begins, m.</param>
-    /// <param name="to">Where it ends, m.</param>
-    /// <param name="slack">How far off the straight way at a steady speed the ball may be, m.</param>
-    /// <param name="fastest">No faster than this will it ever be, m/s.</param>
-    /// <param name="end">No opponent who comes later counts, s.</param>
-    /// <param name="idle">Nothing happens before, s.</param>
-    /// <returns>Whether all is known.</returns>
+    /// <summary>Checks a path between two steps.</summary>
+    /// <param name="earliest">The bound known so far for the kick.</param>
+    /// <param name="first">The step at the start.</param>
+    /// <param name="last">The step at the end.</param>
+    /// <param name="from">The start, in m.</param>
+    /// <param name="to">The end, in m.</param>
+    /// <param name="slack">The maximum deviation from uniform motion, in m.</param>
+    /// <param name="fastest">A bound on the ball's speed from now on, in m/s.</param>
+    /// <param name="end">The time after which opponents no longer count, in s.</param>
+    /// <param name="idle">The time before which nothing can happen, in s.</param>
+    /// <returns>True if the kick is decided.</returns>
     [MethodImpl(Hot.Path)]
     public bool Look(ref double earliest, int first, int last, in Vector3d from, in Vector3d to, double slack, double fastest, double end, out double idle)
     {
@@ -160,7 +160,7 @@ internal sealed class PassWatch : LaneWatch
             return true;
         }
 
-        // An opponent is there now at the latest, a team mate no earlier than that.
+        // The opponent is there now at the latest, and a team mate no earlier.
         isLost &= time <= end;
         earliest = isLost ? double.NaN : earliest;
         return isLost;

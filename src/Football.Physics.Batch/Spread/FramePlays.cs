@@ -1,26 +1,27 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// Which kicks go in. One that crosses the mouth clear of the frame does; one that comes near a post or the bar is played among them, until all of the ball is over the line,
-/// or it is gone.
-/// </summary>
+/// <summary>Decides which kicks go in.</summary>
+/// <remarks>
+/// A kick that crosses the mouth clear of the frame goes in. A kick that comes near a post or the crossbar is simulated with the frame, until the entire ball is over
+/// the line, or it is gone.
+/// </remarks>
 internal sealed class FramePlays
 {
-    /// <summary>Places across the shadow of a post or the bar that are played, and halvings of what lies between two that end differently.</summary>
+    /// <summary>The number of simulated points across the shadow of a post or the crossbar, and of bisections between two with different outcomes.</summary>
     private const int Places = 24;
     private const int Halvings = 8;
 
-    /// <summary>A kick may bend, or come down, so much more than a straight way: its shadow is so much wider.</summary>
+    /// <summary>Factors on the width of a shadow, because a kick may bend or fall more than a straight path.</summary>
     private const double Wider = 1.25;
     private const double WiderUp = 2.0;
 
-    /// <summary>A shifted kick is played from so far before the mouth, m.</summary>
+    /// <summary>The distance before the mouth at which a shifted kick starts, in m.</summary>
     private const double Before = 1.0;
 
-    /// <summary>So many standard deviations from the mean there is nothing.</summary>
+    /// <summary>The number of standard deviations from the mean that are covered.</summary>
     private const double Farthest = 6.0;
 
-    /// <summary>So long after it comes to the mouth, s, and so far before it, m, a ball is gone.</summary>
+    /// <summary>A ball is gone this long after it came to the mouth, in s, or this far before it, in m.</summary>
     private const double Longest = 2.0;
     private const double Gone = 1.5;
 
@@ -53,17 +54,17 @@ internal sealed class FramePlays
         _thing = _simulator.World.ThingOfGoal(Array.FindIndex(_simulator.World.Goals, _mouth.IsAt));
     }
 
-    /// <summary>Where, aside, kicks go in that are below the bar: found by <see cref="Look"/>.</summary>
+    /// <summary>The horizontal spans below the crossbar in which kicks go in, found by <see cref="Look"/>.</summary>
     public List<FrameSpan> Aside => _aside;
 
-    /// <summary>At which heights kicks go in that are between the posts.</summary>
+    /// <summary>The vertical spans between the posts in which kicks go in.</summary>
     public List<FrameSpan> Up => _up;
 
-    /// <summary>True when a kick goes in.</summary>
-    /// <param name="kick">Where it starts.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="spin">Its spin, rad/s.</param>
-    /// <param name="at">Where it would cross the mouth if there were no frame.</param>
+    /// <summary>Returns true if a kick goes in.</summary>
+    /// <param name="kick">The start of the kick.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="at">The point at which it would cross the mouth without the frame.</param>
     public bool GoesIn(in SpreadKick kick, in Vector3d velocity, in Vector3d spin, in PlaneCrossingPoint at)
     {
         if (!(at.Time >= 0))
@@ -84,14 +85,14 @@ internal sealed class FramePlays
         return beyondPost < halfAside && beyondBar < halfUp && Play(_simulator.LaunchAt(kick.Position, in velocity, in spin, 0), at.Time + Longest);
     }
 
-    /// <summary>Finds where kicks go in that are like one, but cross elsewhere: as far as their places spread.</summary>
+    /// <summary>Finds the spans in which kicks like this one go in, as far as their crossing points spread.</summary>
     /// <param name="simulator">The scene without the goal.</param>
     /// <param name="kick">The kick.</param>
-    /// <param name="time">When it crosses, s.</param>
-    /// <param name="places">How the places spread.</param>
+    /// <param name="time">The time of the crossing, in s.</param>
+    /// <param name="places">The spread of the crossing points.</param>
     public void Look(Simulator simulator, in SpreadKick kick, double time, in GoalChanceResult places)
     {
-        // The kick a little before the mouth, and where it would cross from there.
+        // Start shortly before the mouth, and find where the kick would cross from there.
         BallState ball = simulator.LaunchAt(kick.Position, kick.Velocity, kick.Spin, 0);
         double closing = Math.Max(1e-3, Math.Abs(Vector3d.Dot(kick.Velocity, _mouth.Out)));
         simulator.Run(ref ball, TimeStep, Math.Max(0.5 * time, time - (Before / closing)), StopAt.Time, _log);
@@ -102,7 +103,7 @@ internal sealed class FramePlays
         _aside.Clear();
         _up.Clear();
 
-        // Across both posts at the mean height, or where that is under the bar; then across the bar in the middle, or where that is between the posts.
+        // Scan across both posts at the mean height (kept below the bar), then across the bar at the mean offset (kept between the posts).
         double height = Math.Min(places.Height, _axisUp - (WiderUp * _reach));
         double aside = Math.Max(-_axisAside + half, Math.Min(_axisAside - half, places.Aside));
         double deviation = Farthest * places.AsideDeviation;
@@ -114,7 +115,7 @@ internal sealed class FramePlays
         Across(_up, _axisUp, WiderUp * _reach, -1, places.Height - deviation, places.Height + deviation, y => Scores(aside, y));
     }
 
-    /// <summary>Half the width of the shadow of a post on the mouth, for a straight way, m.</summary>
+    /// <summary>Returns half the width of a post's shadow on the mouth for a straight path, in m.</summary>
     private double Shadow(in Vector3d way)
     {
         double across = Vector3d.Dot(in way, in _right);
@@ -122,7 +123,7 @@ internal sealed class FramePlays
         return Wider * _reach * Math.Sqrt((across * across) + (off * off)) / Math.Max(1e-3, Math.Abs(off));
     }
 
-    /// <summary>Adds the spans of one shadow in which kicks go in; at its inner end they do, at its outer end they do not.</summary>
+    /// <summary>Adds the spans of one shadow in which kicks go in. They do at its inner end, and do not at its outer end.</summary>
     private static void Across(List<FrameSpan> spans, double axis, double half, double outwards, double least, double most, Func<double, bool> scores)
     {
         if (axis - half > most || axis + half < least)
@@ -143,7 +144,7 @@ internal sealed class FramePlays
                 continue;
             }
 
-            // Where the outcome changes.
+            // Bisect the position at which the outcome changes.
             double a = to - step;
             double b = to;
             for (int k = 0; k < Halvings; k++)
@@ -167,7 +168,7 @@ internal sealed class FramePlays
         }
     }
 
-    /// <summary>True when the kick goes in that is shifted so that it would cross at a place.</summary>
+    /// <summary>Returns true if the kick goes in when shifted to cross at a point.</summary>
     private bool Scores(double aside, double height)
     {
         Vector3d shift = ((aside - _nearAside) * _right) + ((height - _nearHeight) * Vector3d.Up);
@@ -189,7 +190,7 @@ internal sealed class FramePlays
                 }
             }
 
-            // Back on the pitch, or past the goal: it does not come again.
+            // Back on the pitch or past the goal: the ball will not come back.
             double before = _mouth.BeforeMouth(ball.Position);
             double closing = Vector3d.Dot(ball.Velocity, _mouth.Out);
             if ((before > Gone && closing > 0) || before < -Gone)
@@ -202,7 +203,7 @@ internal sealed class FramePlays
     }
 }
 
-/// <summary>A part of a line across a goal.</summary>
-/// <param name="From">Where it begins, m.</param>
-/// <param name="To">Where it ends, m.</param>
+/// <summary>A span of a line across a goal.</summary>
+/// <param name="From">The start, in m.</param>
+/// <param name="To">The end, in m.</param>
 internal readonly record struct FrameSpan(double From, double To);

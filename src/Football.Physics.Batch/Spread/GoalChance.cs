@@ -1,19 +1,17 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Where the kicks of a player cross the plane of a goal, and how surely they go in.</summary>
+/// <summary>Computes how a player's kicks spread on the plane of a goal, and their probability of a goal.</summary>
 /// <remarks>
-/// Where the spread is small, the derivatives of the kick that is meant map it to an ellipse; whether they do is tried with kicks at two standard deviations.
-/// Else a hundred thousand kicks are drawn and flown. Made once for a scene and used again. Not for several threads at once.
+/// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations check this. Otherwise it
+/// simulates 100,000 random kicks. Create one per scene and reuse it. Not thread-safe.
 /// </remarks>
 public sealed class GoalChance
 {
-    /// <summary>Kicks that are flown where the spread is not small.</summary>
+    /// <summary>The number of simulated kicks if the spread is not small.</summary>
     public const int Flights = 100_000;
 
-    /// <summary>
-    /// How far off kicks at two standard deviations may cross, by two standard deviations along the ellipse's short axis: by what the derivatives miss, and by what
-    /// both sides bend the same way, of which the mean is taken into account. And what does not count, m.
-    /// </summary>
+    /// <summary>Limits of the test kicks at two standard deviations, relative to two standard deviations along the short axis.</summary>
+    /// <remarks>In order: the error of the derivatives, the common bend of both sides (whose mean is corrected), and an absolute distance that does not count, in m.</remarks>
     private const double LargestError = 0.08;
     private const double LargestBend = 0.25;
     private const double Negligible = 1e-3;
@@ -33,7 +31,7 @@ public sealed class GoalChance
     private readonly Vector3d[] _spins = new Vector3d[LaneGroup.Size];
     private readonly PlaneCrossingPoint[] _crossings = new PlaneCrossingPoint[LaneGroup.Size];
 
-    /// <summary>Compiles a scene.</summary>
+    /// <summary>Creates a calculator for a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public GoalChance(Scene? scene = null)
@@ -44,13 +42,13 @@ public sealed class GoalChance
         _flights = new PlaneFlights(_simulator);
     }
 
-    /// <summary>Finds the scatter of a kick: by derivatives where the spread is small, by flights where it is not.</summary>
-    /// <param name="position">Where the ball is, m.</param>
-    /// <param name="velocity">The velocity that is meant, m/s; not vertical.</param>
-    /// <param name="spin">The spin that is meant, rad/s.</param>
-    /// <param name="spread">How much the kicks spread.</param>
+    /// <summary>Computes the spread of a kick: by derivatives if it is small, otherwise by simulation.</summary>
+    /// <param name="position">The position of the ball, in m.</param>
+    /// <param name="velocity">The intended velocity, in m/s; not vertical.</param>
+    /// <param name="spin">The intended spin, in rad/s.</param>
+    /// <param name="spread">The spread of the player's kicks.</param>
     /// <param name="goal">The goal.</param>
-    /// <param name="keeper">Its goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
+    /// <param name="keeper">The goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public GoalChanceResult Find(Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player? keeper = null)
@@ -59,15 +57,15 @@ public sealed class GoalChance
         return TryDerivatives(in kick, in plane, out GoalChanceResult result) ? result : Fly(in kick, in plane, Flights, 0);
     }
 
-    /// <summary>Finds the scatter of a kick by kicks that are drawn and flown.</summary>
-    /// <param name="position">Where the ball is, m.</param>
-    /// <param name="velocity">The velocity that is meant, m/s; not vertical.</param>
-    /// <param name="spin">The spin that is meant, rad/s.</param>
-    /// <param name="spread">How much the kicks spread.</param>
+    /// <summary>Computes the spread of a kick by simulating random kicks.</summary>
+    /// <param name="position">The position of the ball, in m.</param>
+    /// <param name="velocity">The intended velocity, in m/s; not vertical.</param>
+    /// <param name="spin">The intended spin, in rad/s.</param>
+    /// <param name="spread">The spread of the player's kicks.</param>
     /// <param name="goal">The goal.</param>
-    /// <param name="keeper">Its goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
-    /// <param name="count">How many kicks; 2 … 100 000 000.</param>
-    /// <param name="seed">Which kicks are drawn; the same ones for the same seed.</param>
+    /// <param name="keeper">The goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
+    /// <param name="count">The number of kicks; 2 … 100 000 000.</param>
+    /// <param name="seed">The seed of the random kicks; equal seeds give equal kicks.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public GoalChanceResult FindByFlights(
@@ -90,7 +88,7 @@ public sealed class GoalChance
         kick = new SpreadKick(ball.Position, in velocity, in spin);
     }
 
-    /// <summary>Compiles the scene without the goal, whose plane is crossed there, and with it, where what comes near its frame is played on.</summary>
+    /// <summary>Compiles the scene twice: without the goal, to find crossings of its plane, and with it, to simulate kicks near its frame.</summary>
     private void Compile(Goal goal)
     {
         if (_frame is not null && ReferenceEquals(goal, _goal))
@@ -98,7 +96,7 @@ public sealed class GoalChance
             return;
         }
 
-        // A goal of the scene that stands there is that goal, of its own material.
+        // If the scene has a goal at this position, use that goal with its own material.
         var mouth = new GoalMouth(goal);
         Goal[] others = [.. _scene.Goals.Where(other => !new GoalMouth(other).IsAt(mouth))];
         bool stands = others.Length < _scene.Goals.Count;
@@ -113,7 +111,7 @@ public sealed class GoalChance
         _goal = goal;
     }
 
-    /// <summary>By derivatives: A = M L maps normal numbers to the plane, where kicks at ± two standard deviations are where it says.</summary>
+    /// <summary>Tries the derivatives: A = M L maps normal numbers to the plane. False if kicks at ± two standard deviations disagree.</summary>
     private bool TryDerivatives(in SpreadKick kick, in GoalPlane plane, out GoalChanceResult result)
     {
         result = default;
@@ -160,7 +158,7 @@ public sealed class GoalChance
                 return false;
             }
 
-            // The mean of a curve x + ½ x'' z² is ½ x'' aside of it.
+            // The mean of a curve x + ½ x'' z² is shifted by ½ x''.
             shiftAside += 0.5 * bendAside;
             shiftHeight += 0.5 * bendHeight;
         }
@@ -172,7 +170,7 @@ public sealed class GoalChance
         return true;
     }
 
-    /// <summary>One standard deviation along a column of L; where it crosses the plane δq = δp − v (n·δp)/(n·v).</summary>
+    /// <summary>Maps one standard deviation along a column of L to the plane: δq = δp − v (n·δp)/(n·v).</summary>
     private void Map(in SpreadKick kick, in GoalPlane plane, in Vector3d velocity, int column, out double right, out double up)
     {
         Vector3d change = Vector3d.Zero;
@@ -188,7 +186,7 @@ public sealed class GoalChance
         plane.Change(in change, out right, out up);
     }
 
-    /// <summary>True when kicks two standard deviations off on both sides cross where the derivatives say, and how their way bends: its second derivative.</summary>
+    /// <summary>Returns true if kicks at two standard deviations on both sides cross where the derivatives predict. Also returns their second derivative.</summary>
     private bool Holds(
         in SpreadKick kick, in GoalPlane plane, in GoalChanceResult at, double right, double up, out double bendAside, out double bendHeight)
     {

@@ -1,11 +1,11 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>How a scatter was found.</summary>
+/// <summary>The method that computed a spread.</summary>
 public enum GoalChanceMethod
 {
-    /// <summary>By the derivatives of one kick: the spread is so small that its ellipse is the kick's own, mapped to the plane.</summary>
+    /// <summary>The derivatives of one kick: the spread is small enough for its linear map to the plane.</summary>
     Derivatives,
 
-    /// <summary>By many kicks that were flown.</summary>
+    /// <summary>The simulation of many random kicks.</summary>
     Flights,
 }

@@ -1,51 +1,52 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Where the kicks of a player cross the plane of a goal.</summary>
+/// <summary>The spread of a player's kicks on the plane of a goal.</summary>
 public readonly record struct GoalChanceResult
 {
-    /// <summary>How it was found.</summary>
+    /// <summary>The method that computed the result.</summary>
     public GoalChanceMethod Method { get; init; }
 
-    /// <summary>Kicks that were flown for it.</summary>
+    /// <summary>The number of simulated kicks.</summary>
     public int Kicks { get; init; }
 
-    /// <summary>Share of the kicks that cross the plane, 0 … 1; the numbers below are of those.</summary>
+    /// <summary>The share of the kicks that cross the plane, 0 … 1; the numbers below refer to these.</summary>
     public double Crosses { get; init; }
 
-    /// <summary>Mean of the places, m right of the goal's middle, seen by who stands in the goal and looks at the pitch.</summary>
+    /// <summary>The mean offset to the right of the goal's centre, in m, as seen by a goalkeeper who faces the pitch.</summary>
     public double Aside { get; init; }
 
-    /// <summary>Mean of the places, m above the goal's line; of the ball's centre.</summary>
+    /// <summary>The mean height of the ball's centre above the goal line, in m.</summary>
     public double Height { get; init; }
 
-    /// <summary>Mean time of the crossing, s since the kick.</summary>
+    /// <summary>The mean time of the crossing, in s since the kick.</summary>
     public double Time { get; init; }
 
-    /// <summary>Standard deviation aside, m.</summary>
+    /// <summary>The standard deviation of the offset, in m.</summary>
     public double AsideDeviation { get; init; }
 
-    /// <summary>Standard deviation of the height, m.</summary>
+    /// <summary>The standard deviation of the height, in m.</summary>
     public double HeightDeviation { get; init; }
 
-    /// <summary>Correlation of both, −1 … 1.</summary>
+    /// <summary>The correlation of offset and height, −1 … 1.</summary>
     public double Correlation { get; init; }
 
-    /// <summary>Chance, 0 … 1, that the ball goes in if nobody stops it, as <see cref="BallEventKind.Goal"/> says: clear of the posts and the bar, or in off them.</summary>
+    /// <summary>The probability of a goal if nobody stops the ball, 0 … 1, including goals in off the frame.</summary>
+    /// <remarks><see cref="BallEventKind.Goal"/> defines a goal.</remarks>
     public double OnTarget { get; init; }
 
-    /// <summary>Chance, 0 … 1, that it does so where the goalkeeper can be by then.</summary>
+    /// <summary>The probability of a ball on target that the goalkeeper can reach in time, 0 … 1.</summary>
     public double Covered { get; init; }
 
-    /// <summary>Chance, 0 … 1, that it goes in and the goalkeeper cannot be there.</summary>
+    /// <summary>The probability of a ball on target that the goalkeeper cannot reach, 0 … 1.</summary>
     public double Scores => OnTarget - Covered;
 
-    /// <summary>Half the long axis of the ellipse of one standard deviation, m.</summary>
+    /// <summary>Half the long axis of the one-standard-deviation ellipse, in m.</summary>
     public double LongAxis => Axis(1.0);
 
-    /// <summary>Half its short axis, m.</summary>
+    /// <summary>Half the short axis of the one-standard-deviation ellipse, in m.</summary>
     public double ShortAxis => Axis(-1.0);
 
-    /// <summary>Angle of its long axis above the line to the right, degrees, −90 … 90.</summary>
+    /// <summary>The angle of the long axis above the horizontal to the right, in degrees, −90 … 90.</summary>
     public double AxisDegrees
     {
         get

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Counts kicks and sums their places.</summary>
+/// <summary>Counts kicks and accumulates their crossing points.</summary>
 internal struct GoalChanceSum
 {
     private int _crosses;
@@ -15,8 +15,8 @@ internal struct GoalChanceSum
 
     /// <summary>Adds a kick.</summary>
     /// <param name="plane">The plane of the goal.</param>
-    /// <param name="at">Where it crosses that.</param>
-    /// <param name="goesIn">Whether it goes in, by itself or off the frame.</param>
+    /// <param name="at">The crossing point.</param>
+    /// <param name="goesIn">True if it goes in, directly or off the frame.</param>
     public void Add(in GoalPlane plane, in PlaneCrossingPoint at, bool goesIn)
     {
         if (!(at.Time >= 0))
@@ -39,7 +39,7 @@ internal struct GoalChanceSum
         }
     }
 
-    /// <summary>Outcome of so many kicks.</summary>
+    /// <summary>Returns the result for a number of kicks.</summary>
     public readonly GoalChanceResult Result(int count)
     {
         double per = _crosses > 0 ? 1.0 / _crosses : 0;

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The mouth of a goal, and what a place on its plane is worth.</summary>
+/// <summary>The mouth of a goal, and the part of it that the goalkeeper covers.</summary>
 internal readonly struct GoalPlane
 {
     private readonly GoalMouth _mouth;
@@ -23,37 +23,37 @@ internal readonly struct GoalPlane
         _keeper = new RunnerMotion(in runner, 0);
     }
 
-    /// <summary>The middle of the goal's line, m.</summary>
+    /// <summary>The centre of the goal line, in m.</summary>
     public Vector3d Center => _mouth.Center;
 
-    /// <summary>Unit normal, to the pitch.</summary>
+    /// <summary>The unit normal, towards the pitch.</summary>
     public Vector3d Out => _mouth.Out;
 
     /// <summary>The plane.</summary>
     public Plane3d Plane => new(Center, Out);
 
-    /// <summary>How far right of the middle, and how high.</summary>
+    /// <summary>Computes the offset to the right of the goal's centre, and the height.</summary>
     public void Place(in Vector3d position, out double aside, out double height) => _mouth.Place(in position, out aside, out height);
 
-    /// <summary>How far right, and up, a change of place is.</summary>
+    /// <summary>Computes the components to the right and up of a displacement.</summary>
     public void Change(in Vector3d change, out double aside, out double height)
     {
         aside = Vector3d.Dot(in change, in _right);
         height = change.Y;
     }
 
-    /// <summary>True when the goalkeeper can be there by then.</summary>
+    /// <summary>Returns true if the goalkeeper can reach a point in time.</summary>
     public bool IsCovered(double aside, double height, double time)
     {
         Covers(time, out double from, out double to, out double low, out double high);
         return aside >= from && aside <= to && height >= low && height <= high;
     }
 
-    /// <summary>Chances of a normal distribution of places.</summary>
+    /// <summary>Computes the probabilities for a normal distribution of crossing points.</summary>
     /// <param name="s">The distribution.</param>
-    /// <param name="frame">Where kicks that cross go in.</param>
-    /// <param name="onTarget">That it goes in.</param>
-    /// <param name="covered">That it does so where the goalkeeper can be.</param>
+    /// <param name="frame">The spans in which kicks go in.</param>
+    /// <param name="onTarget">The probability of a goal without a goalkeeper.</param>
+    /// <param name="covered">The part of it that the goalkeeper can reach.</param>
     public void Chances(in GoalChanceResult s, FramePlays frame, out double onTarget, out double covered)
     {
         onTarget = 0;
@@ -72,7 +72,7 @@ internal readonly struct GoalPlane
     private static double Chance(in GoalChanceResult s, double from, double to, double low, double high) =>
         NormalDistribution.Rectangle(s.Aside, s.Height, s.AsideDeviation, s.HeightDeviation, s.Correlation, from, to, low, high);
 
-    /// <summary>Rectangle that the goalkeeper covers by a time; empty without one.</summary>
+    /// <summary>Computes the rectangle that the goalkeeper covers by a time; empty if there is no goalkeeper.</summary>
     private void Covers(double time, out double from, out double to, out double low, out double high)
     {
         _keeper.MiddleAt(time, out double x, out double z);

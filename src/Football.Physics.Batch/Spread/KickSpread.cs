@@ -1,53 +1,50 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// How much the kicks of a player spread about the one he means: standard deviations of speed, direction and spin, and their correlations. The deviations are
-/// normally distributed.
-/// </summary>
+/// <summary>The spread of a player's kicks: normal deviations of speed, direction and spin, with correlations.</summary>
 public sealed record KickSpread
 {
-    /// <summary>Numbers of a kick that spread: share of the speed, elevation, azimuth, share of the spin.</summary>
+    /// <summary>The number of variables that spread: relative speed, elevation, azimuth, relative spin.</summary>
     internal const int Count = 4;
 
-    /// <summary>Standard deviation of the speed, % of it. 0 … 100; default 3.</summary>
+    /// <summary>The standard deviation of the speed, in % of the speed. 0 … 100; default 3.</summary>
     public double SpeedPercent { get; init; } = 3;
 
-    /// <summary>Standard deviation of the elevation, degrees. 0 … 45; default 1.</summary>
+    /// <summary>The standard deviation of the elevation, in degrees. 0 … 45; default 1.</summary>
     public double ElevationDegrees { get; init; } = 1;
 
-    /// <summary>Standard deviation of the azimuth, degrees. 0 … 45; default 1.</summary>
+    /// <summary>The standard deviation of the azimuth, in degrees. 0 … 45; default 1.</summary>
     public double AzimuthDegrees { get; init; } = 1;
 
-    /// <summary>Standard deviation of the spin, % of it. 0 … 100; default 10.</summary>
+    /// <summary>The standard deviation of the spin, in % of the spin. 0 … 100; default 10.</summary>
     public double SpinPercent { get; init; } = 10;
 
-    /// <summary>Correlation of speed and elevation. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of speed and elevation. −1 … 1; default 0.</summary>
     public double SpeedWithElevation { get; init; }
 
-    /// <summary>Correlation of speed and azimuth, which is positive to the left. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of speed and azimuth (positive to the left). −1 … 1; default 0.</summary>
     public double SpeedWithAzimuth { get; init; }
 
-    /// <summary>Correlation of speed and spin. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of speed and spin. −1 … 1; default 0.</summary>
     public double SpeedWithSpin { get; init; }
 
-    /// <summary>Correlation of elevation and azimuth. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of elevation and azimuth. −1 … 1; default 0.</summary>
     public double ElevationWithAzimuth { get; init; }
 
-    /// <summary>Correlation of elevation and spin. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of elevation and spin. −1 … 1; default 0.</summary>
     public double ElevationWithSpin { get; init; }
 
-    /// <summary>Correlation of azimuth and spin. −1 … 1; default 0.</summary>
+    /// <summary>The correlation of azimuth and spin. −1 … 1; default 0.</summary>
     public double AzimuthWithSpin { get; init; }
 
     /// <summary>Checks every number.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or no kicks have these correlations together; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the correlations contradict each other; the message names field, value and range.</exception>
     public void Validate() => Factor(new double[Count * Count]);
 
-    /// <summary>Draws one kick: the meant one with errors of its speed, direction and spin, for a player who misses a little.</summary>
-    /// <param name="random">The source of the errors; a seeded one gives them again.</param>
-    /// <param name="velocity">Velocity that is meant, m/s; at most 1000, not vertical.</param>
-    /// <param name="spin">Spin that is meant, rad/s; at most 10 000. It turns with the direction.</param>
-    /// <returns>Velocity, m/s, and spin, rad/s.</returns>
+    /// <summary>Draws one kick: the intended one with random errors of speed, direction and spin.</summary>
+    /// <param name="random">The source of the errors. Seed it to repeat them.</param>
+    /// <param name="velocity">The intended velocity, in m/s; at most 1000, not vertical.</param>
+    /// <param name="spin">The intended spin, in rad/s; at most 10 000. It rotates with the direction.</param>
+    /// <returns>The velocity, in m/s, and the spin, in rad/s.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the velocity is vertical.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="random"/> is null.</exception>
     public (Vector3d Velocity, Vector3d Spin) Draw(Random random, Vector3d velocity, Vector3d spin)
@@ -74,7 +71,7 @@ public sealed record KickSpread
         return (KickVectors.Limited(in drawn, Limits.Speed), KickVectors.Limited(in turning, Limits.Spin));
     }
 
-    /// <summary>Numbers with the covariance L Lᵀ from independent ones: L z.</summary>
+    /// <summary>Computes L z: numbers with the covariance L Lᵀ from independent ones.</summary>
     internal static void Correlate(double[] factor, double[] independent, double[] correlated)
     {
         for (int i = 0; i < Count; i++)
@@ -89,7 +86,7 @@ public sealed record KickSpread
         }
     }
 
-    /// <summary>Factors the covariance C = L Lᵀ of the share of the speed, the elevation, the azimuth (rad) and the share of the spin.</summary>
+    /// <summary>Factors the covariance C = L Lᵀ of relative speed, elevation, azimuth (rad) and relative spin.</summary>
     /// <param name="factor">L, row by row.</param>
     internal void Factor(double[] factor)
     {
@@ -109,7 +106,7 @@ public sealed record KickSpread
                     sum -= factor[(i * Count) + k] * factor[(j * Count) + k];
                 }
 
-                // Cholesky; what is all but zero is a number that follows from the others.
+                // Cholesky factorization. A pivot of nearly zero means a number that depends on the others.
                 double pivot = factor[(j * Count) + j];
                 if (i == j && sum < -1e-12)
                 {

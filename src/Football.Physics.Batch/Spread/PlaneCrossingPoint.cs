@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Where and when a kick crosses a plane.</summary>
+/// <summary>The point and time at which a kick crosses a plane.</summary>
 internal readonly struct PlaneCrossingPoint
 {
     public PlaneCrossingPoint(double time, in Vector3d position)
@@ -9,9 +9,9 @@ internal readonly struct PlaneCrossingPoint
         Position = position;
     }
 
-    /// <summary>When, s; negative where it does not.</summary>
+    /// <summary>The time, in s; negative if the kick does not cross.</summary>
     public double Time { get; }
 
-    /// <summary>Where, m.</summary>
+    /// <summary>The position, in m.</summary>
     public Vector3d Position { get; }
 }

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Flies many kicks from one place to the plane of a goal: in lanes, where nothing comes before; else ball by ball.</summary>
+/// <summary>Simulates many kicks from one point to the plane of a goal: in SIMD lanes if nothing is in between, otherwise ball by ball.</summary>
 internal sealed class PlaneFlights
 {
-    /// <summary>Step of the lanes, s.</summary>
+    /// <summary>The step of the lanes, in s.</summary>
     private const double Step = 0.04;
 
-    /// <summary>How long a flight may last, s.</summary>
+    /// <summary>The longest flight, in s.</summary>
     private const double Longest = 15;
 
     private readonly Simulator _simulator;
@@ -25,13 +25,13 @@ internal sealed class PlaneFlights
         _lanes = LaneFlight.Covers(scene) ? LaneFlight.Create(scene, fourthOrder: true, Step, LaneFlight.BestLanes, upAlongX: true) : null;
     }
 
-    /// <summary>Flies a group of kicks.</summary>
-    /// <param name="from">Where the ball is, m; not below the ground.</param>
+    /// <summary>Simulates a group of kicks.</summary>
+    /// <param name="from">The position of the ball, in m; not below the ground.</param>
     /// <param name="goal">The plane.</param>
-    /// <param name="velocities">Velocities, m/s.</param>
-    /// <param name="spins">Spins, rad/s.</param>
-    /// <param name="count">How many; at most a group.</param>
-    /// <param name="crossings">Where and when they cross; at time −1 those that do not.</param>
+    /// <param name="velocities">The velocities, in m/s.</param>
+    /// <param name="spins">The spins, in rad/s.</param>
+    /// <param name="count">The number of kicks; at most a group.</param>
+    /// <param name="crossings">Receives the crossings; the time is −1 for kicks that do not cross.</param>
     public void Fly(in Vector3d from, in GoalPlane goal, Vector3d[] velocities, Vector3d[] spins, int count, PlaneCrossingPoint[] crossings)
     {
         Vector3d way = goal.Center - from;
@@ -50,7 +50,7 @@ internal sealed class PlaneFlights
             double speed = Vector3d.Dot(velocities[i], in forward);
             double rate = spins[i].Length;
 
-            // A ball that rises falls but once: it is on the ground before the plane only if it is below it there.
+            // A rising ball falls only once: it touches the ground before the plane only if it is below the ground at the plane.
             bool rises = velocities[i].Y >= _simulator.Scene.Ground.MinimumBounceSpeed || (!onGround && velocities[i].Y >= 0);
             double time = speed > 0 ? 4.0 * distance / speed : Longest;
             if (_lanes is not null && rises && time < Longest && _domain.Covers(u.LengthSquared, rate, 0, 0, time))
@@ -100,7 +100,7 @@ internal sealed class PlaneFlights
         }
     }
 
-    /// <summary>Flies one kick in double, through whatever comes before the plane.</summary>
+    /// <summary>Simulates one kick in double precision, including everything before the plane.</summary>
     public PlaneCrossingPoint Alone(in Vector3d from, in GoalPlane goal, in Vector3d velocity, in Vector3d spin)
     {
         BallState ball = _simulator.Launch(from, velocity, spin);
@@ -108,7 +108,7 @@ internal sealed class PlaneFlights
         _simulator.LookAhead(in ball, request, _path);
         while (!_path.IsComplete)
         {
-            // Nothing but its memory ends a path early.
+            // Only a full buffer ends a path early: grow it and repeat.
             _path = new Trajectory(2 * _path.Pieces.Length);
             _simulator.LookAhead(in ball, request, _path);
         }
@@ -116,7 +116,7 @@ internal sealed class PlaneFlights
         return _path.TryGetCrossing(goal.Plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
     }
 
-    /// <summary>In the lanes x is up, y is backward and z is right.</summary>
+    /// <summary>Converts to the axes of the lanes: x up, y backward, z right.</summary>
     private static Vector3d Turned(in Vector3d v, in Vector3d forward, in Vector3d left) =>
         new(v.Y, -Vector3d.Dot(in v, in forward), -Vector3d.Dot(in v, in left));
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The kick that a player means, and those that he makes of it: other speed, elevation, azimuth and share of the spin.</summary>
+/// <summary>An intended kick, and its variations in speed, elevation, azimuth and relative spin.</summary>
 internal readonly struct SpreadKick
 {
     private readonly double _speed;
@@ -25,32 +25,32 @@ internal readonly struct SpreadKick
         _left = Vector3d.Cross(Vector3d.Up, in _direction);
     }
 
-    /// <summary>From where, m.</summary>
+    /// <summary>The position of the ball, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>The velocity that is meant, m/s.</summary>
+    /// <summary>The intended velocity, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>The spin that is meant, rad/s.</summary>
+    /// <summary>The intended spin, in rad/s.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>A kick of other numbers.</summary>
-    /// <param name="by">Share of the speed, elevation, azimuth, share of the spin.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="spin">Its spin, rad/s.</param>
+    /// <summary>Computes a variation of the kick.</summary>
+    /// <param name="by">The deviations: relative speed, elevation, azimuth, relative spin.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
     public void With(double[] by, out Vector3d velocity, out Vector3d spin)
     {
         double speed = _speed * Math.Max(0, 1.0 + by[0]);
         Elementary.SinCos(_elevation + by[1], out double up, out double flat);
         Elementary.SinCos(by[2], out double sine, out double cosine);
 
-        // v = V (cos ε d + sin ε ŷ), d turned about ŷ by the azimuth, and the spin with it
+        // v = V (cos ε d + sin ε ŷ), where d and the spin are rotated about ŷ by the azimuth.
         velocity = KickVectors.Limited(speed * ((flat * ((cosine * _direction) + (sine * _left))) + new Vector3d(0, up, 0)), Limits.Speed);
         Vector3d turned = new((cosine * Spin.X) + (sine * Spin.Z), Spin.Y, (cosine * Spin.Z) - (sine * Spin.X));
         spin = KickVectors.Limited((1.0 + by[3]) * turned, Limits.Spin);
     }
 
-    /// <summary>How velocity and spin change with one of the four numbers.</summary>
+    /// <summary>Computes the derivatives of velocity and spin by one of the four variables.</summary>
     public void Derivative(int number, out Vector3d velocity, out Vector3d spin)
     {
         velocity = Vector3d.Zero;

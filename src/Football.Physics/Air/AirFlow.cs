@@ -1,22 +1,22 @@
 namespace FootballPhysics;
 
-/// <summary>A sweep that also follows the surfaces at which the drag law jumps.</summary>
+/// <summary>A sweep that also tracks the surfaces at which the drag law jumps.</summary>
 internal interface IFlowSweep : ISweep
 {
-    /// <summary>The surfaces' functions at the start.</summary>
+    /// <summary>The surface functions at the start.</summary>
     DragJump StartJump { get; }
 
-    /// <summary>Their rates at the start.</summary>
+    /// <summary>The rates of the surface functions at the start.</summary>
     DragJump StartJumpRate { get; }
 
-    /// <summary>The surfaces' functions at the end.</summary>
+    /// <summary>The surface functions at the end.</summary>
     DragJump EndJump { get; }
 
-    /// <summary>Their rates at the end; one evaluation.</summary>
+    /// <summary>Returns the rates of the surface functions at the end; one evaluation.</summary>
     DragJump EndJumpRate();
 }
 
-/// <summary>The flow past the ball at one instant: what the aerodynamic laws may depend on, computed once an evaluation.</summary>
+/// <summary>The flow past the ball at one instant: the input of the aerodynamic laws, computed once per evaluation.</summary>
 internal struct AirFlow
 {
     /// <summary>|u|², m²/s².</summary>
@@ -25,15 +25,15 @@ internal struct AirFlow
     /// <summary>|u|, m/s.</summary>
     public double Speed;
 
-    /// <summary>|ω|, rad/s, not negative.</summary>
+    /// <summary>|ω|, rad/s; at least 0.</summary>
     public double SpinRate;
 
-    /// <summary>|ω̂ × u|², m²/s²: the spin across the motion is |ω| |ω̂ × û|.</summary>
+    /// <summary>|ω̂ × u|², in m²/s². The spin across the motion is |ω| |ω̂ × û|.</summary>
     public double AcrossSquared;
 
-    /// <summary>Spin parameter Sp = r|ω|/|u|. Only where a law reads the fitted C_D.</summary>
+    /// <summary>The spin parameter Sp = r|ω|/|u|. Set only if a law uses the fitted C_D.</summary>
     public double SpinParameter;
 
-    /// <summary>The fitted C_D. Only where a law reads it.</summary>
+    /// <summary>The fitted C_D. Set only if a law uses it.</summary>
     public double FittedDragCoefficient;
 }

@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>The aerodynamic laws of a scene at a point, through one virtual call: what everything but the hot step of flight asks. Immutable, for any number of threads.</summary>
+/// <summary>The aerodynamic laws of a scene behind one virtual call, for all code except the hot flight step. Immutable and thread-safe.</summary>
 internal abstract class AirLaws
 {
-    /// <summary>True when drag acts.</summary>
+    /// <summary>True if drag acts.</summary>
     public bool Drags { get; protected init; }
 
-    /// <summary>True when the Magnus force acts.</summary>
+    /// <summary>True if the Magnus force acts.</summary>
     public bool Lifts { get; protected init; }
 
-    /// <summary>True when spin decays.</summary>
+    /// <summary>True if spin decays.</summary>
     public bool SpinDecays { get; protected init; }
 
     /// <inheritdoc cref="IFlightAir.Jumps"/>
@@ -18,24 +18,24 @@ internal abstract class AirLaws
     /// <inheritdoc cref="SceneAir.Bound"/>
     public RateBound Bound { get; protected init; }
 
-    /// <summary>The speed, m/s, up to which <see cref="OrdinaryBound"/> holds: twice that of any kick.</summary>
+    /// <summary>The maximum speed for <see cref="OrdinaryBound"/>, in m/s: twice that of any kick.</summary>
     public const double OrdinarySpeed = 100;
 
-    /// <summary>The bound up to that speed: closer than one for every speed where a coefficient grows with it.</summary>
+    /// <summary>The bound up to <see cref="OrdinarySpeed"/>. It is tighter than <see cref="Bound"/> if a coefficient grows with speed.</summary>
     public RateBound OrdinaryBound { get; protected init; }
 
-    /// <summary>The laws that a scene names, without its own forces.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns the laws of a scene, without its custom forces.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static AirLaws Of(Scene scene) => Of(scene, 1, 1);
 
-    /// <summary>Those laws with drag and Magnus force times factors.</summary>
+    /// <summary>Returns the laws of a scene, with factors on drag and Magnus force.</summary>
     public static AirLaws Of(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
         bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
         bool hasFits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
 
-        // Tables are of fitted laws, with factors for what is left out; with a constant law, or none at all, each is asked by itself.
+        // Tables exist for fitted laws only, with a factor of 0 for a disabled law. Constant laws are evaluated one by one.
         return hasConstants || !hasFits ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
             AerodynamicModel.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
@@ -55,7 +55,7 @@ internal abstract class AirLaws
     {
         bool spins = spinSquared > AirRates.NoSpin;
 
-        // |ω̂ × u|² = |ω × u|²/|ω|², then lift and decay per unit of spin.
+        // |ω̂ × u|² = |ω × u|²/|ω|²; then lift and decay per unit of spin.
         double perSquared = spins ? 1.0 / spinSquared : 0;
         double rate = spins ? Math.Sqrt(spinSquared) : 0;
         Factors(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
@@ -65,7 +65,7 @@ internal abstract class AirLaws
         return spins;
     }
 
-    /// <summary>A bound that holds with a factor too.</summary>
+    /// <summary>Returns a bound that also holds with a factor.</summary>
     protected static RateBound Scaled(in RateBound bound, double factor)
     {
         double most = Math.Max(1.0, Math.Abs(factor));

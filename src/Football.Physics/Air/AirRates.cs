@@ -1,23 +1,23 @@
 namespace FootballPhysics;
 
-/// <summary>The air for a spin vector: what any motion but plain flight asks.</summary>
+/// <summary>Evaluates the air for a spin vector, for all motions except plain flight.</summary>
 internal static class AirRates
 {
-    /// <summary>Below this, rad/s, there is no spin: a reciprocal of it would overflow.</summary>
+    /// <summary>The spin, in rad/s, below which it counts as zero: its reciprocal would overflow.</summary>
     public const double NoSpin = 1e-100;
 
-    /// <summary>The factors of a = L (ω × u) − D u, ω̇ = −decay ω, by the laws of drag, lift and spin decay.</summary>
+    /// <summary>Computes the factors of a = L (ω × u) − D u, ω̇ = −decay ω by the laws of drag, lift and spin decay.</summary>
     /// <param name="laws">The laws.</param>
-    /// <param name="ux">Velocity relative to the air, x, m/s.</param>
-    /// <param name="uy">The same, y.</param>
-    /// <param name="uz">The same, z.</param>
-    /// <param name="wx">Spin, x, rad/s.</param>
-    /// <param name="wy">The same, y.</param>
-    /// <param name="wz">The same, z.</param>
-    /// <param name="branch">Branch of the drag law.</param>
+    /// <param name="ux">The x component of the velocity relative to the air, in m/s.</param>
+    /// <param name="uy">The y component of this velocity.</param>
+    /// <param name="uz">The z component of this velocity.</param>
+    /// <param name="wx">The x component of the spin, in rad/s.</param>
+    /// <param name="wy">The y component of the spin.</param>
+    /// <param name="wz">The z component of the spin.</param>
+    /// <param name="branch">The branch of the drag law.</param>
     /// <param name="drag">D, 1/s.</param>
     /// <param name="lift">L.</param>
-    /// <param name="decay">1/s; without spin the angular deceleration itself, rad/s².</param>
+    /// <param name="decay">The decay rate, in 1/s; without spin, the angular deceleration, in rad/s².</param>
     /// <returns>|ω|.</returns>
     public static double Factors(
         AirLaws laws,
@@ -43,7 +43,7 @@ internal static class AirRates
         double acrossSquared = perRate * perRate * ((x * x) + (y * y) + (z * z));
         laws.Factors((ux * ux) + (uy * uy) + (uz * uz), rate, acrossSquared, branch, out drag, out lift, out decay);
 
-        // Per unit of spin, for L (ω × u) and −decay ω; without spin the decay is an angular deceleration.
+        // Divide by the spin, for L (ω × u) and −decay ω. Without spin, the decay stays an angular deceleration.
         if (rate > 0)
         {
             lift *= perRate;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Laws of constant coefficients (<see cref="ConstantDrag"/>, <see cref="ConstantMagnus"/>, <see cref="ConstantSpinDecay"/>) for a step of flight.</summary>
+/// <summary>Constant coefficients (<see cref="ConstantDrag"/>, <see cref="ConstantMagnus"/>, <see cref="ConstantSpinDecay"/>) for the flight step.</summary>
 internal struct ConstantAir : IFlightAir
 {
     private readonly double _drag;
@@ -11,7 +11,7 @@ internal struct ConstantAir : IFlightAir
 
     public ConstantAir(Scene scene)
     {
-        // The constants are the laws' factors in a flow of 1 m/s with a spin of 1 rad/s.
+        // Each constant equals the law's factor at a speed of 1 m/s and a spin of 1 rad/s.
         AirFlow unit = default;
         unit.Speed = 1;
         unit.SpinRate = 1;
@@ -55,7 +55,7 @@ internal struct ConstantAir : IFlightAir
     public readonly bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // Per unit of spin the lift is k_L, and the decay k.
+        // Per unit of spin, the lift is k_L and the decay k.
         bool spins = spinSquared > AirRates.NoSpin;
         drag = _drag * Math.Sqrt(speedSquared);
         lift = _lift;

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The two surfaces at which the published drag law jumps, as functions of |u|² and (r|ω|)²: G = |u|² − v_c² and
-/// S = 400 (r|ω|)² − |u|² (Sp = 0.05). The law with spin holds where both are positive.
-/// </summary>
+/// <summary>The two surfaces at which the published drag law jumps, as functions of |u|² and (r|ω|)².</summary>
+/// <remarks>G = |u|² − v_c² and S = 400 (r|ω|)² − |u|² (Sp = 0.05). The law with spin holds where both are positive.</remarks>
 internal readonly struct DragJump
 {
     private const double CriticalSpeedSquared = FittedDrag.CriticalSpeed * FittedDrag.CriticalSpeed;
@@ -28,48 +26,48 @@ internal readonly struct DragJump
         Spin = (SpinScale * surfaceSpeedSquared) - speedSquared;
     }
 
-    /// <summary>Positive where the law with spin holds.</summary>
+    /// <summary>The smaller of both; positive if the law with spin holds.</summary>
     public double Least => Speed < Spin ? Speed : Spin;
 
-    /// <summary>True when the ball is nearer to the critical speed than to the critical spin parameter.</summary>
+    /// <summary>True if the critical speed is nearer than the critical spin parameter.</summary>
     public bool NearerToSpeed => Math.Abs(Speed) < Math.Abs(Spin);
 
-    /// <summary>The branch that holds here.</summary>
+    /// <summary>The branch of the law at this state.</summary>
     public DragBranch Branch => Least > 0 ? DragBranch.Spinning : DragBranch.NoSpin;
 
-    /// <summary>The surfaces' functions at a state.</summary>
+    /// <summary>Returns the surface functions at a state.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump At(double speedSquared, double surfaceSpeedSquared) => new(speedSquared, surfaceSpeedSquared, CriticalSpeedSquared);
 
-    /// <summary>Their rates of change.</summary>
+    /// <summary>Returns the rates of the surface functions.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump Rate(double speedSquaredRate, double surfaceSpeedSquaredRate) => new(speedSquaredRate, surfaceSpeedSquaredRate, 0);
 
-    /// <summary>The surfaces' functions for any motion.</summary>
+    /// <summary>Returns the surface functions for a general motion.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump At(in Motion at, in Vector3d wind, double radius) =>
         At((at.Velocity - wind).LengthSquared, radius * radius * at.Spin.LengthSquared);
 
-    /// <summary>Their rates: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² ω·ω̇.</summary>
+    /// <summary>Returns the rates: d|u|²/dt = 2 u·a, d(r|ω|)²/dt = 2 r² ω·ω̇.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump Rate(in Motion at, in MotionRates rates, in Vector3d wind, double radius) => Rate(
         2.0 * Vector3d.Dot(at.Velocity - wind, rates.Acceleration), 2.0 * radius * radius * Vector3d.Dot(at.Spin, rates.SpinAcceleration));
 
-    /// <summary>The most that either rate can be for vectors of these lengths: 2 |u| |a| + 2 r² |ω| |ω̇| / 0.05².</summary>
+    /// <summary>Returns a bound on both rates for vectors of these lengths: 2 |u| |a| + 2 r² |ω| |ω̇| / 0.05².</summary>
     public static double RateScale(in Motion at, in MotionRates rates, in Vector3d wind, double radius) => 2.0 * (
         Math.Sqrt((at.Velocity - wind).LengthSquared * rates.Acceleration.LengthSquared)
         + (SpinScale * radius * radius * Math.Sqrt(at.Spin.LengthSquared * rates.SpinAcceleration.LengthSquared)));
 
-    /// <summary>True when a step may have crossed a surface: a quick test that errs towards yes.</summary>
+    /// <summary>Returns true if a step may have crossed a surface: a quick, conservative test.</summary>
     /// <param name="branch">The branch of the step.</param>
-    /// <param name="from">At the step's start.</param>
-    /// <param name="rate">Rates there.</param>
-    /// <param name="to">At the step's end.</param>
-    /// <param name="h">Length of the step, s.</param>
+    /// <param name="from">The surface functions at the start of the step.</param>
+    /// <param name="rate">Their rates at the start.</param>
+    /// <param name="to">The surface functions at the end of the step.</param>
+    /// <param name="h">The length of the step, in s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool MayCross(DragBranch branch, in DragJump from, in DragJump rate, in DragJump to, double h)
     {
-        // A look ahead from the start as well: a surface may be crossed and crossed back within the step.
+        // Also extrapolate from the start: a step may cross a surface and return.
         double speedAhead = from.Speed + (h * rate.Speed);
         double spinAhead = from.Spin + (h * rate.Spin);
         if (branch == DragBranch.Spinning)
@@ -77,20 +75,20 @@ internal readonly struct DragJump
             return !(to.Speed > 0 && to.Spin > 0 && speedAhead > 0 && spinAhead > 0);
         }
 
-        // Both must be positive at one instant: both later, or one still and the other already.
+        // Both must be positive at one instant: both at a later time, or one still and the other already.
         bool speedLater = to.Speed > 0 || speedAhead > 0;
         bool spinLater = to.Spin > 0 || spinAhead > 0;
         return (speedLater && spinLater) || (spinLater && from.Speed > 0 && from.Spin <= 0) || (speedLater && from.Spin > 0 && from.Speed <= 0);
     }
 
-    /// <summary>The first crossing on the cubic Hermite interpolants of |u|² and |ω|², as a fraction of the step; above 1 where there is none.</summary>
+    /// <summary>Returns the first crossing on the cubic Hermite interpolants, as a fraction of the step; above 1 if there is none.</summary>
     /// <param name="branch">The branch of the step.</param>
-    /// <param name="from">At the step's start.</param>
-    /// <param name="fromRate">Rates there.</param>
-    /// <param name="to">At the step's end.</param>
-    /// <param name="toRate">Rates there.</param>
-    /// <param name="h">Length of the step, s.</param>
-    /// <param name="bySpeed">Whether it is the critical speed that is crossed, and not the critical spin parameter.</param>
+    /// <param name="from">The surface functions at the start of the step.</param>
+    /// <param name="fromRate">Their rates at the start.</param>
+    /// <param name="to">The surface functions at the end of the step.</param>
+    /// <param name="toRate">Their rates at the end.</param>
+    /// <param name="h">The length of the step, in s.</param>
+    /// <param name="bySpeed">True if the step crosses the critical speed, false for the critical spin parameter.</param>
     public static double FirstCrossing(
         DragBranch branch, in DragJump from, in DragJump fromRate, in DragJump to, in DragJump toRate, double h, out bool bySpeed)
     {
@@ -98,7 +96,7 @@ internal readonly struct DragJump
         var path = new JumpPath(in from, in fromRate, in to, in toRate, h);
         double low = 0;
 
-        // Sampled first: a step may visit the law with spin and leave it again between its ends.
+        // Sample first: a step may enter the law with spin and leave it again between its ends.
         for (int i = 1; i <= Samples; i++)
         {
             double high = (double)i / Samples;
@@ -106,7 +104,7 @@ internal readonly struct DragJump
             {
                 path.Narrow(ref low, ref high, inside);
 
-                // Crossed is the surface whose function is the smaller one.
+                // The crossed surface is the one with the smaller function.
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }

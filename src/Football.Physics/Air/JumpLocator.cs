@@ -1,13 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a step where it crosses the drag law's jump.</summary>
+/// <summary>Ends a step where it crosses the jump of the drag law.</summary>
 internal static class JumpLocator
 {
-    /// <summary>A correction longer than this share of the step comes of a surface that is hardly crossed: the interpolant's instant stays.</summary>
+    /// <summary>The longest correction, as a fraction of the step. A longer one means a grazing crossing: the interpolated time is kept.</summary>
     private const double Longest = 0.25;
 
     /// <summary>Shortens a step, locked to one branch, to its first crossing.</summary>
-    /// <returns>False where it does not cross after all.</returns>
+    /// <returns>False if the step does not cross a surface.</returns>
     public static bool Locate<TSweep>(ref TSweep sweep, DragBranch branch, in DragJump from, in DragJump fromRate, double h)
         where TSweep : struct, IFlowSweep
     {
@@ -19,12 +19,12 @@ internal static class JumpLocator
             return false;
         }
 
-        // From the interpolant to the step itself: Newton.
+        // Refine the interpolated time with Newton's method on the step itself.
         EventLocator.Locate(ref sweep, new Crossing<TSweep>(bySpeed, Longest * h), fraction * h);
         return true;
     }
 
-    /// <summary>The law's surface that is crossed.</summary>
+    /// <summary>The event function of the crossed surface.</summary>
     private readonly struct Crossing<TSweep> : IEventFunction<TSweep>
         where TSweep : struct, IFlowSweep
     {
@@ -44,7 +44,7 @@ internal static class JumpLocator
             double function = _bySpeed ? at.Speed : at.Spin;
             double rate = _bySpeed ? rates.Speed : rates.Spin;
 
-            // Positive before the crossing from whichever side, and Newton's −f/f'.
+            // Make the function positive before the crossing from either side; the correction is Newton's −f/f'.
             value = rate > 0 ? -function : function;
             correction = -function / rate;
             if (!(Math.Abs(correction) < _longest))
@@ -52,7 +52,7 @@ internal static class JumpLocator
                 return true;
             }
 
-            // So little is left that the end can be moved, and the step need not be taken again.
+            // The remainder is so small that the end can be moved without repeating the step.
             bool isClose = Math.Abs(correction) <= EventLocator.Negligible;
             if (isClose && tau + correction > 0)
             {

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The surfaces of the drag law's jump along a step: cubic Hermite interpolants, in fractions of the step.</summary>
+/// <summary>The surface functions of the drag jump along a step: cubic Hermite interpolants over fractions of the step.</summary>
 internal readonly struct JumpPath
 {
     private const int Halvings = 50;
@@ -13,31 +13,31 @@ internal readonly struct JumpPath
         _spin = new CubicHermite(from.Spin, h * fromRate.Spin, to.Spin, h * toRate.Spin);
     }
 
-    /// <summary>G at a fraction of the step.</summary>
+    /// <summary>Returns G at a fraction of the step.</summary>
     public double Speed(double at) => _speed.At(at);
 
-    /// <summary>S at a fraction of the step.</summary>
+    /// <summary>Returns S at a fraction of the step.</summary>
     public double Spin(double at) => _spin.At(at);
 
-    /// <summary>True when the law with spin holds there.</summary>
+    /// <summary>Returns true if the law with spin holds at a fraction of the step.</summary>
     public bool IsInside(double at) => Speed(at) > 0 && Spin(at) > 0;
 
-    /// <summary>Narrows two fractions, at the later of which the ball has changed sides, down to the change.</summary>
-    /// <param name="low">Before the change.</param>
-    /// <param name="high">After it.</param>
-    /// <param name="inside">Whether the law with spin holds before it.</param>
+    /// <summary>Narrows an interval in which the branch changes down to the change.</summary>
+    /// <param name="low">A fraction before the change.</param>
+    /// <param name="high">A fraction after the change.</param>
+    /// <param name="inside">True if the law with spin holds before the change.</param>
     public void Narrow(ref double low, ref double high, bool inside)
     {
         var change = new Change(in this, inside);
         Roots.Bisect(ref change, ref low, ref high, Halvings);
     }
 
-    /// <summary>True when one surface becomes positive between two fractions before the other ceases to be: a visit to the law with spin.</summary>
-    /// <param name="low">Where the search starts; not inside.</param>
-    /// <param name="high">Where it ends, not inside; then a fraction that is.</param>
+    /// <summary>Returns true if the law with spin holds for a while between two fractions at which it does not hold.</summary>
+    /// <param name="low">The start of the search; not inside.</param>
+    /// <param name="high">The end of the search; not inside. On return, a fraction that is inside.</param>
     public bool PassesThrough(double low, ref double high)
     {
-        // One function is positive before, the other after: where they overlap the law with spin holds in between.
+        // One function is positive at first, the other at last. If they overlap, the law with spin holds in between.
         bool spinRises = Speed(low) > 0 && Spin(high) > 0;
         if (!(spinRises || (Spin(low) > 0 && Speed(high) > 0)))
         {
@@ -56,7 +56,7 @@ internal readonly struct JumpPath
         return true;
     }
 
-    /// <summary>The law with spin has begun to hold, or ceased to.</summary>
+    /// <summary>Condition: the law with spin has begun or ceased to hold.</summary>
     private readonly struct Change : ICondition
     {
         private readonly JumpPath _path;
@@ -75,7 +75,7 @@ internal readonly struct JumpPath
         }
     }
 
-    /// <summary>The rising surface is positive; done where the other one still is.</summary>
+    /// <summary>Condition: the rising function is positive. The search ends if the other one still is.</summary>
     private readonly struct Visit : ICondition
     {
         private readonly JumpPath _path;

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>Any mixture of laws, each by its own equation.</summary>
+/// <summary>Any combination of laws, each with its own equation.</summary>
 internal sealed class MixedLaws : AirLaws
 {
-    /// <summary>Below this |u|² there is no drag and no lift.</summary>
+    /// <summary>The value of |u|² below which there is neither drag nor lift.</summary>
     private const double StillAir = 1e-18;
 
     private readonly IAirLaw _drag;
@@ -15,8 +15,8 @@ internal sealed class MixedLaws : AirLaws
     private readonly bool _fits;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="drag">Factor of the drag.</param>
-    /// <param name="lift">Factor of the Magnus force.</param>
+    /// <param name="drag">The factor on the drag.</param>
+    /// <param name="lift">The factor on the Magnus force.</param>
     public MixedLaws(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
@@ -38,7 +38,7 @@ internal sealed class MixedLaws : AirLaws
     public override void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // A stage may overshoot zero spin: there the forces end, and the decay, even in ω, goes on smoothly.
+        // A stage may overshoot zero spin: lift then stops, and the decay, an even function of ω, continues smoothly.
         AirFlow flow = default;
         flow.SpeedSquared = speedSquared;
         flow.Speed = Math.Sqrt(speedSquared);
@@ -48,7 +48,7 @@ internal sealed class MixedLaws : AirLaws
         lift = 0;
         if (speedSquared > StillAir)
         {
-            // Drag and lift read the same fitted C_D: once for both.
+            // Compute the fitted C_D once for both drag and lift.
             if (_fits)
             {
                 flow.SpinParameter = _radius * flow.SpinRate / flow.Speed;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>No laws of the air: what is left of a step of flight is its parabola.</summary>
+/// <summary>No laws of the air: the flight step reduces to a parabola.</summary>
 internal struct NoAir : IFlightAir
 {
     public readonly bool Acts

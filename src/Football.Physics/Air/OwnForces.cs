@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The game's own forces, summed, per mass and per moment of inertia.</summary>
+/// <summary>The sum of the custom forces, per mass and per moment of inertia.</summary>
 internal sealed class OwnForces
 {
     private readonly IForce[] _forces;
@@ -16,8 +16,8 @@ internal sealed class OwnForces
         _perInertia = 1.0 / scene.Ball.MomentOfInertia;
     }
 
-    /// <summary>Refuses what a step made of forces that were each finite.</summary>
-    /// <exception cref="InvalidOperationException">The ball is nowhere any more.</exception>
+    /// <summary>Throws if finite custom forces led to a state that is not finite.</summary>
+    /// <exception cref="InvalidOperationException">The state of the ball is not finite.</exception>
     public static void CheckOutcome(in BallState state)
     {
         if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
@@ -27,11 +27,11 @@ internal sealed class OwnForces
         }
     }
 
-    /// <summary>Adds their accelerations.</summary>
+    /// <summary>Adds the accelerations of the custom forces.</summary>
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
     public void AddTo(in ForceContext ball, ref AirFactors factors)
     {
-        // What they see is the flow with the wind of the place in it.
+        // Pass the flow with the local wind to the forces.
         ForceAccumulator sum = default;
         ForceContext seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)

@@ -1,16 +1,16 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>Drag and Magnus force of a scene's laws times factors, as a force of the game's own: what a fit has found goes into a scene with it.</summary>
+/// <summary>A force that scales the drag and Magnus force of a scene, for example by fitted factors.</summary>
 public sealed class ScaledAir : IForce
 {
     private readonly Scene _scene;
     private readonly double _mass;
     private readonly double _radius;
 
-    /// <summary>Makes the force that, added to a scene's, scales its drag and lift.</summary>
+    /// <summary>Creates a force that scales drag and lift when added to the scene's custom forces.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="drag">Factor of the drag; not negative.</param>
-    /// <param name="lift">Factor of the Magnus force.</param>
+    /// <param name="drag">The factor on the drag; at least 0.</param>
+    /// <param name="lift">The factor on the Magnus force.</param>
     /// <exception cref="ArgumentNullException"><paramref name="scene"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public ScaledAir(Scene scene, double drag, double lift)
@@ -26,13 +26,13 @@ public sealed class ScaledAir : IForce
         Lift = lift;
     }
 
-    /// <summary>Factor of the drag.</summary>
+    /// <summary>The factor on the drag.</summary>
     public double Drag { get; }
 
-    /// <summary>Factor of the Magnus force.</summary>
+    /// <summary>The factor on the Magnus force.</summary>
     public double Lift { get; }
 
-    /// <summary>The laws without factors.</summary>
+    /// <summary>The unscaled laws.</summary>
     internal AirLaws Laws { get; }
 
     /// <inheritdoc/>
@@ -40,7 +40,7 @@ public sealed class ScaledAir : IForce
     {
         Vector3d u = ball.AirVelocity;
 
-        // What the scene's own laws give here, of which the factors add the rest.
+        // Evaluate the scene's laws; the force then adds the difference that the factors make.
         DragBranch branch = Laws.Jumps ? DragJump.At(u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared).Branch : DragBranch.Unknown;
         Vector3d w = ball.Spin;
         AirRates.Factors(Laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out double drag, out double lift, out _);
@@ -49,11 +49,12 @@ public sealed class ScaledAir : IForce
         sum.AddForce(_mass * (((Lift - 1.0) * lift * Vector3d.Cross(in w, in u)) - ((Drag - 1.0) * drag * u)));
     }
 
-    /// <summary>The one own force of a scene, where it scales the scene's own laws: then it is taken as laws, and the axis of the spin stays constant.</summary>
+    /// <summary>Returns the only custom force of a scene if it scales the scene's own laws; otherwise null.</summary>
+    /// <remarks>Such a force is merged into the laws, and the axis of the spin stays constant.</remarks>
     internal static ScaledAir? AloneIn(Scene scene) =>
         scene.Forces.CustomForces.Count == 1 && scene.Sideways == Vector3d.Zero && scene.Forces.CustomForces[0] is ScaledAir scaled && scaled.IsMadeFor(scene) ? scaled : null;
 
-    /// <summary>True when a scene has the ball, the air and the laws that this was made for.</summary>
+    /// <summary>Returns true if a scene has the same ball, air and laws as the scene of this force.</summary>
     private bool IsMadeFor(Scene scene) =>
         scene.Ball == _scene.Ball && scene.Air == _scene.Air && scene.Forces with { CustomForces = _scene.Forces.CustomForces } == _scene.Forces;
 }

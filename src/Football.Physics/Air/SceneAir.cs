@@ -2,17 +2,16 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// All that the air of a scene does at one instant: its laws, the wind by place and time, the knuckle force, a game's own forces. What everything but
-/// the hot step of flight asks.
-/// </summary>
-/// <remarks>A drag law that jumps is not located where the air varies: each evaluation takes the branch that holds there.</remarks>
+/// <summary>All effects of a scene's air at one instant: laws, local wind, knuckle force and custom forces.</summary>
+/// <remarks>
+/// All code except the hot flight step uses it. If the air varies, jumps of the drag law are not located: each evaluation uses the branch at its own flow.
+/// </remarks>
 internal struct SceneAir : IFlightAir
 {
     private readonly AirLaws _laws;
     private readonly IWind? _wind;
 
-    /// <summary>The wind field where it is the library's own, asked without a virtual call.</summary>
+    /// <summary>The wind field if it is a <see cref="WindByHeight"/>, to avoid the virtual call.</summary>
     private readonly WindByHeight? _byHeight;
     private readonly KnuckleForce? _knuckle;
     private readonly OwnForces? _own;
@@ -37,13 +36,13 @@ internal struct SceneAir : IFlightAir
     /// <summary>The laws alone.</summary>
     public readonly AirLaws Laws => _laws;
 
-    /// <summary>True when drag acts.</summary>
+    /// <summary>True if drag acts.</summary>
     public readonly bool Drags => _laws.Drags;
 
-    /// <summary>True when the Magnus force acts.</summary>
+    /// <summary>True if the Magnus force acts.</summary>
     public readonly bool Lifts => _laws.Lifts;
 
-    /// <summary>True when spin decays.</summary>
+    /// <summary>True if spin decays.</summary>
     public readonly bool SpinDecays => _laws.SpinDecays;
 
     public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
@@ -54,37 +53,37 @@ internal struct SceneAir : IFlightAir
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
-    /// <summary>True when the air depends on place or time, or on more than drag, lift and spin decay: then flight asks <see cref="Evaluate"/> alone.</summary>
+    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay. Flight then calls only <see cref="Evaluate"/>.</summary>
     public readonly bool Varies => _hasField || _own is not null;
 
-    /// <summary>True when torques that are not along the spin may act, so that flight has no constant axis.</summary>
+    /// <summary>True if torques can turn the spin, so that the flight has no constant axis.</summary>
     public readonly bool TurnsAxis => _own is not null;
 
-    /// <summary>True when a game has forces of its own.</summary>
+    /// <summary>True if the scene has custom forces.</summary>
     public readonly bool HasOwnForces => _own is not null;
 
-    /// <summary>True when the wind at a place may change.</summary>
+    /// <summary>True if the wind at a fixed position can change with time.</summary>
     public readonly bool ChangesInTime => _wind is not null && _byHeight is not { Gusts: null };
 
-    /// <summary>A speed that the wind by place and time nowhere exceeds, m/s; 0 where it is steady.</summary>
+    /// <summary>A bound on the speed of the variable wind, in m/s; 0 if the wind is steady.</summary>
     public readonly double FastestWind => _wind?.MaximumSpeed ?? 0;
 
-    /// <summary>How fast the air can change the motion, by the speed relative to the air.</summary>
+    /// <summary>A bound on the rate at which the air changes the motion.</summary>
     public RateBound Bound { get; }
 
     /// <inheritdoc cref="AirLaws.OrdinaryBound"/>
     public RateBound OrdinaryBound { get; }
 
-    /// <summary>The air of a scene. A <see cref="ScaledAir"/> that is its only own force scales its laws.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns the air of a scene. If a <see cref="ScaledAir"/> is its only custom force, it scales the laws.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static SceneAir Of(Scene scene) => ScaledAir.AloneIn(scene) is { } scaled
         ? new SceneAir(scene, AirLaws.Of(scene, scaled.Drag, scaled.Lift), false)
         : new SceneAir(scene, AirLaws.Of(scene), scene.HasOwnForces);
 
-    /// <summary>True when nothing but laws acts in a scene.</summary>
+    /// <summary>Returns true if only laws act in a scene.</summary>
     public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (!scene.HasOwnForces || ScaledAir.AloneIn(scene) is not null);
 
-    /// <summary>True when the wind of a scene depends on place or time, or a knuckle force acts.</summary>
+    /// <summary>Returns true if the wind of a scene depends on position or time, or a knuckle force acts.</summary>
     public static bool HasFieldIn(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
 
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
@@ -95,7 +94,7 @@ internal struct SceneAir : IFlightAir
     public readonly void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In a field the jump is not located: the branch is that of the flow here.
+        // In a field, jumps are not located: use the branch of the current flow.
         DragBranch here = _jumpsInField ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : region;
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
@@ -110,11 +109,11 @@ internal struct SceneAir : IFlightAir
 
     public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
 
-    /// <summary>Effect of the air and of a game's own forces at one instant, whatever the motion.</summary>
+    /// <summary>Computes the effect of the air and of custom forces at one instant, for any motion.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="branch">The branch of the drag law.</param>
-    /// <param name="factors">What the air does.</param>
-    /// <returns>|ω|, rad/s; 0 where it is too small for a reciprocal.</returns>
+    /// <param name="factors">The effect of the air.</param>
+    /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
     public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors)
     {
         // u = v − W(p, t)
@@ -127,7 +126,7 @@ internal struct SceneAir : IFlightAir
         DragBranch here = _jumpsInField ? DragJump.At(u.LengthSquared, _radiusSquared * w.LengthSquared).Branch : branch;
         double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
 
-        // The knuckle force acts in flight alone, and there it asks for the distance flown.
+        // The knuckle force acts only in flight, and needs the distance flown.
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
             factors.AirSpeed = u.Length;
@@ -139,7 +138,7 @@ internal struct SceneAir : IFlightAir
     }
 }
 
-/// <summary>An upper bound for how fast a law changes the motion: PerSpeed · |u| + PerSpin · |ω| + Constant, in 1/s.</summary>
+/// <summary>An upper bound on the rate at which a law changes the motion: PerSpeed · |u| + PerSpin · |ω| + Constant, in 1/s.</summary>
 internal readonly struct RateBound
 {
     public readonly double PerSpeed;
@@ -153,7 +152,7 @@ internal readonly struct RateBound
         Constant = constant;
     }
 
-    /// <summary>The bound, 1/s, at a speed relative to the air, m/s, and a spin, rad/s.</summary>
+    /// <summary>Returns the bound, in 1/s, for a speed relative to the air, in m/s, and a spin, in rad/s.</summary>
     public double At(double speed, double spinRate) => (PerSpeed * speed) + (PerSpin * spinRate) + Constant;
 
     public static RateBound operator +(in RateBound a, in RateBound b) =>

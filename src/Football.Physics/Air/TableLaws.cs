@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Laws by tables, some of them left out or scaled.</summary>
-/// <typeparam name="TLaw">The law.</typeparam>
+/// <summary>Tabulated laws, each optionally disabled or scaled.</summary>
+/// <typeparam name="TLaw">The type of the laws.</typeparam>
 internal sealed class TableLaws<TLaw> : AirLaws
     where TLaw : struct, ITableLaw
 {
@@ -11,8 +11,8 @@ internal sealed class TableLaws<TLaw> : AirLaws
     private TableAir<TLaw> _air;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="drag">Factor of the drag.</param>
-    /// <param name="lift">Factor of the Magnus force.</param>
+    /// <param name="drag">The factor on the drag.</param>
+    /// <param name="lift">The factor on the Magnus force.</param>
     public TableLaws(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
@@ -26,7 +26,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _ofLift = Lifts ? lift : 0;
         _ofDecay = SpinDecays ? 1 : 0;
 
-        // Lift reads the same C_D as drag, and jumps with it.
+        // Lift depends on the same C_D as drag, and jumps with it.
         Jumps = law.Jumps && (Drags || Lifts);
         Bound = BoundUpTo(2.0 * Limits.Speed);
         OrdinaryBound = BoundUpTo(OrdinarySpeed);

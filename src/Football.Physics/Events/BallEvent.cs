@@ -2,15 +2,15 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>Something that happened inside a step, at its exact time and place.</summary>
+/// <summary>An event within a step, with its exact time and position.</summary>
 /// <remarks>
-/// An impact carries the impulse's own velocity, before a ball that stays down has its vertical part set to zero; a rest carries
-/// velocity and spin as they were when rest was declared.
+/// The velocity of an impact is that right after the impulse, even if the ball then stays down and loses its normal part. A rest reports the velocity and
+/// spin at which the ball came to rest.
 /// </remarks>
 public readonly struct BallEvent : IFormattable
 {
     private readonly int _kind;
-    private readonly int _other; // 0 for none, so that a default event has none
+    private readonly int _other; // Index + 1, so that a default event has no other ball.
 
     internal BallEvent(
         BallEventKind kind,
@@ -34,58 +34,62 @@ public readonly struct BallEvent : IFormattable
         Spin = spin;
     }
 
-    /// <summary>A copy of an event, as that of one of several balls.</summary>
+    /// <summary>Copies an event for one of several balls.</summary>
     /// <param name="happened">The event.</param>
-    /// <param name="ball">Index of the ball.</param>
+    /// <param name="ball">The index of the ball.</param>
     internal BallEvent(in BallEvent happened, int ball)
     {
         this = happened;
         Ball = ball;
     }
 
-    /// <summary>An impact between two balls, of one of them.</summary>
+    /// <summary>Creates the event of one ball in an impact between two.</summary>
     internal BallEvent(int otherBall, in Vector3d normal, double time, in BallState before, in Vector3d velocity, in Vector3d spin)
         : this(BallEventKind.Impact, -1, in normal, time, before.Position, before.Velocity, before.Spin, in velocity, in spin) => _other = otherBall + 1;
 
     /// <summary>The kind of the event.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
 
-    /// <summary>
-    /// What was hit, met or passed, or carries the ball: its index among the things of the scene; −1 for none. 0 is the ground, then
-    /// come the obstacles in their order, the posts and bars of the goals, the bodies, all nets, the goals, the zones. An engine's collider has a number of its own, far beyond these, by its
-    /// name alone. The simulator gives the name.
-    /// </summary>
+    /// <summary>The index of the object that was hit, or passed, or that supports the ball; −1 if there is none.</summary>
+    /// <remarks>
+    /// 0 is the ground. Then follow the obstacles in order, the posts and crossbars of the goals, the bodies, all nets, the goals and the zones. An engine collider
+    /// has a much larger number, a hash of its name. The simulator returns the name of an index.
+    /// </remarks>
     public int ColliderIndex { get; internal init; }
 
-    /// <summary>Which ball it happened to: its index among several that are stepped together; 0 where there is one.</summary>
+    /// <summary>The index of the ball, if several are stepped together; otherwise 0.</summary>
     public int Ball { get; }
 
-    /// <summary>The ball that was hit, where that is one of several; −1 for none. <see cref="ColliderIndex"/> is then −1.</summary>
+    /// <summary>The index of the other ball in an impact between two balls; otherwise −1.</summary>
+    /// <remarks>If it is not −1, <see cref="ColliderIndex"/> is −1.</remarks>
     public int OtherBall => _other - 1;
 
-    /// <summary>Normal of the contact, from the thing to the ball, of length 1; of a net or a goal that of its plane, towards where the ball came from; of a zone the outward normal of its shape. Zero for a rest or a leave.</summary>
+    /// <summary>The unit normal of the contact, from the object to the ball. Zero for a rest or the end of a contact.</summary>
+    /// <remarks>For a net or a goal, it is the normal of the plane, towards the side that the ball came from. For a zone, it is the outward normal of the shape.</remarks>
     public Vector3d Normal { get; }
 
-    /// <summary>When, s since the launch.</summary>
+    /// <summary>The time since the launch, in s.</summary>
     public double Time { get; }
 
-    /// <summary>Where the centre was, m.</summary>
+    /// <summary>The position of the ball's centre, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>Velocity just before, m/s; differs from <see cref="Velocity"/> at impacts only.</summary>
+    /// <summary>The velocity just before the event, in m/s. It differs from <see cref="Velocity"/> only at impacts.</summary>
     public Vector3d VelocityBefore { get; }
 
-    /// <summary>Spin just before, rad/s; differs from <see cref="Spin"/> at impacts, and by a vanishing slip at a roll.</summary>
+    /// <summary>The spin just before the event, in rad/s.</summary>
+    /// <remarks>It differs from <see cref="Spin"/> at impacts, and by a vanishing slip at the start of a roll.</remarks>
     public Vector3d SpinBefore { get; }
 
-    /// <summary>Velocity just after, m/s.</summary>
+    /// <summary>The velocity just after the event, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>Spin just after, rad/s.</summary>
+    /// <summary>The spin just after the event, in rad/s.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>Which tick of steps of one length it happened in, the first of which begins at time 0: the kick of a later tick does not change it.</summary>
-    /// <param name="timeStep">Length of a step, s; above 0.</param>
+    /// <summary>Returns the index of the tick that contains the event.</summary>
+    /// <remarks>The first tick begins at time 0, and all ticks have the same length. A kick in a later tick does not change the result.</remarks>
+    /// <param name="timeStep">The length of a tick, in s; above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="timeStep"/> is not above 0.</exception>
     public long TickAt(double timeStep)
     {
@@ -93,14 +97,14 @@ public readonly struct BallEvent : IFormattable
         return (long)Math.Floor(Time / timeStep);
     }
 
-    /// <summary>Speed against what was hit, along the normal, m/s: what a bounce sounds like. 0 for what is no impact.</summary>
+    /// <summary>The speed of the ball along the normal just before the event, in m/s: scale the volume of a bounce by it.</summary>
     public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
-    /// <summary>Linear speed that the event took away, m/s.</summary>
+    /// <summary>The speed of the ball's centre that the event removed, in m/s.</summary>
     public double SpeedLost => VelocityBefore.Length - Velocity.Length;
 
-    /// <summary>Slip of the ball's lowest point over what it touches, just before, m/s, towards which it rubs.</summary>
-    /// <param name="radius">Radius of the ball, m.</param>
+    /// <summary>Returns the slip of the ball's contact point just before the event, in m/s.</summary>
+    /// <param name="radius">The radius of the ball, in m.</param>
     public Vector3d SlipBefore(double radius)
     {
         // v + ω × (−r n), without its part along n.
@@ -108,7 +112,8 @@ public readonly struct BallEvent : IFormattable
         return surface - (Vector3d.Dot(in surface, Normal) * Normal);
     }
 
-    /// <summary>Impulse on the ball, m (v' − v), N s; what was hit got the opposite. Zero for what is no impact.</summary>
+    /// <summary>Returns the impulse on the ball, m (v' − v), in N s; zero if the event is not an impact.</summary>
+    /// <remarks>The object received the opposite impulse.</remarks>
     /// <param name="ball">The ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     public Vector3d Impulse(BallProperties ball)
@@ -117,12 +122,11 @@ public readonly struct BallEvent : IFormattable
         return Kind == BallEventKind.Impact ? ball.Mass * (Velocity - VelocityBefore) : Vector3d.Zero;
     }
 
-    /// <summary>
-    /// Energy that a bumper has added, J: ½ m (w'² − w²) with w the speed relative to what was hit, along the normal; with m/(1 + m/M) where that has a mass. 0 for all else.
-    /// </summary>
+    /// <summary>The energy that a bumper added, in J; 0 for all other events.</summary>
+    /// <remarks>½ m (w'² − w²), where w is the speed along the normal relative to the bumper. If the bumper has a mass M, m/(1 + m/M) replaces m.</remarks>
     public double AddedEnergy { get; internal init; }
 
-    /// <summary>Energy that the event took away, of motion and of rotation, J.</summary>
+    /// <summary>Returns the kinetic and rotational energy that the event removed, in J.</summary>
     /// <param name="ball">The ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     public double EnergyLost(BallProperties ball)
@@ -138,12 +142,12 @@ public readonly struct BallEvent : IFormattable
         return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));
     }
 
-    /// <summary>The event as text: kind, time and place.</summary>
+    /// <summary>Formats kind, time, position and velocity.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>The event as text: kind, time and place, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Formats kind, time, position and velocity with a number format.</summary>
+    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);

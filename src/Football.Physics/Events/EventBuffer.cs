@@ -2,24 +2,24 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>Events in the order in which they happened. Written by a step, read after it.</summary>
+/// <summary>A buffer of events in the order of their times. A step writes it; read it after the step.</summary>
 /// <remarks>
-/// It grows up to <see cref="MaximumCount"/> events, 80 kB by default, and the memory stays: also where a game forgets to clear it. Where there are more, the first and the last are kept, in order, and
-/// those between are counted in <see cref="Dropped"/>: no scene can make it larger.
+/// It grows up to <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it, and keeps its memory. If more events happen, it keeps the first
+/// and the last ones, and <see cref="Dropped"/> counts the rest.
 /// </remarks>
 public sealed class EventBuffer
 {
-    /// <summary>How many events it keeps unless told otherwise.</summary>
+    /// <summary>The default of <see cref="MaximumCount"/>.</summary>
     public const int DefaultMost = 1_024;
 
-    /// <summary>How many of the kept events are the last ones, where some are missed.</summary>
+    /// <summary>The number of last events that a full buffer keeps.</summary>
     public const int TailCount = 16;
 
     private BallEvent[] _events;
 
-    /// <summary>Makes an empty buffer.</summary>
-    /// <param name="capacity">Events to make room for, at least 1 and at most <paramref name="most"/>; default 32.</param>
-    /// <param name="most">How many events it keeps, at least 32; default <see cref="DefaultMost"/>.</param>
+    /// <summary>Creates an empty buffer.</summary>
+    /// <param name="capacity">The initial capacity, from 1 to <paramref name="most"/>; default 32.</param>
+    /// <param name="most">The maximum number of events, at least 32; default <see cref="DefaultMost"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public EventBuffer(int capacity = 32, int most = DefaultMost)
     {
@@ -29,21 +29,21 @@ public sealed class EventBuffer
         _events = new BallEvent[capacity];
     }
 
-    /// <summary>How many events it keeps at most.</summary>
+    /// <summary>The maximum number of events in the buffer.</summary>
     public int MaximumCount { get; }
 
-    /// <summary>How many events there are.</summary>
+    /// <summary>The number of events in the buffer.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How many more happened than are kept: between the first ones and the <see cref="TailCount"/> ones.</summary>
+    /// <summary>The number of events dropped between the first ones and the last <see cref="TailCount"/>.</summary>
     public long Dropped { get; private set; }
 
     /// <summary>The events, first to last; valid until the next step or <see cref="Clear"/>.</summary>
     public ReadOnlySpan<BallEvent> Span => _events.AsSpan(0, Count);
 
-    /// <summary>One event.</summary>
-    /// <param name="index">From 0, below <see cref="Count"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such event.</exception>
+    /// <summary>Gets one event.</summary>
+    /// <param name="index">The index, from 0 to <see cref="Count"/> − 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The index is out of range.</exception>
     public ref readonly BallEvent this[int index]
     {
         get
@@ -57,10 +57,10 @@ public sealed class EventBuffer
         }
     }
 
-    /// <summary>Number of impacts since the last <see cref="Clear"/>, those counted in <see cref="Dropped"/> included.</summary>
+    /// <summary>The number of impacts since the last <see cref="Clear"/>, including dropped ones.</summary>
     public long Impacts { get; private set; }
 
-    /// <summary>Forgets all events; keeps the memory.</summary>
+    /// <summary>Removes all events; keeps the memory.</summary>
     public void Clear()
     {
         Count = 0;
@@ -68,13 +68,13 @@ public sealed class EventBuffer
         Impacts = 0;
     }
 
-    /// <summary>Enumerates the events without allocating.</summary>
+    /// <summary>Returns an enumerator of the events that does not allocate.</summary>
     public ReadOnlySpan<BallEvent>.Enumerator GetEnumerator() => Span.GetEnumerator();
 
-    /// <summary>Drops the events before a time.</summary>
+    /// <summary>Removes the events before a time.</summary>
     internal void Forget(double before)
     {
-        // In order of time those before it are the first ones.
+        // Events are sorted by time, so these come first.
         int gone = 0;
         while (gone < Count && _events[gone].Time < before)
         {
@@ -85,14 +85,14 @@ public sealed class EventBuffer
         Count -= gone;
     }
 
-    /// <summary>Whose events are added, where there are several balls.</summary>
+    /// <summary>The index of the ball whose events are added, if there are several balls.</summary>
     internal int Ball { get; set; }
 
     internal void Add(in BallEvent item)
     {
         Impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
 
-        // Full: it grows, or the first of the last ones is missed.
+        // If the buffer is full, it grows or drops the oldest event of the tail.
         if (Count == _events.Length)
         {
             MakeRoom();
@@ -101,10 +101,10 @@ public sealed class EventBuffer
         _events[Count++] = Ball == 0 ? item : new BallEvent(in item, Ball);
     }
 
-    /// <summary>Names the thing of an event anew.</summary>
+    /// <summary>Changes the object of an event.</summary>
     internal void Call(int index, int thing) => _events[index] = _events[index] with { ColliderIndex = thing };
 
-    /// <summary>Adds all of another buffer's.</summary>
+    /// <summary>Adds all events of another buffer.</summary>
     internal void Add(EventBuffer other)
     {
         for (int i = 0; i < other.Count; i++)
@@ -112,30 +112,30 @@ public sealed class EventBuffer
             Add(in other._events[i]);
         }
 
-        // What the other one has missed is missed here too.
+        // Count the events that the other buffer has dropped.
         Dropped += other.Dropped;
     }
 
-    /// <summary>Takes back what was added since there were so many; of those that were missed meanwhile the last ones cannot come back.</summary>
+    /// <summary>Undoes additions, back to an earlier count. Tail events dropped since then are lost.</summary>
     internal void TakeBack(int count, long missed, long impacts)
     {
-        // Where some were missed meanwhile the last ones have moved up, and only the first ones are still what they were.
+        // If events were dropped since, the tail has moved, and only the events before it are unchanged.
         Count = Dropped == missed ? count : Math.Min(count, MaximumCount - TailCount);
         Dropped = missed + (count - Count);
         Impacts = impacts;
     }
 
-    /// <summary>Grows, or misses the first of the last ones.</summary>
+    /// <summary>Grows the buffer, or drops the oldest event of the tail.</summary>
     private void MakeRoom()
     {
-        // Twice as many, up to the bound.
+        // Double the capacity, up to the maximum.
         if (Count < MaximumCount)
         {
             Array.Resize(ref _events, (int)Math.Min(2L * Count, MaximumCount));
             return;
         }
 
-        // The first ones stay, the last ones move up by one place.
+        // Keep the head, and move the tail up by one.
         Array.Copy(_events, Count - TailCount + 1, _events, Count - TailCount, TailCount - 1);
         Count--;
         Dropped++;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Classical Runge–Kutta (thesis 3.17, with the k₁ that its k₂ lacks). Order 4.</summary>
+/// <summary>Classical Runge–Kutta, order 4 (thesis 3.17, whose k₂ lacks its k₁).</summary>
 internal readonly struct ClassicalRungeKutta : IIntegrator
 {
     public int Stages => 4;
@@ -68,7 +68,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             along = stage == 0 ? along : h;
         }
 
-        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4); of the position, whose k are the stages' velocities, that is p + h (v + h/6 (a1 + a2 + a3)).
+        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4). The k of the position are the stages' velocities, which gives p + h (v + h/6 (a1 + a2 + a3)).
         double sixth = h / 6.0;
         double nextX = ux + (sixth * (sumX + sumX - step.StartAcceleration.X + ax));
         double nextY = uy + (sixth * (sumY + sumY - step.StartAcceleration.Y + ay));
@@ -89,7 +89,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         double half = 0.5 * h;
         double sixth = h / 6.0;
 
-        // The rates at the start, twice in the middle and at the end; for the position they are the stages' velocities.
+        // Rates at the start, twice in the middle and at the end. For the position they are the stages' velocities.
         Motion second = from.After(half, in from.Velocity, in start);
         system.Rates(time + half, in second, out MotionRates k2);
         Motion third = from.After(half, in second.Velocity, in k2);
@@ -107,7 +107,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             from.Spin + (sixth * spinAcceleration),
             from.AirDistance + (sixth * (start.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
 
-        // The axis may turn on the way: from the spins at start, middle and end.
+        // The axis may turn within the step: combine the spins at start, middle and end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = start;
     }

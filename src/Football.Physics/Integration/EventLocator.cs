@@ -1,32 +1,30 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Finds events inside a step to the accuracy of the integrator: the step itself is taken again, from its start and with other lengths, until the
-/// event is at its end. Newton's method inside a bracket.
-/// </summary>
+/// <summary>Finds events within a step with the accuracy of the integrator, by Newton's method within a bracket.</summary>
+/// <remarks>It repeats the step from its start with other lengths, until the event is at the end of the step.</remarks>
 internal static class EventLocator
 {
-    /// <summary>Steps at most: enough to halve any step down to its last bits.</summary>
+    /// <summary>The maximum number of steps: enough to bisect any step to its last bits.</summary>
     private const int MostSteps = 60;
 
-    /// <summary>Below this correction, s, a linear one is exact to rounding, where the motion does not bend in it.</summary>
+    /// <summary>The correction, in s, below which a linear one is exact up to rounding, if the acceleration is negligible.</summary>
     public const double Negligible = 1e-6;
 
-    /// <summary>Largest share of the acceleration in a linear correction, m.</summary>
+    /// <summary>The largest contribution of the acceleration to a linear correction, in m.</summary>
     private const double NegligibleBend = 1e-10;
 
-    /// <summary>True when a step's end may be moved by a correction along its velocity, and need not be taken again.</summary>
+    /// <summary>Returns true if a linear correction may move the end of a step, without repeating the step.</summary>
     /// <param name="sweep">The step.</param>
-    /// <param name="correction">The correction, s.</param>
+    /// <param name="correction">The correction, in s.</param>
     public static bool IsLinear<TSweep>(ref TSweep sweep, double correction)
         where TSweep : struct, ISweep =>
         Math.Abs(correction) <= Negligible && sweep.StartAcceleration.Length * correction * correction <= NegligibleBend;
 
-    /// <summary>Shortens a step to where its event function is zero.</summary>
+    /// <summary>Shortens a step to the zero of an event function.</summary>
     /// <param name="sweep">The step.</param>
-    /// <param name="sought">The event function; positive at the step's start, and not at its end.</param>
-    /// <param name="tau">The first guess, s.</param>
-    /// <returns>False where the search ended without it: then the step has the length at which it was evaluated last.</returns>
+    /// <param name="sought">The event function; positive at the start of the step, and not positive at its end.</param>
+    /// <param name="tau">The first guess, in s.</param>
+    /// <returns>False if the search ended without the event: the step then has the length of the last evaluation.</returns>
     public static bool Locate<TSweep, TEvent>(ref TSweep sweep, in TEvent sought, double tau)
         where TSweep : struct, ISweep
         where TEvent : struct, IEventFunction<TSweep>
@@ -42,7 +40,7 @@ internal static class EventLocator
                 return true;
             }
 
-            // Positive is before the event: the bracket closes from that side, or from the other.
+            // The function is positive before the event, so this length replaces the end of the bracket on its side.
             if (value > 0)
             {
                 low = tau;
@@ -52,7 +50,7 @@ internal static class EventLocator
                 high = tau;
             }
 
-            // Newton or the secant as long as they stay in the bracket, else its middle.
+            // Use Newton or the secant while it stays in the bracket, otherwise bisect.
             double next = tau + correction;
             tau = next > low && next < high ? next : 0.5 * (low + high);
             if (high - low <= 1e-15 * length)
@@ -65,26 +63,26 @@ internal static class EventLocator
     }
 }
 
-/// <summary>A function of a step's end that falls to zero where an event is. A struct, so that a search is compiled for it and allocates nothing.</summary>
+/// <summary>A function of the end of a step that falls to zero at an event. A struct, so that a search is specialized for it and does not allocate.</summary>
 internal interface IEventFunction<TSweep>
     where TSweep : struct, ISweep
 {
-    /// <summary>Evaluates it at the end of a step.</summary>
-    /// <param name="sweep">The step as it was last taken; its end may be nudged where a linear correction is exact.</param>
-    /// <param name="tau">Its length, s.</param>
-    /// <param name="value">The function there; positive before the event.</param>
-    /// <param name="correction">What Newton's method, or a secant, adds to the length, s; not a number where the function does not fall: then the bracket is halved.</param>
-    /// <returns>True where the search ends: at the event, or where no other length would be nearer to it.</returns>
+    /// <summary>Evaluates the function at the end of a step.</summary>
+    /// <param name="sweep">The step as last taken. Its end may be nudged if a linear correction is exact.</param>
+    /// <param name="tau">The length of the step, in s.</param>
+    /// <param name="value">The value; positive before the event.</param>
+    /// <param name="correction">The correction of the length by Newton's method or a secant, in s; NaN if the function does not fall: the search then bisects.</param>
+    /// <returns>True if the search ends: at the event, or if no other length would be closer.</returns>
     bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction);
 }
 
-/// <summary>The rate at a step's end, from its start and its mean.</summary>
+/// <summary>Estimates the rate at the end of a step from the rate at its start and the mean rate.</summary>
 internal static class Extrapolate
 {
-    /// <summary>Below this length, s, the difference of the ends is mostly rounding.</summary>
+    /// <summary>The length, in s, below which the difference of the ends is mostly rounding.</summary>
     private const double Shortest = 1e-6;
 
-    /// <summary>2 (f₁ − f₀)/h − f₀'.</summary>
+    /// <summary>Returns 2 (f₁ − f₀)/h − f₀'.</summary>
     public static double Rate(double from, double to, double startRate, double h) =>
         h > Shortest ? ((2.0 * (to - from)) / h) - startRate : startRate;
 

@@ -2,31 +2,31 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, along a constant axis of the spin.</summary>
+/// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, for a constant axis of the spin.</summary>
 internal static class FlightRates
 {
-    /// <summary>The rates at one stage of a step, a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>
+    /// <summary>Computes the rates at one stage of a step: a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>
     /// <param name="air">The air.</param>
     /// <param name="start">The ball at the start of the step.</param>
     /// <param name="branch">The branch of the drag law that the step is locked to.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
-    /// <param name="h">Time since the start of the step.</param>
-    /// <param name="px">Way since then, x.</param>
-    /// <param name="py">The same, y.</param>
-    /// <param name="pz">The same, z.</param>
-    /// <param name="distance">Way through the air since then.</param>
-    /// <param name="nx">Axis of the spin, x.</param>
-    /// <param name="ny">Axis of the spin, y.</param>
-    /// <param name="nz">Axis of the spin, z.</param>
-    /// <param name="ux">Velocity relative to the steady wind, x.</param>
-    /// <param name="uy">The same, y.</param>
-    /// <param name="uz">The same, z.</param>
-    /// <param name="spin">Size of the spin.</param>
-    /// <param name="ax">Acceleration, x.</param>
-    /// <param name="ay">Acceleration, y.</param>
-    /// <param name="az">Acceleration, z.</param>
-    /// <param name="spinRate">Rate of change of the spin.</param>
-    /// <param name="airSpeed">Speed relative to the air, where the air asks for the distance flown; else 0.</param>
+    /// <param name="upward">The upward acceleration by gravity and buoyancy.</param>
+    /// <param name="h">The time since the start of the step.</param>
+    /// <param name="px">The x component of the displacement since the start.</param>
+    /// <param name="py">Its y component.</param>
+    /// <param name="pz">Its z component.</param>
+    /// <param name="distance">The distance through the air since the start.</param>
+    /// <param name="nx">The x component of the spin axis.</param>
+    /// <param name="ny">Its y component.</param>
+    /// <param name="nz">Its z component.</param>
+    /// <param name="ux">The x component of the velocity relative to the steady wind.</param>
+    /// <param name="uy">Its y component.</param>
+    /// <param name="uz">Its z component.</param>
+    /// <param name="spin">The magnitude of the spin.</param>
+    /// <param name="ax">The x component of the acceleration.</param>
+    /// <param name="ay">Its y component.</param>
+    /// <param name="az">Its z component.</param>
+    /// <param name="spinRate">The rate of change of the spin.</param>
+    /// <param name="airSpeed">The speed relative to the air, if the air needs the distance flown; otherwise 0.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void At<TAir>(
         ref TAir air,
@@ -52,7 +52,7 @@ internal static class FlightRates
         out double airSpeed)
         where TAir : struct, IFlightLaws
     {
-        // The wind by place and time, over the steady one.
+        // Add the variable wind to the steady one.
         if (air.HasField)
         {
             Vector3d wind = air.WindAt(start.Time + h, start.Position.X + px, start.Position.Y + py, start.Position.Z + pz);
@@ -61,7 +61,7 @@ internal static class FlightRates
             uz -= wind.Z;
         }
 
-        // Where the law does not ask for the part across the spin, no code remains of its square.
+        // If the law does not use the part of u across the spin, the compiler removes its square.
         double cx = (ny * uz) - (nz * uy);
         double cy = (nz * ux) - (nx * uz);
         double cz = (nx * uy) - (ny * ux);
@@ -84,18 +84,18 @@ internal static class FlightRates
             az += side.Z;
         }
 
-        // A ball without spin stays without.
+        // A ball without spin does not start to spin.
         spinRate = spin != 0 ? -decay : 0;
     }
 
-    /// <summary>The rates at a point by itself.</summary>
+    /// <summary>Computes the rates at a single point.</summary>
     /// <param name="air">The air.</param>
-    /// <param name="at">The ball there: place, time, axis of the spin and branch of the drag law.</param>
-    /// <param name="upward">Upward acceleration by gravity and buoyancy.</param>
-    /// <param name="u">Velocity relative to the steady wind.</param>
-    /// <param name="spin">Size of the spin.</param>
-    /// <param name="acceleration">Acceleration.</param>
-    /// <param name="spinRate">Rate of change of the spin.</param>
+    /// <param name="at">The ball: position, time, axis of the spin and branch of the drag law.</param>
+    /// <param name="upward">The upward acceleration by gravity and buoyancy.</param>
+    /// <param name="u">The velocity relative to the steady wind.</param>
+    /// <param name="spin">The magnitude of the spin.</param>
+    /// <param name="acceleration">The acceleration.</param>
+    /// <param name="spinRate">The rate of change of the spin.</param>
     public static void Of<TAir>(
         ref TAir air, in BallState at, double upward, in Vector3d u, double spin, out Vector3d acceleration, out double spinRate)
         where TAir : struct, IFlightLaws

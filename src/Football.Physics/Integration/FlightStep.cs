@@ -1,26 +1,26 @@
 namespace FootballPhysics;
 
-/// <summary>Where a step in flight ends, and the rates at its start.</summary>
+/// <summary>The result of a flight step: changes over the step, and the rates at its start.</summary>
 internal struct FlightStep
 {
-    /// <summary>Way through the air, ∫u dt, m.</summary>
+    /// <summary>The displacement relative to the air, ∫u dt, in m.</summary>
     public Vector3d Path;
 
-    /// <summary>Velocity relative to the air at the end, m/s.</summary>
+    /// <summary>The velocity relative to the air at the end, in m/s.</summary>
     public Vector3d AirVelocity;
 
-    /// <summary>Size of the spin at the end, rad/s; negative where it would have been reversed.</summary>
+    /// <summary>The magnitude of the spin at the end, in rad/s; negative if the step would have reversed it.</summary>
     public double SpinRate;
 
-    /// <summary>Angle turned about the axis, rad.</summary>
+    /// <summary>The angle of rotation about the axis, in rad.</summary>
     public double Turn;
 
-    /// <summary>Distance flown through the air, m, where the air asks for it; else 0.</summary>
+    /// <summary>The distance flown through the air, in m, if the air needs it; otherwise 0.</summary>
     public double AirDistance;
 
-    /// <summary>Acceleration at the start, m/s².</summary>
+    /// <summary>The acceleration at the start, in m/s².</summary>
     public Vector3d StartAcceleration;
 
-    /// <summary>Rate of change of the spin at the start, rad/s².</summary>
+    /// <summary>The rate of change of the spin at the start, in rad/s².</summary>
     public double StartSpinAcceleration;
 }

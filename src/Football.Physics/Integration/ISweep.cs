@@ -1,32 +1,32 @@
 namespace FootballPhysics;
 
-/// <summary>The motion over a step that can be taken again, from the same start, with another length: to find what happens inside it, and when.</summary>
+/// <summary>A step that can be repeated from the same start with another length, to find events within it.</summary>
 internal interface ISweep
 {
-    /// <summary>Length of the step as it was last taken, s.</summary>
+    /// <summary>The length of the last step, in s.</summary>
     double Length { get; }
 
-    /// <summary>Where the centre is at the end, m.</summary>
+    /// <summary>The position of the centre at the end, in m.</summary>
     Vector3d Position { get; }
 
-    /// <summary>Velocity at the end, m/s.</summary>
+    /// <summary>The velocity at the end, in m/s.</summary>
     Vector3d Velocity { get; }
 
-    /// <summary>Acceleration at the start, m/s².</summary>
+    /// <summary>The acceleration at the start, in m/s².</summary>
     Vector3d StartAcceleration { get; }
 
-    /// <summary>Right-hand sides evaluated so far.</summary>
+    /// <summary>The number of evaluations so far.</summary>
     int Evaluations { get; set; }
 
-    /// <summary>Takes the step with another length.</summary>
+    /// <summary>Repeats the step with another length.</summary>
     void Step(double h);
 
-    /// <summary>Moves the end by a tiny time, with the acceleration that the step itself shows.</summary>
+    /// <summary>Moves the end by a tiny time, with the acceleration estimated from the step.</summary>
     void Nudge(double dt);
 
-    /// <summary>Acceleration at the end, m/s²; one evaluation.</summary>
+    /// <summary>Returns the acceleration at the end, in m/s²; one evaluation.</summary>
     Vector3d EndAcceleration();
 
-    /// <summary>Moves the ball to the end: place, velocity, spin and orientation.</summary>
+    /// <summary>Moves the ball to the end of the step: position, velocity, spin and orientation.</summary>
     void MoveTo(ref BallState s);
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The path of a piece as a cubic in time: close to what the method itself re-integrates, and cheap to search.</summary>
+/// <summary>The path of a segment as a cubic in time: close to the integrated path, and cheap to search.</summary>
 internal readonly struct PathCubic
 {
     private readonly Vector3d _c0;
@@ -17,21 +17,21 @@ internal readonly struct PathCubic
         Length = length;
     }
 
-    /// <summary>How long it lasts, s.</summary>
+    /// <summary>The duration, in s.</summary>
     public double Length { get; }
 
-    /// <summary>The greatest speed on it, m/s: that of its velocity's control points.</summary>
+    /// <summary>A bound on the speed, in m/s: the maximum over the control points of the velocity.</summary>
     public double FastestSpeed
     {
         get
         {
-            // A velocity that is quadratic in time lies in the hull of its three control points.
+            // A velocity that is quadratic in time stays in the hull of its three control points.
             Vector3d middle = _c1 + (Length * _c2);
             return Math.Sqrt(Math.Max(_c1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
         }
     }
 
-    /// <summary>The greatest acceleration on it, m/s²: it is linear in time.</summary>
+    /// <summary>The greatest acceleration, in m/s². It is linear in time, so it is greatest at an end.</summary>
     public double GreatestAcceleration
     {
         get
@@ -41,12 +41,12 @@ internal readonly struct PathCubic
         }
     }
 
-    /// <summary>A box around it: that of its control points.</summary>
+    /// <summary>A bounding box: that of the control points.</summary>
     public Bounds3d Bounds
     {
         get
         {
-            // The control points of the cubic as a Bézier curve, which lies in their hull.
+            // A Bézier curve stays in the hull of its control points.
             Vector3d first = _c0 + (Length / 3.0 * _c1);
             Vector3d second = _c0 + (Length * ((2.0 / 3.0 * _c1) + (Length / 3.0 * _c2)));
             Vector3d end = At(Length);
@@ -56,12 +56,12 @@ internal readonly struct PathCubic
         }
     }
 
-    /// <summary>Not less than how far it is from the straight line between its ends, m.</summary>
+    /// <summary>A bound on the distance from the straight line between the ends, in m.</summary>
     public double Deviation
     {
         get
         {
-            // At every time the path lies in the hull of its control points, and each is so far from its like on the line.
+            // The path stays in the hull of its control points, so compare each with its counterpart on the line.
             double scale = Length * Length / 3.0;
             double first = (_c2 + (Length * _c3)).LengthSquared;
             double second = (_c2 + ((2.0 * Length) * _c3)).LengthSquared;
@@ -69,21 +69,21 @@ internal readonly struct PathCubic
         }
     }
 
-    /// <summary>A straight path.</summary>
+    /// <summary>Returns a straight path.</summary>
     public static PathCubic Line(in Vector3d from, in Vector3d velocity, double length) => new(in from, in velocity, default, default, length);
 
-    /// <summary>The path of a piece: for methods of low order the quadratic that they re-integrate, else the Hermite interpolant.</summary>
+    /// <summary>Returns the path of a segment: for methods of low order their own quadratic, otherwise the Hermite interpolant.</summary>
     public static PathCubic Of<TSweep>(ref TSweep sweep, in Vector3d position, in Vector3d velocity, int order)
         where TSweep : struct, ISweep
     {
         return Between(in position, in velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
     }
 
-    /// <summary>The path of a piece that was kept, from its start on.</summary>
+    /// <summary>Returns the path of a stored segment.</summary>
     public static PathCubic Of(in PathSegment piece) =>
         Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
 
-    /// <summary>The Hermite interpolant between two places with their velocities.</summary>
+    /// <summary>Returns the Hermite interpolant between two positions with velocities.</summary>
     public static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h) =>
         Between(in position, in velocity, in end, in endVelocity, h, isQuadratic: false);
 
@@ -94,7 +94,7 @@ internal readonly struct PathCubic
             return Line(in position, in velocity, 0);
         }
 
-        // How far the end is off the straight way.
+        // The deviation of the end from uniform motion.
         Vector3d bend = end - position - (h * velocity);
         double perLength = 1.0 / h;
         double perSquared = perLength * perLength;
@@ -110,28 +110,28 @@ internal readonly struct PathCubic
         return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
     }
 
-    /// <summary>Its distance from a plane, less another distance, as a function of time.</summary>
+    /// <summary>Returns the distance from a plane, minus an offset, as a function of time.</summary>
     public PathDistance DistanceTo(PlaneShape plane, double less) => DistanceTo(plane.Normal, plane.DistanceTo(in _c0) - less);
 
-    /// <summary>Its distance from a plane by the plane's normal and that distance at the start.</summary>
+    /// <summary>Returns the distance from a plane, given its normal and the distance at the start.</summary>
     public PathDistance DistanceTo(in Vector3d n, double start) =>
         new(start, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
 
-    /// <summary>How far it gets along a direction from its start to a time, m.</summary>
+    /// <summary>Returns the displacement along a direction from the start to a time, in m.</summary>
     public double ClimbAlong(in Vector3d direction, double t) => Vector3d.Dot(At(t) - _c0, in direction);
 
-    /// <summary>The place at a time, m.</summary>
+    /// <summary>Returns the position at a time, in m.</summary>
     public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
 
-    /// <summary>The velocity at a time, m/s.</summary>
+    /// <summary>Returns the velocity at a time, in m/s.</summary>
     public Vector3d VelocityAt(double t) => _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
 
-    /// <summary>The path as something sees it that moves steadily.</summary>
-    /// <param name="origin">Where its origin is at the start of the path, m.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <summary>Returns the path relative to an object with constant velocity.</summary>
+    /// <param name="origin">The object's origin at the start of the path, in m.</param>
+    /// <param name="velocity">The object's velocity, in m/s.</param>
     public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(_c0 - origin, _c1 - velocity, in _c2, in _c3, Length);
 
-    /// <summary>The path in the axes of a thing that is turned.</summary>
+    /// <summary>Returns the path in the axes of a rotated object.</summary>
     public PathCubic InAxes(in RigidMotion thing) =>
         new(thing.ToOwn(in _c0), thing.ToOwn(in _c1), thing.ToOwn(in _c2), thing.ToOwn(in _c3), Length);
 
@@ -143,12 +143,12 @@ internal readonly struct PathCubic
 /// <summary>The distance between a path and a plane: a cubic in time.</summary>
 internal readonly struct PathDistance(double c0, double c1, double c2, double c3, double length)
 {
-    /// <summary>How fast it may begin to fall faster at most, m/s²: its second derivative is linear in time.</summary>
+    /// <summary>The greatest downward second derivative, in m/s². It is linear in time, so it is greatest at an end.</summary>
     public double GreatestFall => Math.Max(0, -2.0 * Math.Min(c2, c2 + (3.0 * length * c3)));
 
-    /// <summary>The distance at a time, m.</summary>
+    /// <summary>Returns the distance at a time, in m.</summary>
     public double At(double t) => c0 + (t * (c1 + (t * (c2 + (t * c3)))));
 
-    /// <summary>Its rate, m/s.</summary>
+    /// <summary>Returns the rate at a time, in m/s.</summary>
     public double RateAt(double t) => c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
 }

@@ -1,13 +1,13 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A piece of smooth motion between two instants without an event between them: dense, so it can be asked at any time inside.</summary>
+/// <summary>A segment of smooth motion between two events, with a path that can be evaluated at any time.</summary>
 /// <remarks>
-/// With RK4 the path is the quintic Hermite interpolant of both ends' positions, velocities and accelerations (1e-8 m off a step of 40 ms); with
-/// methods of lower order it is the quadratic that the method itself re-integrates.
+/// With RK4 the path is the quintic Hermite interpolant of the positions, velocities and accelerations at both ends. Its error is 1e-8 m for a step of 40 ms.
+/// With methods of lower order it is the quadratic that the method itself integrates.
 /// </remarks>
 public readonly struct PathSegment
 {
-    /// <summary>A fraction of a piece is known when the next correction is below this: a few hundred times the rounding of its ends.</summary>
+    /// <summary>The correction, as a fraction of a segment, at which a search ends: a few hundred times the rounding error.</summary>
     private const double Closeness = 1e-13;
     private const int MostEvaluations = 60;
 
@@ -37,49 +37,49 @@ public readonly struct PathSegment
         _degree = degree;
     }
 
-    /// <summary>The degree of the path of a step: the quadratic that a method of low order itself re-integrates; else that of the Hermite interpolant.</summary>
-    /// <param name="order">Order of the method.</param>
-    /// <param name="hasEndAcceleration">Whether the acceleration at the end is known.</param>
+    /// <summary>Returns the degree of the path of a step: that of a low-order method's quadratic, otherwise that of the Hermite interpolant.</summary>
+    /// <param name="order">The order of the method.</param>
+    /// <param name="hasEndAcceleration">True if the acceleration at the end is known.</param>
     internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
 
-    /// <summary>The cubic between the ends of a step without an event in it.</summary>
+    /// <summary>Returns the cubic between the ends of a step without events.</summary>
     internal static PathSegment Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
 
-    /// <summary>Degree of its polynomial in time.</summary>
+    /// <summary>The degree of the polynomial in time.</summary>
     internal int Degree => _degree;
 
-    /// <summary>When it starts, s since the launch.</summary>
+    /// <summary>The start time, in s since the launch.</summary>
     public double Time { get; }
 
-    /// <summary>How long it lasts, s.</summary>
+    /// <summary>The duration, in s.</summary>
     public double Length { get; }
 
-    /// <summary>When it ends, s since the launch.</summary>
+    /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Time + Length;
 
-    /// <summary>Position at the start, m.</summary>
+    /// <summary>The position at the start, in m.</summary>
     public Vector3d StartPosition { get; }
 
-    /// <summary>Velocity at the start, m/s.</summary>
+    /// <summary>The velocity at the start, in m/s.</summary>
     public Vector3d StartVelocity { get; }
 
-    /// <summary>Acceleration at the start, m/s².</summary>
+    /// <summary>The acceleration at the start, in m/s².</summary>
     public Vector3d StartAcceleration { get; }
 
-    /// <summary>Position at the end, m.</summary>
+    /// <summary>The position at the end, in m.</summary>
     public Vector3d EndPosition { get; }
 
-    /// <summary>Velocity at the end, before the impact that may follow, m/s.</summary>
+    /// <summary>The velocity at the end, before an impact that may follow, in m/s.</summary>
     public Vector3d EndVelocity { get; }
 
-    /// <summary>Acceleration at the end, m/s².</summary>
+    /// <summary>The acceleration at the end, in m/s².</summary>
     public Vector3d EndAcceleration { get; }
 
-    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
+    /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
     public MotionState Motion { get; }
 
-    /// <summary>The greatest height of the centre over the piece, m.</summary>
+    /// <summary>The greatest height of the ball's centre, in m.</summary>
     public double Apex
     {
         get
@@ -89,11 +89,11 @@ public readonly struct PathSegment
         }
     }
 
-    /// <summary>When the centre is highest, s since the launch.</summary>
+    /// <summary>The time at which the centre is highest, in s since the launch.</summary>
     internal double ApexTime => StartVelocity.Y > 0 && EndVelocity.Y < 0 ? TurningTime(new Climb(in this)) : StartPosition.Y > EndPosition.Y ? Time : EndTime;
 
-    /// <summary>Where the ball is at a time of the piece, m.</summary>
-    /// <param name="time">Time since the launch, s; outside the piece its curve is continued.</param>
+    /// <summary>Returns the position of the ball's centre at a time, in m.</summary>
+    /// <param name="time">The time since the launch, in s; outside the segment the curve is extrapolated.</param>
     public Vector3d PositionAt(double time)
     {
         double t = time - Time;
@@ -112,8 +112,8 @@ public readonly struct PathSegment
         return _degree == 3 ? CubicCurve.PositionAt(t) : QuinticCurve.PositionAt(t);
     }
 
-    /// <summary>The velocity at a time of the piece, m/s.</summary>
-    /// <param name="time">Time since the launch, s; outside the piece its curve is continued.</param>
+    /// <summary>Returns the velocity at a time, in m/s.</summary>
+    /// <param name="time">The time since the launch, in s; outside the segment the curve is extrapolated.</param>
     public Vector3d VelocityAt(double time)
     {
         double t = time - Time;
@@ -127,7 +127,7 @@ public readonly struct PathSegment
             : QuinticCurve.VelocityAt(t);
     }
 
-    /// <summary>The piece as seen by something that moves steadily and was at the origin at time 0.</summary>
+    /// <summary>Returns the segment relative to an object with constant velocity that was at the origin at time 0.</summary>
     internal PathSegment SeenFrom(in Vector3d velocity) => new(
         Time,
         Length,
@@ -140,17 +140,17 @@ public readonly struct PathSegment
         Motion,
         _degree);
 
-    /// <summary>When the piece passes a plane, if it does.</summary>
+    /// <summary>Finds the time at which the segment crosses a plane. False if it does not.</summary>
     /// <param name="point">A point of the plane.</param>
-    /// <param name="normal">Its normal; any length.</param>
-    /// <param name="time">The first time on the plane, s since the launch.</param>
+    /// <param name="normal">The normal of the plane; any length.</param>
+    /// <param name="time">The first time on the plane, in s since the launch.</param>
     internal bool Crosses(in Vector3d point, in Vector3d normal, out double time)
     {
         double before = Vector3d.Dot(StartPosition - point, in normal);
         double after = Vector3d.Dot(EndPosition - point, in normal);
         time = Time;
 
-        // From the plane itself it does not cross it.
+        // A segment that starts on the plane does not cross it.
         if (before == 0)
         {
             return false;
@@ -159,7 +159,7 @@ public readonly struct PathSegment
         double end = 1;
         if (!(before < 0 != after < 0 || after == 0))
         {
-            // It may pass the plane and come back: then it turns behind it.
+            // It may cross the plane and return: it then turns behind the plane.
             var approach = new PlaneApproach(in this, in normal, before > 0);
             approach.Evaluate(0, out double atStart);
             approach.Evaluate(1, out double atEnd);
@@ -168,7 +168,7 @@ public readonly struct PathSegment
                 return false;
             }
 
-            // Up to where it turns there is one crossing.
+            // There is exactly one crossing before the turn.
             end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, MostEvaluations);
             after = Vector3d.Dot(PositionAt(Time + (end * Length)) - point, in normal);
             if (before < 0 == after < 0)
@@ -177,17 +177,17 @@ public readonly struct PathSegment
             }
         }
 
-        // The secant is a good start for Newton on the dense path.
+        // Start Newton's method on the path from the secant.
         var distance = new PlaneDistance(in this, in point, in normal, before > 0);
         time = Time + (Roots.Newton(ref distance, 0, end, end * before / (before - after)) * Length);
         return true;
     }
 
-    /// <summary>When the piece comes back through a plane that it crossed, if it does.</summary>
+    /// <summary>Finds the time at which the segment returns through a plane that it has crossed. False if it does not.</summary>
     /// <param name="point">A point of the plane.</param>
-    /// <param name="normal">Its normal; any length.</param>
-    /// <param name="crossed">When it crossed it first, s since the launch.</param>
-    /// <param name="time">When it comes back.</param>
+    /// <param name="normal">The normal of the plane; any length.</param>
+    /// <param name="crossed">The time of the first crossing, in s since the launch.</param>
+    /// <param name="time">The time of the return, in s since the launch.</param>
     internal bool CrossesBack(in Vector3d point, in Vector3d normal, double crossed, out double time)
     {
         double before = Vector3d.Dot(StartPosition - point, in normal);
@@ -198,7 +198,7 @@ public readonly struct PathSegment
             return false;
         }
 
-        // Behind the plane it turns, and from there it comes back once.
+        // It turns behind the plane; from there it returns exactly once.
         double low = (crossed - Time) / Length;
         var approach = new PlaneApproach(in this, in normal, before > 0);
         approach.Evaluate(low, out double atCrossing);
@@ -206,17 +206,17 @@ public readonly struct PathSegment
         double turn = atCrossing < 0 && atEnd > 0 ? Roots.Illinois(ref approach, low, atCrossing, 1, atEnd, Closeness, MostEvaluations) : low;
         var distance = new PlaneDistance(in this, in point, in normal, before < 0);
 
-        // The secant from the turn behind the plane to the end before it, for a first guess.
+        // First guess: the secant from the turn to the end.
         distance.Evaluate(turn, out double behind, out _);
         double start = behind > 0 ? turn + ((1 - turn) * behind / (behind + Math.Abs(after))) : turn;
         time = Time + (Roots.Newton(ref distance, turn, 1, start) * Length);
         return true;
     }
 
-    /// <summary>The closest approach to a point over the piece.</summary>
+    /// <summary>Finds the closest approach to a point.</summary>
     /// <param name="point">The point.</param>
-    /// <param name="time">When, s since the launch.</param>
-    /// <returns>The square of the distance.</returns>
+    /// <param name="time">The time of the closest approach, in s since the launch.</param>
+    /// <returns>The squared distance.</returns>
     internal double ClosestApproach(in Vector3d point, out double time)
     {
         Vector3d start = StartPosition - point;
@@ -226,7 +226,7 @@ public readonly struct PathSegment
         time = startSquared <= endSquared ? Time : EndTime;
         double best = Math.Min(startSquared, endSquared);
 
-        // d|p − q|²/dt = 2 (p − q)·v changes sign from minus to plus at a nearest point.
+        // At a nearest point, d|p − q|²/dt = 2 (p − q)·v changes from negative to positive.
         if (Vector3d.Dot(in start, PathVelocity(Time)) < 0 && Vector3d.Dot(in end, PathVelocity(EndTime)) > 0)
         {
             double inside = TurningTime(new Recession(in this, in point));
@@ -241,7 +241,7 @@ public readonly struct PathSegment
         return best;
     }
 
-    /// <summary>The velocity as the derivative of the dense path, which for methods of low order differs from the method's velocity.</summary>
+    /// <summary>Returns the derivative of the path. For methods of low order it differs from the method's velocity.</summary>
     private Vector3d PathVelocity(double time)
     {
         if (_degree > 2 || !(Length > 0))
@@ -258,7 +258,7 @@ public readonly struct PathSegment
     private QuinticHermite3d QuinticCurve =>
         new(StartPosition, StartVelocity, StartAcceleration, EndPosition, EndVelocity, EndAcceleration, Length);
 
-    /// <summary>When a rate, which is nearly linear over the piece, changes its sign; the end where it does not: a straight path turns nowhere.</summary>
+    /// <summary>Returns the time at which a nearly linear rate changes its sign; the end if it does not, as on a straight path.</summary>
     private double TurningTime<TRate>(TRate rate)
         where TRate : struct, IFunction
     {
@@ -267,7 +267,7 @@ public readonly struct PathSegment
         return Time + ((atStart < 0 == atEnd < 0 ? 1 : Roots.Illinois(ref rate, 0, atStart, 1, atEnd, Closeness, MostEvaluations)) * Length);
     }
 
-    /// <summary>Distance from a plane over fractions of a piece, positive where the piece begins.</summary>
+    /// <summary>The distance from a plane over fractions of a segment, positive at the start.</summary>
     private readonly struct PlaneDistance : IDifferentiableFunction
     {
         private readonly PathSegment _piece;
@@ -290,7 +290,7 @@ public readonly struct PathSegment
         }
     }
 
-    /// <summary>How fast the distance from a plane grows on the side where the piece begins, over fractions of it.</summary>
+    /// <summary>The rate of the distance from a plane, on the side of the start, over fractions of a segment.</summary>
     private readonly struct PlaneApproach : IFunction
     {
         private readonly PathSegment _piece;
@@ -309,7 +309,7 @@ public readonly struct PathSegment
         }
     }
 
-    /// <summary>Vertical velocity over fractions of a piece.</summary>
+    /// <summary>The vertical velocity over fractions of a segment.</summary>
     private readonly struct Climb : IFunction
     {
         private readonly PathSegment _piece;
@@ -323,7 +323,7 @@ public readonly struct PathSegment
         }
     }
 
-    /// <summary>Half the rate of change of the squared distance from a point, over fractions of a piece.</summary>
+    /// <summary>Half the rate of the squared distance from a point, over fractions of a segment.</summary>
     private readonly struct Recession : IFunction
     {
         private readonly PathSegment _piece;

@@ -1,20 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Classical Runge–Kutta in parts as short as a motion asks for, which is one step for everything else: in a net, whose forces settle much faster than a step is
-/// long. Where it has settled, the parts are longer. The last part is cut, so that where the step ends depends smoothly on its length.
-/// </summary>
+/// <summary>Classical Runge–Kutta in substeps, for a ball in a net: its forces settle much faster than a step.</summary>
+/// <remarks>
+/// The motion sets the length of each substep; other motions take a single one. After the forces have settled, substeps grow. The last one is cut, so that the end
+/// depends smoothly on the length of the step.
+/// </remarks>
 internal struct Substeps : IIntegrator
 {
-    /// <summary>A step that is taken again goes on from so many parts before its end: a search for what happens in it hardly goes back further.</summary>
+    /// <summary>The number of substeps before the end from which a repeated step resumes: a search rarely goes back further.</summary>
     private const double Before = 3.0;
 
-    // Where it goes on from: how far that is, the next part, and all of the step until there.
+    // The resume point: time since the start, length of the next substep, and the result of the step so far.
     private double _done;
     private double _part;
     private MotionStep _step;
 
-    /// <summary>Right-hand sides of the step before.</summary>
+    /// <summary>The number of evaluations of the last step.</summary>
     public int Stages { get; private set; }
 
     public readonly bool LastStageAtEnd => true;
@@ -36,7 +37,7 @@ internal struct Substeps : IIntegrator
     public void Advance<TSystem>(ref TSystem system, double time, in Motion from, in MotionRates start, double h, out MotionStep step)
         where TSystem : struct, IMotionSystem
     {
-        // What is taken of a step does not depend on how long the step is, but for its last part: a step that is taken again goes on from where it did not end yet.
+        // Except for the last one, substeps do not depend on the length of the step, so a repeated step resumes from a saved point.
         ClassicalRungeKutta method = default;
         bool goesOn = _done > 0 && _done < h;
         double done = goesOn ? _done : 0;
@@ -57,7 +58,7 @@ internal struct Substeps : IIntegrator
             Stages += method.Stages;
             double jerk = JerkIn(in at, in next, part);
 
-            // Rotations follow one another; the rates at the start are those of the first part.
+            // Compose the rotations; the rates at the start are those of the first substep.
             if (done > 0)
             {
                 next.Rotation = RotationVector.Then(in step.Rotation, in next.Rotation);
@@ -70,7 +71,7 @@ internal struct Substeps : IIntegrator
                 return;
             }
 
-            // How fast the forces change says how long the next part may be; what is long before the end is kept to go on from.
+            // The jerk limits the next substep. Save a point well before the end to resume from.
             done += part;
             part = system.LongestPart(in step.End, jerk);
             if (done + (Before * part) < h)
@@ -82,7 +83,7 @@ internal struct Substeps : IIntegrator
         }
     }
 
-    /// <summary>|ȧ| in a part, by its mean acceleration and that at its start, m/s³.</summary>
+    /// <summary>Estimates |ȧ| in a substep from its mean acceleration and that at its start, in m/s³.</summary>
     private static double JerkIn(in Motion from, in MotionStep part, double h) =>
         2.0 / h * (((part.End.Velocity - from.Velocity) / h) - part.StartRates.Acceleration).Length;
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The four Chebyshev points of an interval: where a cubic must meet a function to stay close to it everywhere between.</summary>
+/// <summary>The four Chebyshev points of an interval: a cubic through them stays close to the function on the entire interval.</summary>
 internal readonly struct ChebyshevPoints
 {
     private const double Outer = 0.92387953251128673848; // cos(π/8)

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>Range checks whose message names the field, the value and what is allowed.</summary>
+/// <summary>Range checks. Their messages name the field, its value and the allowed range.</summary>
 internal static class Check
 {
     public static void Given(string field, object? value)
@@ -13,11 +13,11 @@ internal static class Check
         }
     }
 
-    /// <summary>Refuses null among the items of a list.</summary>
-    /// <param name="list">Name of the list.</param>
-    /// <param name="index">Place of the item in it.</param>
+    /// <summary>Throws if an item of a list is null.</summary>
+    /// <param name="list">The name of the list.</param>
+    /// <param name="index">The index of the item.</param>
     /// <param name="item">The item.</param>
-    /// <param name="what">The kind of item that it must be, with its article.</param>
+    /// <param name="what">The required kind of item, with its article.</param>
     public static void GivenItem(string list, int index, object? item, string what)
     {
         if (item is null)
@@ -26,10 +26,10 @@ internal static class Check
         }
     }
 
-    /// <summary>Refuses an index that nothing has.</summary>
-    /// <param name="field">Its name.</param>
+    /// <summary>Throws if an index is out of range.</summary>
+    /// <param name="field">The name of the index.</param>
     /// <param name="index">The index.</param>
-    /// <param name="count">How many there are.</param>
+    /// <param name="count">The number of items.</param>
     public static void Index(string field, int index, int count)
     {
         if ((uint)index >= (uint)count)
@@ -87,13 +87,13 @@ internal static class Check
         }
     }
 
-    /// <summary>Refuses a step that the clock's rounding would swallow: time would stand still.</summary>
-    /// <param name="field">Its name.</param>
-    /// <param name="step">The step, s.</param>
-    /// <param name="time">The latest time that the clock must go on from, s.</param>
+    /// <summary>Throws if a step is too small to advance the clock, because rounding would absorb it.</summary>
+    /// <param name="field">The name of the step.</param>
+    /// <param name="step">The step, in s.</param>
+    /// <param name="time">The latest time to advance, in s.</param>
     public static void Advances(string field, double step, double time)
     {
-        // With room: even a quarter of the step must move the clock.
+        // With a margin: even a quarter of the step must advance the clock.
         if (!(time + (0.25 * step) > time && time <= double.MaxValue))
         {
             throw Refusal(field, Text(step), $"more than the rounding of a clock at {Text(time)} s");
@@ -118,7 +118,7 @@ internal static class Check
 
     public static void Rotation(string field, in Quaterniond value)
     {
-        // Its norm is divided by: neither 0 nor infinite after squaring.
+        // The norm is a divisor later, so its square must be neither 0 nor infinite.
         double size = value.LengthSquared;
         if (!(size > 1e-200 && size < 1e200))
         {
@@ -126,26 +126,26 @@ internal static class Check
         }
     }
 
-    /// <summary>A direction: the vector with length 1.</summary>
+    /// <summary>Returns the unit vector of a direction, or throws if it has none.</summary>
     public static Vector3d Direction(string field, in Vector3d value)
     {
-        // Scaled first, so that the square of a very large or very small one is neither infinite nor zero.
+        // Scale first, so that the square of a very long or very short vector neither overflows nor underflows.
         double largest = Math.Max(Math.Abs(value.X), Math.Max(Math.Abs(value.Y), Math.Abs(value.Z)));
         if (!(value.IsFinite && largest > 0))
         {
             throw Refusal(field, value.ToString(), "a finite vector other than zero");
         }
 
-        // One that has length 1 to rounding stays as it is.
+        // Keep a vector that is a unit vector up to rounding.
         Vector3d scaled = value / largest;
         return Math.Abs(value.LengthSquared - 1.0) <= 1e-15 ? value : scaled / scaled.Length;
     }
 
-    /// <summary>Checks an enumeration whose values count up from 0; without boxing, for checks on the way to a run.</summary>
-    /// <param name="field">Its name.</param>
-    /// <param name="value">Its value.</param>
+    /// <summary>Throws if an enumeration value is undefined. Does not box, because runs start with such checks.</summary>
+    /// <param name="field">The name of the value.</param>
+    /// <param name="value">The value.</param>
     /// <param name="index">The value as a number.</param>
-    /// <param name="count">How many values there are.</param>
+    /// <param name="count">The number of defined values, which count up from 0.</param>
     public static void Defined<T>(string field, T value, int index, int count)
         where T : struct, Enum
     {
@@ -155,14 +155,14 @@ internal static class Check
         }
     }
 
-    /// <summary>The refusal of a value that an enumeration does not have.</summary>
+    /// <summary>Returns the exception for an undefined enumeration value.</summary>
     public static ArgumentOutOfRangeException Unknown<T>(string field, T value)
         where T : struct, Enum => Refusal(field, value.ToString(), string.Join(" | ", Enum.GetNames(typeof(T))));
 
     public static ArgumentOutOfRangeException Refusal(string field, string value, string allowed) =>
         new(field, $"{field} is {value}; allowed: {allowed}.");
 
-    /// <summary>The name of an item of a list.</summary>
+    /// <summary>Returns the name of an item of a list, for messages.</summary>
     public static string Item(string list, int index) => $"{list}[{index.ToString(CultureInfo.InvariantCulture)}]";
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);

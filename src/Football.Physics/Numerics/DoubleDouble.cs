@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A number as the sum of two doubles, to 31 digits (Dekker): for constants that are computed once, so that each is its exact value
-/// rounded to double, whatever the order in which it was computed.
-/// </summary>
+/// <summary>A number as the sum of two doubles, with 31 digits (Dekker).</summary>
+/// <remarks>Constants computed with it are the exact values rounded to double, whatever the order of computation.</remarks>
 internal readonly struct DoubleDouble
 {
     /// <summary>π.</summary>
@@ -14,10 +12,10 @@ internal readonly struct DoubleDouble
     /// <summary>ln 2.</summary>
     public static readonly DoubleDouble Ln2 = new(0.6931471805599452862, 2.319046813846299558e-17);
 
-    /// <summary>The number rounded to double.</summary>
+    /// <summary>The number, rounded to double.</summary>
     public readonly double High;
 
-    /// <summary>Rounding error of that.</summary>
+    /// <summary>The rounding error of <see cref="High"/>.</summary>
     public readonly double Low;
 
     private DoubleDouble(double high, double low)
@@ -32,7 +30,7 @@ internal readonly struct DoubleDouble
 
     public static DoubleDouble operator +(in DoubleDouble a, in DoubleDouble b)
     {
-        // The error of a sum is a double too (Knuth).
+        // The rounding error of a sum is itself a double (Knuth).
         double high = a.High + b.High;
         double part = high - a.High;
         double low = (a.High - (high - part)) + (b.High - part);
@@ -43,7 +41,7 @@ internal readonly struct DoubleDouble
 
     public static DoubleDouble operator *(in DoubleDouble a, in DoubleDouble b)
     {
-        // The error of a product, from halves of 26 bits whose products are exact (Dekker).
+        // The rounding error of a product, from 26-bit halves whose products are exact (Dekker).
         Halves(a.High, out double a1, out double a2);
         Halves(b.High, out double b1, out double b2);
         double high = a.High * b.High;
@@ -53,7 +51,7 @@ internal readonly struct DoubleDouble
 
     public static DoubleDouble operator /(in DoubleDouble a, in DoubleDouble b)
     {
-        // Long division: three quotients, each of what the last left over.
+        // Long division: three quotients, each of the previous remainder.
         double first = a.High / b.High;
         DoubleDouble rest = a - (b * first);
         double second = rest.High / b.High;
@@ -61,11 +59,11 @@ internal readonly struct DoubleDouble
         return Joined(first, second) + (rest.High / b.High);
     }
 
-    /// <summary>A decimal fraction, such as a constant as it is printed.</summary>
-    /// <param name="value">The fraction; at most 15 digits.</param>
+    /// <summary>Converts a decimal fraction, such as a printed constant.</summary>
+    /// <param name="value">The fraction, with at most 15 digits.</param>
     public static DoubleDouble Of(decimal value)
     {
-        // A whole number and a power of ten, both exact as long as they have fewer than 16 digits.
+        // An integer divided by a power of ten; both are exact below 16 digits.
         double scale = 1;
         while (value != decimal.Truncate(value))
         {
@@ -76,10 +74,10 @@ internal readonly struct DoubleDouble
         return (DoubleDouble)(double)value / scale;
     }
 
-    /// <summary>e^x for |x| ≤ 700.</summary>
+    /// <summary>Returns e^x for |x| ≤ 700.</summary>
     public static DoubleDouble Exp(in DoubleDouble x)
     {
-        // e^x = 2^k e^r with |r| ≤ ln 2/2; 28 terms of the series are enough for 31 digits.
+        // e^x = 2^k e^r with |r| ≤ ln 2/2; 28 terms of the series give 31 digits.
         double k = Math.Floor((x.High / Ln2.High) + 0.5);
         DoubleDouble r = x - (Ln2 * k);
         DoubleDouble sum = 1;
@@ -92,10 +90,10 @@ internal readonly struct DoubleDouble
         return new DoubleDouble(sum.High * scale, sum.Low * scale);
     }
 
-    /// <summary>The cosine for |x| ≤ π.</summary>
+    /// <summary>Returns the cosine for |x| ≤ π.</summary>
     public static DoubleDouble Cos(in DoubleDouble x)
     {
-        // The series to x⁴⁸/48!: for |x| ≤ π what follows is below 1e-39.
+        // The series up to x⁴⁸/48!; for |x| ≤ π the remainder is below 1e-39.
         DoubleDouble square = x * x;
         DoubleDouble sum = 1;
         for (int n = 48; n >= 2; n -= 2)
@@ -106,7 +104,7 @@ internal readonly struct DoubleDouble
         return sum;
     }
 
-    /// <summary>Two numbers, the second much the smaller, as a sum whose first part is rounded.</summary>
+    /// <summary>Adds two numbers, the second much smaller, and splits the sum into its rounded value and the error.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static DoubleDouble Joined(double high, double low)
     {
@@ -114,10 +112,10 @@ internal readonly struct DoubleDouble
         return new DoubleDouble(sum, low - (sum - high));
     }
 
-    /// <summary>A double as the sum of two of half the digits.</summary>
+    /// <summary>Splits a double into two halves with half the digits each.</summary>
     private static void Halves(double value, out double high, out double low)
     {
-        // Veltkamp's split: the upper 26 bits, rounded, and what is left.
+        // Veltkamp's split: the upper 26 bits, rounded, and the remainder.
         double shifted = 134217729.0 * value; // 2^27 + 1
         high = shifted - (shifted - value);
         low = value - high;

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Elementary functions from + − × ÷ and bit operations alone: the same bits on every IEEE machine.</summary>
-/// <remarks>The C runtime's functions differ by operating system; these do not. Errors are measured in the tests.</remarks>
+/// <summary>Elementary functions from + − × ÷ and bit operations alone: bit-identical on every IEEE machine.</summary>
+/// <remarks>The functions of the C runtime differ between operating systems. The tests measure the errors.</remarks>
 internal static class Elementary
 {
     /// <summary>log₂ e.</summary>
@@ -15,16 +15,17 @@ internal static class Elementary
     private const double HalfPi3 = 2.02226624879595063154e-21;
     private const double TwoPi = 6.28318530717958647693;
 
-    /// <summary>e^x. Relative error below 4e-16; the argument is limited to ±708, so that the result is finite and normal.</summary>
+    /// <summary>Returns e^x with a relative error below 4e-16.</summary>
+    /// <remarks>The argument is clamped to ±708, so that the result is finite and normal.</remarks>
     public static double Exp(double x)
     {
         x = x < -708.0 ? -708.0 : x > 708.0 ? 708.0 : x;
 
-        // x = k ln 2 + r; ln 2 in two parts, so that r has all its digits.
+        // x = k ln 2 + r, with ln 2 in two parts, so that r keeps all its digits.
         double k = Math.Floor((x * Log2E) + 0.5);
         double r = (x - (k * Ln2High)) - (k * Ln2Low);
 
-        // Taylor series on |r| ≤ ln2/2, remainder below 1e-17.
+        // Taylor series for |r| ≤ ln2/2, remainder below 1e-17.
         double p = 1.0 / 6227020800.0;
         p = (p * r) + (1.0 / 479001600.0);
         p = (p * r) + (1.0 / 39916800.0);
@@ -39,14 +40,15 @@ internal static class Elementary
         p = (p * r) + 0.5;
         p = 1.0 + (r + (r * r * p));
 
-        // 2^k is put together from its exponent bits.
+        // Build 2^k from its exponent bits.
         return p * BitConverter.Int64BitsToDouble(((long)k + 1023L) << 52);
     }
 
-    /// <summary>The natural logarithm of a positive normal number. Absolute error below 1e-15 near 1, relative below 3e-16 elsewhere.</summary>
+    /// <summary>Returns the natural logarithm of a positive normal number.</summary>
+    /// <remarks>The absolute error is below 1e-15 near 1, the relative error below 3e-16 elsewhere.</remarks>
     public static double Log(double x)
     {
-        // x = 2^e m, with m from √½ to √2, so that the logarithm is small near 1.
+        // x = 2^e m with m from √½ to √2, so that no cancellation occurs near 1.
         long bits = BitConverter.DoubleToInt64Bits(x);
         double e = (bits >> 52) - 1023L;
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
@@ -71,21 +73,21 @@ internal static class Elementary
         p = (p * z) + (1.0 / 5.0);
         p = (p * z) + (1.0 / 3.0);
 
-        // Summed from the smallest part on.
+        // Sum from the smallest part up.
         double tail = 2.0 * s * z * p;
         return (e * Ln2High) + ((2.0 * s) + (tail + (e * Ln2Low)));
     }
 
-    /// <summary>x^q for positive normal x. Relative error below (1 + |q ln x|) · 4e-16.</summary>
+    /// <summary>Returns x^q for positive normal x, with a relative error below (1 + |q ln x|) · 4e-16.</summary>
     public static double Pow(double x, double q) => Exp(q * Log(x));
 
-    /// <summary>The logistic function 1/(1 + e^−x). Relative error below 1e-15.</summary>
+    /// <summary>Returns the logistic function 1/(1 + e^−x), with a relative error below 1e-15.</summary>
     public static double Logistic(double x) => 1.0 / (1.0 + Exp(-x));
 
-    /// <summary>Sine and cosine. Absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
+    /// <summary>Computes sine and cosine, with an absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
     public static void SinCos(double x, out double sin, out double cos)
     {
-        // Beyond, k times the parts of π/2 would not be exact: whole turns are taken off first.
+        // For larger arguments, k times a part of π/2 would not be exact: remove full turns first.
         if (!(x < 1e5 && x > -1e5))
         {
             x %= TwoPi;
@@ -96,7 +98,7 @@ internal static class Elementary
         double r = ((x - (k * HalfPi1)) - (k * HalfPi2)) - (k * HalfPi3);
         double z = r * r;
 
-        // Taylor series on |r| ≤ π/4, remainders below 1e-17.
+        // Taylor series for |r| ≤ π/4, remainders below 1e-17.
         double s = -1.0 / 1307674368000.0;
         s = (s * z) + (1.0 / 6227020800.0);
         s = (s * z) - (1.0 / 39916800.0);
@@ -115,7 +117,7 @@ internal static class Elementary
         c = (c * z) + (1.0 / 24.0);
         c = 1.0 - ((0.5 * z) - (z * z * c));
 
-        // Each quarter of a turn exchanges the two, and a sign.
+        // Each quarter turn swaps the two and changes one sign.
         switch ((long)k & 3L)
         {
             case 0:
@@ -137,7 +139,7 @@ internal static class Elementary
         }
     }
 
-    /// <summary>The angle of the point (x, y), −π … π; 0 for the origin. Absolute error below 1e-15.</summary>
+    /// <summary>Returns the angle of the point (x, y), −π … π; 0 for the origin. The absolute error is below 1e-15.</summary>
     public static double Atan2(double y, double x)
     {
         const double Pi = 3.14159265358979323846;
@@ -148,20 +150,20 @@ internal static class Elementary
             return 0;
         }
 
-        // To 0 … 1, where the series holds: atan q = π/2 − atan 1/q.
+        // Reduce to 0 … 1 with atan q = π/2 − atan 1/q.
         double angle = ay <= ax ? AtanUnit(ay / ax) : (0.5 * Pi) - AtanUnit(ax / ay);
         angle = x < 0 ? Pi - angle : angle;
         return y < 0 ? -angle : angle;
     }
 
-    /// <summary>atan x for 0 ≤ x ≤ 1.</summary>
+    /// <summary>Returns atan x for 0 ≤ x ≤ 1.</summary>
     private static double AtanUnit(double x)
     {
         // atan x = atan c + atan((x − c)/(1 + x c)) with c = 0, tan π/8 or 1, so that |z| ≤ tan π/16 = 0.199.
         const double TanEighth = 0.41421356237309504880;
         const double PiEighth = 0.39269908169872415481;
 
-        // The bounds between them are tan π/16 and tan 3π/16.
+        // The interval borders are tan π/16 and tan 3π/16.
         double c = x < 0.19891236737965800691 ? 0 : x < 0.66817863791929891999 ? TanEighth : 1;
         double offset = c == 0 ? 0 : c == 1 ? 2 * PiEighth : PiEighth;
         double z = (x - c) / (1.0 + (x * c));

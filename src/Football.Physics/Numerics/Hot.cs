@@ -2,13 +2,15 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>How the step of flight is compiled, and the methods that fly many balls side by side.</summary>
+/// <summary>The compiler options of the flight step and of the SIMD batch methods.</summary>
 internal static class Hot
 {
-    /// <summary>
-    /// At once and in full. Code of vectors is a hundred times as slow without, and a batch is over before it is compiled again; placed by a profile of the calls
-    /// so far, the step of flight takes up to a fifth longer (`quick --only "flight step, fast: RK4"`). All else of one ball is compiled by tiers: in full it costs each
-    /// first use milliseconds, and ahead of time it would not be compiled at all. The number is <c>AggressiveOptimization</c>, which netstandard2.1 has no name for.
-    /// </summary>
+    /// <summary>Full optimization at the first call, without tiers and profiles.</summary>
+    /// <remarks>
+    /// <para>SIMD code is a hundred times slower without it, and a batch ends before tiered compilation starts. With code laid out from a call profile, the flight step
+    /// can take a fifth longer (`quick --only "flight step, fast: RK4"`).</para>
+    /// <para>Other code of a single ball uses tiers: full optimization costs milliseconds at each first use, and excludes a method from ahead-of-time compilation.
+    /// The value is <c>AggressiveOptimization</c>, which netstandard2.1 does not define.</para>
+    /// </remarks>
     public const MethodImplOptions Path = (MethodImplOptions)512;
 }

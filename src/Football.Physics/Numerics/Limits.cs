@@ -1,20 +1,20 @@
 namespace FootballPhysics;
 
-/// <summary>The largest sizes that a scene, a launch or a step may have.</summary>
+/// <summary>The maximum values of a scene, a launch or a step.</summary>
 public static class Limits
 {
-    /// <summary>Largest speed, wind included, m/s.</summary>
+    /// <summary>The maximum speed, including wind speed, in m/s.</summary>
     public const double Speed = 1000;
 
-    /// <summary>Largest spin, rad/s.</summary>
+    /// <summary>The maximum spin, in rad/s.</summary>
     public const double Spin = 10_000;
 
-    /// <summary>Largest length or coordinate, m.</summary>
+    /// <summary>The maximum length or coordinate, in m.</summary>
     public const double Length = 1e6;
 
-    /// <summary>Longest step, frame, run or look-ahead, s.</summary>
+    /// <summary>The maximum duration of a step, frame, run or look-ahead, in s.</summary>
     public const double Time = 1e12;
 
-    /// <summary>Last tick: that of 30 years in steps of a microsecond.</summary>
+    /// <summary>The last tick: 30 years in steps of a microsecond.</summary>
     internal const long Tick = 1_000_000_000_000_000;
 }

@@ -1,26 +1,26 @@
 namespace FootballPhysics;
 
-/// <summary>Small linear systems.</summary>
+/// <summary>Solves small linear systems.</summary>
 internal static class Linear
 {
-    /// <summary>Gaussian elimination with partial pivoting.</summary>
-    /// <param name="a">n rows of n coefficients and a right-hand side; destroyed.</param>
+    /// <summary>Solves a system by Gaussian elimination with partial pivoting.</summary>
+    /// <param name="a">n rows of n coefficients and a right-hand side; overwritten.</param>
     /// <param name="x">The solution.</param>
-    /// <param name="n">Size.</param>
-    /// <returns>False where the system is singular.</returns>
+    /// <param name="n">The size of the system.</param>
+    /// <returns>False if the system is singular.</returns>
     public static bool Solve(double[] a, double[] x, int n)
     {
         int width = n + 1;
         for (int i = 0; i < n; i++)
         {
-            // The largest of the column becomes the pivot: a small one would blow up rounding.
+            // Choose the largest pivot of the column: a small one would amplify rounding errors.
             int pivot = i;
             for (int k = i + 1; k < n; k++)
             {
                 pivot = Math.Abs(a[(k * width) + i]) > Math.Abs(a[(pivot * width) + i]) ? k : pivot;
             }
 
-            // Nothing to divide by, or not a number.
+            // The pivot is 0 or NaN: the system is singular.
             if (!(Math.Abs(a[(pivot * width) + i]) > 1e-300))
             {
                 return false;
@@ -33,7 +33,7 @@ internal static class Linear
 
             for (int row = i + 1; row < n; row++)
             {
-                // Zeros below the pivot.
+                // Eliminate the entries below the pivot.
                 double factor = a[(row * width) + i] / a[(i * width) + i];
                 for (int k = i; k < width; k++)
                 {

@@ -2,8 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>ln x by table: the exponent bits of x choose a constant, its top mantissa bits a cubic. For what is asked at every stage of a step.</summary>
-/// <remarks>Absolute error below 1e-11 over all positive normal x; no division, no branch.</remarks>
+/// <summary>ln x by table lookup, for use in every stage of a step.</summary>
+/// <remarks>
+/// The exponent bits of x select a constant, its top mantissa bits a cubic. The absolute error is below 1e-11 for all positive normal x; no division, no branch.
+/// </remarks>
 internal static class LogarithmTable
 {
     private const int SegmentBits = 7;
@@ -11,7 +13,7 @@ internal static class LogarithmTable
 
     private static readonly Cubic[] Segments = Make();
 
-    /// <summary>ln x.</summary>
+    /// <summary>Returns ln x.</summary>
     /// <param name="x">The argument, positive and normal.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Of(double x)

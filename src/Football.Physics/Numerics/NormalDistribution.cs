@@ -1,18 +1,18 @@
 namespace FootballPhysics;
 
-/// <summary>The normal distribution: its integral, numbers drawn from it, and the chance of a rectangle in two dimensions.</summary>
+/// <summary>The normal distribution: its integral, random samples, and the probability of a rectangle in two dimensions.</summary>
 internal static class NormalDistribution
 {
-    /// <summary>Beyond this many standard deviations there is nothing.</summary>
+    /// <summary>The number of standard deviations beyond which the density counts as 0.</summary>
     private const double Farthest = 8;
 
-    /// <summary>Intervals of Simpson's rule, even.</summary>
+    /// <summary>The number of intervals of Simpson's rule; even.</summary>
     private const int Intervals = 200;
 
     /// <summary>½ ln 2π.</summary>
     private const double HalfLogTwoPi = 0.91893853320467274178;
 
-    /// <summary>Φ(x), by Φ = ½ + φ(x)(x + x³/3 + x⁵/(3·5) + …), to about 1e-15.</summary>
+    /// <summary>Returns Φ(x) = ½ + φ(x)(x + x³/3 + x⁵/(3·5) + …), with an error of about 1e-15.</summary>
     public static double Integral(double x)
     {
         if (!(Math.Abs(x) < Farthest))
@@ -20,7 +20,7 @@ internal static class NormalDistribution
             return x > 0 ? 1 : 0;
         }
 
-        // Each term is the last times x²/n: all of one sign, so that nothing cancels.
+        // Each term is the previous one times x²/n. All have one sign, so nothing cancels.
         double sum = x;
         double term = x;
         double square = x * x;
@@ -33,26 +33,27 @@ internal static class NormalDistribution
         return 0.5 + (sum * Elementary.Exp((-0.5 * square) - HalfLogTwoPi));
     }
 
-    /// <summary>Two independent numbers, from two that are uniform in 0 … 1 (Box and Muller).</summary>
+    /// <summary>Draws two independent normal numbers from two uniform ones in 0 … 1 (Box and Muller).</summary>
     public static void Draw(double first, double second, out double a, out double b)
     {
-        // 1 − u is never 0, whose logarithm there is none of.
+        // 1 − u is never 0, so the logarithm is finite.
         double radius = Math.Sqrt(-2.0 * Elementary.Log(1.0 - first));
         Elementary.SinCos(2.0 * Math.PI * second, out double sine, out double cosine);
         a = radius * cosine;
         b = radius * sine;
     }
 
-    /// <summary>The chance that x is within x₀ … x₁ and y within y₀ … y₁: ∫ φ(x) (Φ((y₁ − μ(x))/s) − Φ((y₀ − μ(x))/s)) dx by Simpson's rule.</summary>
-    /// <param name="meanX">Mean of x.</param>
-    /// <param name="meanY">Mean of y.</param>
-    /// <param name="deviationX">Standard deviation of x.</param>
-    /// <param name="deviationY">That of y.</param>
-    /// <param name="correlation">Their correlation.</param>
-    /// <param name="x0">x₀.</param>
-    /// <param name="x1">x₁.</param>
-    /// <param name="y0">y₀.</param>
-    /// <param name="y1">y₁.</param>
+    /// <summary>Returns the probability that x is within x₀ … x₁ and y within y₀ … y₁.</summary>
+    /// <remarks>∫ φ(x) (Φ((y₁ − μ(x))/s) − Φ((y₀ − μ(x))/s)) dx by Simpson's rule.</remarks>
+    /// <param name="meanX">The mean of x.</param>
+    /// <param name="meanY">The mean of y.</param>
+    /// <param name="deviationX">The standard deviation of x.</param>
+    /// <param name="deviationY">The standard deviation of y.</param>
+    /// <param name="correlation">The correlation of x and y.</param>
+    /// <param name="x0">The lower bound x₀.</param>
+    /// <param name="x1">The upper bound x₁.</param>
+    /// <param name="y0">The lower bound y₀.</param>
+    /// <param name="y1">The upper bound y₁.</param>
     public static double Rectangle(
         double meanX, double meanY, double deviationX, double deviationY, double correlation, double x0, double x1, double y0, double y1)
     {
@@ -61,10 +62,10 @@ internal static class NormalDistribution
             return 0;
         }
 
-        // A deviation of 0 is a very small one: the rectangle is then hit or not.
+        // Replace a deviation of 0 by a tiny one: the probability is then 0 or 1.
         double spread = Math.Max(deviationX, 1e-12);
 
-        // Only where the density is not nothing.
+        // Integrate only where the density is not negligible.
         double low = Math.Max((x0 - meanX) / spread, -Farthest);
         double high = Math.Min((x1 - meanX) / spread, Farthest);
         if (!(high > low))
@@ -72,7 +73,7 @@ internal static class NormalDistribution
             return 0;
         }
 
-        // Given x, y is normal about μ_y + ρ σ_y x with deviation σ_y √(1 − ρ²).
+        // For a given x, y is normal with mean μ_y + ρ σ_y x and deviation σ_y √(1 − ρ²).
         double rest = Math.Max(1e-12, deviationY * Math.Sqrt(Math.Max(0, 1.0 - (correlation * correlation))));
         double width = (high - low) / Intervals;
         double sum = 0;
@@ -82,7 +83,7 @@ internal static class NormalDistribution
             double middle = meanY + (correlation * deviationY * x);
             double inside = Integral((y1 - middle) / rest) - Integral((y0 - middle) / rest);
 
-            // Simpson: 1, 4, 2, 4, …, 4, 1.
+            // Simpson's weights: 1, 4, 2, 4, …, 4, 1.
             double weight = i == 0 || i == Intervals ? 1 : (i & 1) != 0 ? 4 : 2;
             sum += weight * inside * Elementary.Exp((-0.5 * x * x) - HalfLogTwoPi);
         }

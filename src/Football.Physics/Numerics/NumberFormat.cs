@@ -1,8 +1,8 @@
 namespace FootballPhysics;
 
-/// <summary>The format that values have where none is asked for.</summary>
+/// <summary>The default number format of <c>ToString</c> methods.</summary>
 internal static class NumberFormat
 {
-    /// <summary>The format that was asked for, or three decimals at most.</summary>
+    /// <summary>Returns the given format, or one with at most three decimals.</summary>
     public static string OrShort(string? format) => string.IsNullOrEmpty(format) ? "0.###" : format!;
 }

@@ -5,7 +5,7 @@ using System.Runtime.Intrinsics;
 
 namespace FootballPhysics;
 
-/// <summary>Four numbers side by side, in one register where there is one: the same bits with it and without.</summary>
+/// <summary>Four doubles, in a SIMD register if available; bit-identical with and without it.</summary>
 internal readonly struct Quad
 {
 #if NET8_0_OR_GREATER
@@ -16,7 +16,7 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Quad(Vector256<double> v) => _v = v;
 
-    /// <summary>Their sum, (a + b) + (c + d).</summary>
+    /// <summary>The sum (a + b) + (c + d).</summary>
     public double Sum
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -32,15 +32,15 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad operator *(Quad x, Quad y) => new(x._v * y._v);
 
-    /// <summary>One number four times.</summary>
+    /// <summary>Returns a quad with one number in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(Vector256.Create(x));
 
-    /// <summary>Four numbers of an array.</summary>
+    /// <summary>Loads four numbers from an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
 
-    /// <summary>True when each is greater than the other.</summary>
+    /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAbove(Quad other) => Vector256.GreaterThanAll(_v, other._v);
 #else
@@ -58,7 +58,7 @@ internal readonly struct Quad
         _d = d;
     }
 
-    /// <summary>Their sum, (a + b) + (c + d).</summary>
+    /// <summary>The sum (a + b) + (c + d).</summary>
     public double Sum => (_a + _b) + (_c + _d);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -70,15 +70,15 @@ internal readonly struct Quad
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad operator *(Quad x, Quad y) => new(x._a * y._a, x._b * y._b, x._c * y._c, x._d * y._d);
 
-    /// <summary>One number four times.</summary>
+    /// <summary>Returns a quad with one number in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad Of(double x) => new(x, x, x, x);
 
-    /// <summary>Four numbers of an array.</summary>
+    /// <summary>Loads four numbers from an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quad From(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2], numbers[first + 3]);
 
-    /// <summary>True when each is greater than the other.</summary>
+    /// <summary>True if every lane is greater than that of the other quad.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAbove(Quad other) => _a > other._a && _b > other._b && _c > other._c && _d > other._d;
 #endif

@@ -2,28 +2,28 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Sine and cosine of four angles at once, from + − × alone and without a branch: for sums of waves.</summary>
-/// <remarks>Absolute error below 1e-13 for angles of less than a turn; beyond, what rounding of the angle itself adds.</remarks>
+/// <summary>Sine and cosine of four angles at once, with + − × and no branch: for sums of waves.</summary>
+/// <remarks>The absolute error is below 1e-13 for angles below one turn; larger angles add their own rounding error.</remarks>
 internal static class QuadSine
 {
-    /// <summary>Added to a number below 2⁵¹ it leaves the nearest whole number.</summary>
+    /// <summary>Adding and subtracting this constant rounds a number below 2⁵¹ to the nearest integer.</summary>
     private const double Rounder = 6755399441055744.0;
 
     private const double HalfPi = 1.57079632679489661923;
 
-    /// <summary>Sines and cosines.</summary>
-    /// <param name="turns">The angles over 2π; sizes below 1e15.</param>
-    /// <param name="sin">Their sines.</param>
-    /// <param name="cos">Their cosines.</param>
+    /// <summary>Computes sines and cosines.</summary>
+    /// <param name="turns">The angles divided by 2π; below 1e15 in magnitude.</param>
+    /// <param name="sin">The sines.</param>
+    /// <param name="cos">The cosines.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void SinCos(Quad turns, out Quad sin, out Quad cos)
     {
-        // A quarter of the angle, |r| ≤ π/4
+        // Evaluate at a quarter of the angle, |r| ≤ π/4.
         Quad whole = (turns + Quad.Of(Rounder)) - Quad.Of(Rounder);
         Quad r = (turns - whole) * Quad.Of(HalfPi);
         Quad z = r * r;
 
-        // Polynomials through the Chebyshev points, remainders below 2e-14, their terms in pairs: a step waits for nothing longer than for these.
+        // Polynomials through Chebyshev points, remainders below 2e-14. Pairing the terms shortens the dependency chain.
         Quad zz = z * z;
         Quad zzzz = zz * zz;
         Quad s = Quartet(-0.16666666666663885933, 0.0083333333310792230779, -0.00019841266916985965554, 2.7555990929565318647e-6, z, zz)
@@ -33,7 +33,7 @@ internal static class QuadSine
             + (zzzz * Quad.Of(2.0700600483433117729e-9));
         v = (z * Quad.Of(0.5)) - (zz * v);
 
-        // Twice the angle twice, with v = 1 − cos: sin 2a = 2 sin a cos a, 1 − cos 2a = 2 sin² a
+        // Double the angle twice, with v = 1 − cos: sin 2a = 2 sin a cos a, 1 − cos 2a = 2 sin² a.
         Quad one = Quad.Of(1.0);
         Quad two = Quad.Of(2.0);
         Quad half = two * (s * (one - v));

@@ -5,18 +5,18 @@ using System.Text.Json.Serialization;
 
 namespace FootballPhysics;
 
-/// <summary>A rotation as a unit quaternion of doubles, (x, y, z, w), turning body coordinates into world coordinates.</summary>
+/// <summary>A rotation from body to world coordinates, as a unit quaternion (x, y, z, w) of doubles.</summary>
 public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
 {
-    /// <summary>The x part of the vector.</summary>
+    /// <summary>The x component of the vector part.</summary>
     [JsonInclude]
     public readonly double X;
 
-    /// <summary>The y part of the vector.</summary>
+    /// <summary>The y component of the vector part.</summary>
     [JsonInclude]
     public readonly double Y;
 
-    /// <summary>The z part of the vector.</summary>
+    /// <summary>The z component of the vector part.</summary>
     [JsonInclude]
     public readonly double Z;
 
@@ -24,11 +24,11 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     [JsonInclude]
     public readonly double W;
 
-    /// <summary>Makes a quaternion from its four parts; it is not normalised.</summary>
-    /// <param name="x">Vector part, x.</param>
-    /// <param name="y">Vector part, y.</param>
-    /// <param name="z">Vector part, z.</param>
-    /// <param name="w">Scalar part.</param>
+    /// <summary>Creates a quaternion from four components; it is not normalized.</summary>
+    /// <param name="x">The x component of the vector part.</param>
+    /// <param name="y">The y component of the vector part.</param>
+    /// <param name="z">The z component of the vector part.</param>
+    /// <param name="w">The scalar part.</param>
     [JsonConstructor]
     public Quaterniond(double x, double y, double z, double w)
     {
@@ -38,22 +38,22 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         W = w;
     }
 
-    /// <summary>No rotation.</summary>
+    /// <summary>The identity rotation.</summary>
     public static Quaterniond Identity => new(0, 0, 0, 1);
 
-    /// <summary>The square of the norm; 1 for a rotation.</summary>
+    /// <summary>The squared norm; 1 for a rotation.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
     public double LengthSquared => (X * X) + (Y * Y) + (Z * Z) + (W * W);
 
-    /// <summary>True when no part is infinite or NaN.</summary>
+    /// <summary>True if no component is infinite or NaN.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
     public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z) && double.IsFinite(W);
 
-    /// <summary>The product a ⊗ b: first the rotation b, then a.</summary>
-    /// <param name="a">Left factor.</param>
-    /// <param name="b">Right factor.</param>
+    /// <summary>Returns the product a ⊗ b: rotation b first, then a.</summary>
+    /// <param name="a">The left factor.</param>
+    /// <param name="b">The right factor.</param>
     public static Quaterniond operator *(in Quaterniond a, in Quaterniond b) => new(
         (a.W * b.X) + (a.X * b.W) + ((a.Y * b.Z) - (a.Z * b.Y)),
         (a.W * b.Y) + (a.Y * b.W) + ((a.Z * b.X) - (a.X * b.Z)),
@@ -70,38 +70,38 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     /// <param name="b">The other quaternion.</param>
     public static bool operator !=(in Quaterniond a, in Quaterniond b) => !a.Equals(b);
 
-    /// <summary>Widens a <see cref="Quaternion"/>; exact.</summary>
+    /// <summary>Converts a <see cref="Quaternion"/> to double precision; exact.</summary>
     /// <param name="q">The quaternion in single precision.</param>
     public static implicit operator Quaterniond(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
 
-    /// <summary>The rotation by <paramref name="angle"/> about a unit axis.</summary>
-    /// <param name="axis">Unit axis.</param>
-    /// <param name="angle">Angle in radians, counter-clockwise about the axis.</param>
+    /// <summary>Returns the rotation by an angle about a unit axis.</summary>
+    /// <param name="axis">The axis, a unit vector.</param>
+    /// <param name="angle">The angle, in rad, counter-clockwise about the axis.</param>
     public static Quaterniond FromAxisAngle(in Vector3d axis, double angle)
     {
         Elementary.SinCos(0.5 * angle, out double sin, out double cos);
         return new(axis.X * sin, axis.Y * sin, axis.Z * sin, cos);
     }
 
-    /// <summary>An angle, rad, of which whole turns are all that a number can hold.</summary>
+    /// <summary>The angle above which a double resolves no fraction of a turn, in rad.</summary>
     private const double NoDigits = 1e15;
 
-    /// <summary>The rotation by a rotation vector: its length is the angle in radians, its direction the axis.</summary>
-    /// <param name="rotation">Rotation vector, radians.</param>
+    /// <summary>Returns the rotation of a rotation vector: its length is the angle, its direction the axis.</summary>
+    /// <param name="rotation">The rotation vector, in rad.</param>
     public static Quaterniond FromRotationVector(in Vector3d rotation)
     {
-        // So long a vector says nothing of the angle: it has no digits below a turn.
+        // So large an angle has no digits below one turn, so it defines no rotation.
         double angle = rotation.Length;
         return angle > 0 && angle < NoDigits ? FromAxisAngle(rotation / angle, angle) : Identity;
     }
 
-    /// <summary>This rotation turned further by a rotation vector, as it is at the end of a step.</summary>
-    /// <remarks>Without a root, a division or a sine: both are unit quaternions to rounding, and so is what comes out.</remarks>
+    /// <summary>Returns this rotation followed by that of a rotation vector, as at the end of a step.</summary>
+    /// <remarks>No root, division or sine: both factors are unit quaternions up to rounding, and so is the product.</remarks>
     internal Quaterniond Turned(in Vector3d rotation)
     {
         double z = 0.25 * rotation.LengthSquared;
 
-        // z = (θ/2)². Beyond θ/2 = 2 the series would be too long: sine and cosine instead.
+        // z = (θ/2)². Above θ/2 = 2 the series would be too long: use sine and cosine.
         if (!(z <= 4.0))
         {
             return (FromRotationVector(in rotation) * this).Normalized();
@@ -112,7 +112,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         double s;
         if (z <= 0.25)
         {
-            // By pairs: half as long a chain as Horner's.
+            // Group the terms in pairs: half the dependency chain of Horner's scheme.
             double z2 = z * z;
             double z4 = z2 * z2;
             c = (1.0 + (z * C1)) + (z2 * (C2 + (z * C3))) + (z4 * ((C4 + (z * C5)) + (z2 * (C6 + (z * C7)))));
@@ -120,7 +120,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         }
         else
         {
-            // Horner, in two parts: more terms for up to 2 rad of half the angle.
+            // Horner's scheme in two parts, with more terms for θ/2 up to 2 rad.
             double highC = C6 + (z * (C7 + (z * (C8 + (z * (C9 + (z * (C10 + (z * (C11 + (z * C12)))))))))));
             double highS = S6 + (z * (S7 + (z * (S8 + (z * (S9 + (z * (S10 + (z * (S11 + (z * S12)))))))))));
             c = 1.0 + (z * (C1 + (z * (C2 + (z * (C3 + (z * (C4 + (z * (C5 + (z * highC)))))))))));
@@ -136,7 +136,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         return new(turned.X * scale, turned.Y * scale, turned.Z * scale, turned.W * scale);
     }
 
-    /// <summary>Returns the rotation with norm 1.</summary>
+    /// <summary>Returns the quaternion with norm 1.</summary>
     public Quaterniond Normalized()
     {
         double scale = 1.0 / Math.Sqrt(LengthSquared);
@@ -153,7 +153,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         return v + (W * t) + Vector3d.Cross(q, t);
     }
 
-    /// <summary>Rounds to single precision.</summary>
+    /// <summary>Converts to single precision, with rounding.</summary>
     public Quaternion ToQuaternion() => new((float)X, (float)Y, (float)Z, (float)W);
 
     /// <inheritdoc/>
@@ -168,9 +168,9 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>The components with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Formats the components.</summary>
+    /// <param name="format">The format of the numbers, such as "F2"; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;
@@ -204,17 +204,17 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     private const double S12 = 1.0 / 15511210043330985984000000.0;
 }
 
-/// <summary>The rotation that a turning spin makes over a step.</summary>
+/// <summary>The rotation over a step with a changing spin.</summary>
 internal static class RotationVector
 {
-    /// <summary>Solves q̇ = ½ ω ⊗ q over a step by the Magnus expansion of order 6 (Blanes et al.), with [a, b] = a × b.</summary>
-    /// <param name="start">Spin at the start, rad/s.</param>
-    /// <param name="middle">Spin half-way.</param>
-    /// <param name="end">Spin at the end.</param>
-    /// <param name="h">Length of the step, s.</param>
+    /// <summary>Solves q̇ = ½ ω ⊗ q over a step by the Magnus expansion of order 6 (Blanes et al.), where [a, b] = a × b.</summary>
+    /// <param name="start">The spin at the start, in rad/s.</param>
+    /// <param name="middle">The spin at half the step.</param>
+    /// <param name="end">The spin at the end.</param>
+    /// <param name="h">The length of the step, in s.</param>
     public static Vector3d Of(in Vector3d start, in Vector3d middle, in Vector3d end, double h)
     {
-        // α₁ = h ω, α₂ = h² ω̇, α₃ = h³ ω̈/2 at the middle
+        // At the middle: α₁ = h ω, α₂ = h² ω̇, α₃ = h³ ω̈/2.
         Vector3d a1 = h * middle;
         Vector3d a2 = h * (end - start);
         Vector3d a3 = (2.0 * h) * ((start - middle) + (end - middle));
@@ -225,9 +225,9 @@ internal static class RotationVector
         return a1 + ((1.0 / 12.0) * a3) + ((1.0 / 240.0) * Vector3d.Cross((-20.0 * a1) - a3 + c1, a2 + c2));
     }
 
-    /// <summary>One rotation after the other, both small: Baker, Campbell and Hausdorff's series to the third order.</summary>
-    /// <param name="first">The first, rad.</param>
-    /// <param name="second">The one after it, rad.</param>
+    /// <summary>Composes two small rotations: the Baker–Campbell–Hausdorff series to the third order.</summary>
+    /// <param name="first">The first rotation, in rad.</param>
+    /// <param name="second">The second rotation, in rad.</param>
     public static Vector3d Then(in Vector3d first, in Vector3d second)
     {
         // a + b + [b, a]/2 + [b − a, [b, a]]/12

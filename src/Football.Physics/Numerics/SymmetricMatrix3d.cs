@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>A symmetric 3×3 matrix: the curvature of a shape, for instance.</summary>
+/// <summary>A symmetric 3×3 matrix: for example, the curvature of a shape.</summary>
 public readonly struct SymmetricMatrix3d
 {
-    /// <summary>Makes a matrix of its six entries.</summary>
+    /// <summary>Creates a matrix from its six entries.</summary>
     /// <param name="xx">Row x, column x.</param>
     /// <param name="xy">Row x, column y.</param>
     /// <param name="xz">Row x, column z.</param>
@@ -20,7 +20,7 @@ public readonly struct SymmetricMatrix3d
         ZZ = zz;
     }
 
-    /// <summary>All entries zero.</summary>
+    /// <summary>The zero matrix.</summary>
     public static SymmetricMatrix3d Zero => default;
 
     /// <summary>Row x, column x.</summary>
@@ -41,28 +41,28 @@ public readonly struct SymmetricMatrix3d
     /// <summary>Row z, column z.</summary>
     public double ZZ { get; }
 
-    /// <summary>Curvature of the distance from a point: (1 − nnᵀ)/l.</summary>
-    /// <param name="normal">n, the direction from the point; of length 1.</param>
-    /// <param name="distance">l, m; above 0.</param>
+    /// <summary>Returns the Hessian of the distance from a point: (1 − nnᵀ)/l.</summary>
+    /// <param name="normal">n, the unit vector from the point.</param>
+    /// <param name="distance">l, in m; above 0.</param>
     public static SymmetricMatrix3d AroundPoint(in Vector3d normal, double distance) =>
         (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal));
 
-    /// <summary>Curvature of the distance from an axis: (1 − nnᵀ − aaᵀ)/l.</summary>
-    /// <param name="normal">n, the direction from the axis; of length 1.</param>
-    /// <param name="axis">a, the direction of the axis; of length 1.</param>
-    /// <param name="distance">l, m; above 0.</param>
+    /// <summary>Returns the Hessian of the distance from an axis: (1 − nnᵀ − aaᵀ)/l.</summary>
+    /// <param name="normal">n, the unit vector from the axis.</param>
+    /// <param name="axis">a, the unit vector along the axis.</param>
+    /// <param name="distance">l, in m; above 0.</param>
     public static SymmetricMatrix3d AroundAxis(in Vector3d normal, in Vector3d axis, double distance) =>
         (1.0 / distance) * (new SymmetricMatrix3d(1, 0, 0, 1, 0, 1) - OuterProduct(in normal) - OuterProduct(in axis));
 
-    /// <summary>v vᵀ.</summary>
+    /// <summary>Returns the outer product v vᵀ.</summary>
     /// <param name="v">A vector.</param>
     public static SymmetricMatrix3d OuterProduct(in Vector3d v) =>
         new(v.X * v.X, v.X * v.Y, v.X * v.Z, v.Y * v.Y, v.Y * v.Z, v.Z * v.Z);
 
     /// <summary>Returns the matrix of the bilinear form in other axes.</summary>
-    /// <param name="x">The first of them, in these; of length 1.</param>
-    /// <param name="y">The second.</param>
-    /// <param name="z">The third.</param>
+    /// <param name="x">The first new axis in the current axes; a unit vector.</param>
+    /// <param name="y">The second new axis.</param>
+    /// <param name="z">The third new axis.</param>
     public SymmetricMatrix3d Transformed(in Vector3d x, in Vector3d y, in Vector3d z)
     {
         Vector3d ofX = this * x;
@@ -77,19 +77,19 @@ public readonly struct SymmetricMatrix3d
             Vector3d.Dot(in z, in ofZ));
     }
 
-    /// <summary>Difference.</summary>
+    /// <summary>Subtracts one matrix from another.</summary>
     /// <param name="a">A matrix.</param>
-    /// <param name="b">What to subtract.</param>
+    /// <param name="b">The matrix to subtract.</param>
     public static SymmetricMatrix3d operator -(in SymmetricMatrix3d a, in SymmetricMatrix3d b) =>
         new(a.XX - b.XX, a.XY - b.XY, a.XZ - b.XZ, a.YY - b.YY, a.YZ - b.YZ, a.ZZ - b.ZZ);
 
-    /// <summary>Scaled.</summary>
+    /// <summary>Scales a matrix.</summary>
     /// <param name="s">A number.</param>
     /// <param name="a">A matrix.</param>
     public static SymmetricMatrix3d operator *(double s, in SymmetricMatrix3d a) =>
         new(s * a.XX, s * a.XY, s * a.XZ, s * a.YY, s * a.YZ, s * a.ZZ);
 
-    /// <summary>Product with a vector.</summary>
+    /// <summary>Multiplies a matrix by a vector.</summary>
     /// <param name="a">A matrix.</param>
     /// <param name="v">A vector.</param>
     public static Vector3d operator *(in SymmetricMatrix3d a, in Vector3d v) => new(

@@ -6,27 +6,27 @@ using System.Text.Json.Serialization;
 
 namespace FootballPhysics;
 
-/// <summary>A vector of three doubles: the library's own arithmetic type, the same bits on every runtime.</summary>
-/// <remarks>Made from + − × ÷ √ only. <see cref="Vector3"/> is converted implicitly; the way back is <see cref="ToVector3"/>.</remarks>
+/// <summary>A vector of three doubles: bit-identical arithmetic on every runtime.</summary>
+/// <remarks>It uses + − × ÷ √ only. A <see cref="Vector3"/> converts implicitly; <see cref="ToVector3"/> converts back.</remarks>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
 {
-    /// <summary>The component along x.</summary>
+    /// <summary>The x component.</summary>
     [JsonInclude]
     public readonly double X;
 
-    /// <summary>The component along y, up.</summary>
+    /// <summary>The y component, up.</summary>
     [JsonInclude]
     public readonly double Y;
 
-    /// <summary>The component along z.</summary>
+    /// <summary>The z component.</summary>
     [JsonInclude]
     public readonly double Z;
 
-    /// <summary>Makes a vector from its three components.</summary>
-    /// <param name="x">Component along x.</param>
-    /// <param name="y">Component along y, up.</param>
-    /// <param name="z">Component along z.</param>
+    /// <summary>Creates a vector from three components.</summary>
+    /// <param name="x">The x component.</param>
+    /// <param name="y">The y component, up.</param>
+    /// <param name="z">The z component.</param>
     [JsonConstructor]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d(double x, double y, double z)
@@ -42,7 +42,7 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     /// <summary>The unit vector along y: up.</summary>
     public static Vector3d Up => new(0, 1, 0);
 
-    /// <summary>The square of the length.</summary>
+    /// <summary>The squared length.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
     public double LengthSquared
@@ -56,33 +56,33 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     [IgnoreDataMember]
     public double Length => Math.Sqrt(LengthSquared);
 
-    /// <summary>True when no component is infinite or NaN.</summary>
+    /// <summary>True if no component is infinite or NaN.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
     public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z);
 
-    /// <summary>The vector without its vertical component.</summary>
+    /// <summary>The vector with its vertical component set to zero.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
     public Vector3d Horizontal => new(X, 0, Z);
 
-    /// <summary>The unit vector of the same direction; zero for the zero vector.</summary>
+    /// <summary>Returns the unit vector of the same direction; zero for the zero vector.</summary>
     public Vector3d Normalized()
     {
         double length = Length;
         return length > 0 ? this / length : Zero;
     }
 
-    /// <summary>The point between two that a fraction of the way leads to.</summary>
-    /// <param name="a">Where the way begins.</param>
-    /// <param name="b">Where it ends.</param>
-    /// <param name="fraction">0 is the beginning, 1 the end; other numbers continue the line.</param>
+    /// <summary>Interpolates linearly between two points.</summary>
+    /// <param name="a">The start.</param>
+    /// <param name="b">The end.</param>
+    /// <param name="fraction">0 is the start, 1 the end; other values extrapolate.</param>
     public static Vector3d Lerp(in Vector3d a, in Vector3d b, double fraction) => a + (fraction * (b - a));
 
-    /// <summary>Takes the vector apart.</summary>
-    /// <param name="x">Component along x.</param>
-    /// <param name="y">Component along y, up.</param>
-    /// <param name="z">Component along z.</param>
+    /// <summary>Deconstructs the vector into its components.</summary>
+    /// <param name="x">The x component.</param>
+    /// <param name="y">The y component, up.</param>
+    /// <param name="z">The z component.</param>
     public void Deconstruct(out double x, out double y, out double z)
     {
         x = X;
@@ -90,39 +90,39 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
         z = Z;
     }
 
-    /// <summary>The scalar product.</summary>
-    /// <param name="a">Left factor.</param>
-    /// <param name="b">Right factor.</param>
+    /// <summary>Returns the dot product.</summary>
+    /// <param name="a">The left factor.</param>
+    /// <param name="b">The right factor.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Dot(in Vector3d a, in Vector3d b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
 
-    /// <summary>The vector product a × b, right-handed.</summary>
-    /// <param name="a">Left factor.</param>
-    /// <param name="b">Right factor.</param>
+    /// <summary>Returns the cross product a × b, right-handed.</summary>
+    /// <param name="a">The left factor.</param>
+    /// <param name="b">The right factor.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d Cross(in Vector3d a, in Vector3d b) => new(
         (a.Y * b.Z) - (a.Z * b.Y),
         (a.Z * b.X) - (a.X * b.Z),
         (a.X * b.Y) - (a.Y * b.X));
 
-    /// <summary>The distance between two points.</summary>
+    /// <summary>Returns the distance between two points.</summary>
     /// <param name="a">One point.</param>
     /// <param name="b">The other point.</param>
     public static double Distance(in Vector3d a, in Vector3d b) => (a - b).Length;
 
     /// <summary>Adds two vectors.</summary>
-    /// <param name="a">Left term.</param>
-    /// <param name="b">Right term.</param>
+    /// <param name="a">The left term.</param>
+    /// <param name="b">The right term.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator +(in Vector3d a, in Vector3d b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
     /// <summary>Subtracts the second vector from the first.</summary>
-    /// <param name="a">Left term.</param>
-    /// <param name="b">Right term.</param>
+    /// <param name="a">The left term.</param>
+    /// <param name="b">The right term.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator -(in Vector3d a, in Vector3d b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
-    /// <summary>The opposite vector.</summary>
+    /// <summary>Returns the opposite vector.</summary>
     /// <param name="a">The vector.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3d operator -(in Vector3d a) => new(-a.X, -a.Y, -a.Z);
@@ -155,15 +155,15 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     /// <param name="b">The other vector.</param>
     public static bool operator !=(in Vector3d a, in Vector3d b) => !a.Equals(b);
 
-    /// <summary>Widens a <see cref="Vector3"/>; exact.</summary>
+    /// <summary>Converts a <see cref="Vector3"/> to double precision; exact.</summary>
     /// <param name="v">The vector in single precision.</param>
     public static implicit operator Vector3d(Vector3 v) => new(v.X, v.Y, v.Z);
 
-    /// <summary>Rounds to single precision.</summary>
+    /// <summary>Converts to single precision, with rounding.</summary>
     /// <param name="v">The vector.</param>
     public static explicit operator Vector3(in Vector3d v) => v.ToVector3();
 
-    /// <summary>Rounds to single precision.</summary>
+    /// <summary>Converts to single precision, with rounding.</summary>
     public Vector3 ToVector3() => new((float)X, (float)Y, (float)Z);
 
     /// <inheritdoc/>
@@ -178,9 +178,9 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>The components with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Formats the components.</summary>
+    /// <param name="format">The format of the numbers, such as "F2"; null for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;

@@ -1,17 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>Which measurements the empirical laws of drag, Magnus force and spin decay follow, and in which form.</summary>
+/// <summary>The measurements, and their form, behind the empirical laws of drag, Magnus force and spin decay.</summary>
 public enum AerodynamicModel
 {
-    /// <summary>The thesis' fits as published: drag jumps at the critical speed and at spin parameter 0.05; the jump is located inside the step.</summary>
+    /// <summary>The fits of the thesis as published, with jumps of the drag.</summary>
+    /// <remarks>Drag jumps at the critical speed and at spin parameter 0.05. The integrator locates each jump within the step.</remarks>
     Published = 0,
 
     /// <summary>The published coefficients with their two jumps smoothed; landing points move by about 1 cm.</summary>
     Regularized = 1,
 
-    /// <summary>
-    /// What wind tunnels and filmed flights say: drag by Reynolds number (<see cref="BallProperties.DragCurve"/>) and spin across the motion, lift that
-    /// saturates, spin decay by speed times spin.
-    /// </summary>
+    /// <summary>Laws fitted to wind-tunnel measurements and filmed flights.</summary>
+    /// <remarks>
+    /// Drag depends on the Reynolds number (<see cref="BallProperties.DragCurve"/>) and the spin across the motion. Lift saturates. Spin decays in proportion
+    /// to speed times spin.
+    /// </remarks>
     Measured = 2,
 }

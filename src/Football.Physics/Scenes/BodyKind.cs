@@ -1,18 +1,20 @@
 namespace FootballPhysics;
 
-/// <summary>A kind of body: its shape, its surface, and the mass behind that. The presets are for <see cref="KinematicBodies.Add(string, BodyKind, int)"/>.</summary>
+/// <summary>A kind of body: shape, surface and effective mass.</summary>
+/// <remarks>Pass a kind to <see cref="KinematicBodies.Add(string, BodyKind, int)"/>.</remarks>
 public sealed record BodyKind
 {
-    /// <summary>Its shape, in its own frame.</summary>
+    /// <summary>The shape, in the body's frame.</summary>
     public required IShape Shape { get; init; }
 
-    /// <summary>SurfaceMaterial of the body.</summary>
+    /// <summary>The material of the surface.</summary>
     public required SurfaceMaterial Surface { get; init; }
 
-    /// <summary>Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</summary>
+    /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move it.</summary>
     public double Mass { get; init; } = double.PositiveInfinity;
 
-    /// <summary>A boot with its leg, about the middle of the foot: 28 cm long, 1.9 kg. Evidence: guess (effective masses of 1.5 … 3 kg are used for kicks).</summary>
+    /// <summary>A boot and lower leg, centred on the middle of the foot: 28 cm long, 1.9 kg.</summary>
+    /// <remarks>Guess: published effective masses for kicks are 1.5 … 3 kg.</remarks>
     public static BodyKind Boot { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0, 0.09), new Vector3d(0, 0, -0.09), 0.05),
@@ -20,10 +22,12 @@ public sealed record BodyKind
         Mass = 1.9,
     };
 
-    /// <summary>A head that a neck holds, about its centre: radius 10 cm, 5 kg. Evidence: guess (a head weighs 4.5 … 5 kg).</summary>
+    /// <summary>A head on its neck, about its centre: radius 10 cm, 5 kg.</summary>
+    /// <remarks>Guess: a head weighs 4.5 … 5 kg.</remarks>
     public static BodyKind Head { get; } = new() { Shape = new SphereShape(Vector3d.Zero, 0.1), Surface = SurfaceMaterial.Head, Mass = 5 };
 
-    /// <summary>A player upright, about the point where he stands: 1.8 m tall, 75 kg. Evidence: guess.</summary>
+    /// <summary>An upright player, about the point between his feet: 1.8 m tall, 75 kg.</summary>
+    /// <remarks>Guess.</remarks>
     public static BodyKind Player { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.25, 0), new Vector3d(0, 1.55, 0), 0.25),
@@ -31,7 +35,8 @@ public sealed record BodyKind
         Mass = 75,
     };
 
-    /// <summary>A training cone, about the point where it stands: 30 cm tall, 0.3 kg. Evidence: guess.</summary>
+    /// <summary>A training cone, about the centre of its base: 30 cm tall, 0.3 kg.</summary>
+    /// <remarks>Guess.</remarks>
     public static BodyKind Cone { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.08, 0), new Vector3d(0, 0.22, 0), 0.08),
@@ -39,7 +44,8 @@ public sealed record BodyKind
         Mass = 0.3,
     };
 
-    /// <summary>A corner flag on its sprung foot, about the point where it stands: 1.5 m tall (Law 1), 3 cm thick, 0.8 kg at the ball's height. Evidence: guess.</summary>
+    /// <summary>A corner flag on a sprung base, about the centre of its base: 1.5 m tall (Law 1), 3 cm thick.</summary>
+    /// <remarks>The effective mass at the height of the ball is 0.8 kg, guess.</remarks>
     public static BodyKind CornerFlag { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.015, 0), new Vector3d(0, 1.485, 0), 0.015),

@@ -1,47 +1,52 @@
 namespace FootballPhysics;
 
-/// <summary>The condition of ball and pitch in a designer's words. Each dial changes numbers of a scene by a formula; at its default it changes none.</summary>
+/// <summary>The condition of ball and pitch in a designer's words: pressure, wetness, wear, mud.</summary>
+/// <remarks>Each dial changes numbers of a scene by a formula. A dial at its default changes nothing.</remarks>
 public sealed record Dials
 {
-    /// <summary>Pressure of a ball that rises to 1.35 m from 2 m on concrete, bar: FIFA tests balls at it.</summary>
+    /// <summary>The pressure at which FIFA tests balls, in bar: a drop from 2 m on concrete rebounds to 1.35 m.</summary>
     private const double UsualPressure = 0.8;
 
-    /// <summary>L, the share of its energy that a ball of that pressure loses on concrete: 1 − 0.861².</summary>
+    /// <summary>L, the share of energy that a ball of that pressure loses on concrete: 1 − 0.861².</summary>
     private const double UsualLoss = 0.258679;
 
-    /// <summary>Specific gas constant of air times 20 °C, J/kg.</summary>
+    /// <summary>The specific gas constant of air times 20 °C, in J/kg.</summary>
     private const double GasEnergy = 287.058 * 293.15;
 
-    /// <summary>Pascal in a bar.</summary>
+    /// <summary>The number of pascals in a bar.</summary>
     private const double Bar = 1e5;
 
-    /// <summary>
-    /// Pressure of the ball above that of the air, bar. 0.6 … 1.1 (law); default 0.8 (FIFA's tests). Changes <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259:
-    /// the stiffness of a thin shell grows with p, so it deforms, and loses, as 1/√p (derived). Changes the mass by that of the air at 20 °C (law).
-    /// </summary>
+    /// <summary>The gauge pressure of the ball, in bar.</summary>
+    /// <remarks>
+    /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). It scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The stiffness of a thin
+    /// shell grows with p, so its deformation and its loss fall as 1/√p (derived). It also changes the mass by that of the air inside at 20 °C (law).
+    /// </remarks>
     public double Pressure { get; init; } = UsualPressure;
 
-    /// <summary>
-    /// Water on the pitch and in the ball, more than in the given scene. 0 … 1; default 0. At 1 the ball is 10 % heavier, the most that FIFA's water test allows (measured).
-    /// The ground's restitution falls by 8.4 %, as from dry to watered turf (measured), impact friction by a third, to the least of three matches (measured), sliding friction by 45 % and
+    /// <summary>The water on the pitch and in the ball, in addition to that of the scene. 0 … 1; default 0.</summary>
+    /// <remarks>
+    /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, as from dry to watered turf (measured).
+    /// Impact friction falls by a third, to the lowest of three matches (measured). Sliding friction falls by 45 % and
     /// <see cref="SurfaceMaterial.TorsionalPatchRadius"/> by a quarter (guess).
-    /// </summary>
+    /// </remarks>
     public double Wetness { get; init; }
 
-    /// <summary>
-    /// Wear of the ball. 0 … 1; default 0. Moves the drag crisis to Re_c (80/272)^(0.14 w), as 0.14 more roughness does: use moves the crisis (measured, Appl. Sci. 11, 7204, 2021);
-    /// how far, guess. Of no effect where <see cref="ForceSet.Drag"/> does not follow the ball's curve.
-    /// </summary>
+    /// <summary>The wear of the ball. 0 … 1; default 0.</summary>
+    /// <remarks>
+    /// It moves the drag crisis to Re_c (80/272)^(0.14 w), as a roughness higher by 0.14 would. Use moves the crisis (measured, Appl. Sci. 11, 7204, 2021);
+    /// by how much is a guess. It has no effect if <see cref="ForceSet.Drag"/> does not use the ball's curve.
+    /// </remarks>
     public double Wear { get; init; }
 
-    /// <summary>
-    /// Mud on the pitch and on the ball. 0 … 1; default 0. All guess: at 1 the ball is 5 % heavier; the ground's restitution falls by 60 %, its rise η to 0, sliding friction by 40 %;
-    /// c₀ grows by 0.12.
-    /// </summary>
+    /// <summary>The mud on the pitch and the ball. 0 … 1; default 0.</summary>
+    /// <remarks>
+    /// At 1 the ball is 5 % heavier. The ground's restitution falls by 60 %, its rise η to 0 and sliding friction by 40 %; c₀ grows by 0.12. All guess.
+    /// </remarks>
     public double Mud { get; init; }
 
-    /// <summary>A scene with its ball and ground in this condition. Obstacles, goals and bodies are as before, but the ball bounces on them as its pressure lets it.</summary>
-    /// <param name="scene">The scene; it stays as it is.</param>
+    /// <summary>Returns a copy of a scene with its ball and ground in this condition.</summary>
+    /// <remarks>Obstacles, goals and bodies stay the same, but the ball's pressure changes its bounce on them too.</remarks>
+    /// <param name="scene">The scene; it is not changed.</param>
     /// <exception cref="ArgumentOutOfRangeException">A dial is out of range.</exception>
     public Scene Apply(Scene scene)
     {

@@ -1,80 +1,86 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>
-/// Drag coefficient of a ball without spin by Reynolds number Re = 2r|u|/ν, through its drag crisis: the form and the rows of Kiratidis and
-/// Leinweber (arXiv:1710.02784), whose wind-tunnel speeds are turned into Reynolds numbers with their viscosity, 1.51393e-5 m²/s, and diameter,
-/// 0.22 m.
-/// </summary>
+/// <summary>The drag coefficient of a ball without spin as a function of the Reynolds number, through the drag crisis.</summary>
 /// <remarks>
-/// C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ). Measured up
-/// to Re 5.1e5 (35 m/s); beyond, an extrapolation.
+/// <para>Re = 2r|u|/ν. C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ).</para>
+/// <para>The formula and its rows are those of Kiratidis and Leinweber (arXiv:1710.02784). Their wind-tunnel speeds are converted to Reynolds numbers
+/// with their viscosity, 1.51393e-5 m²/s, and diameter, 0.22 m. Measured up to Re 5.1e5 (35 m/s), extrapolated beyond.</para>
 /// </remarks>
 public sealed record DragCurve
 {
-    /// <summary>Diameter of the balls in the tunnel over the viscosity of its air, s/m.</summary>
+    /// <summary>The diameter of the balls in the tunnel divided by the viscosity of its air, in s/m.</summary>
     private const double TunnelScale = 0.22 / 1.5139322873757089e-5;
 
-    /// <summary>The fastest wind in the tunnel, m/s.</summary>
+    /// <summary>The highest wind speed in the tunnel, in m/s.</summary>
     private const double TunnelFastest = 35.0;
 
-    /// <summary>a, C_D below the drag crisis. 0.01 … 2; default 0.49, derived: mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
+    /// <summary>a, the drag coefficient below the crisis. 0.01 … 2; default 0.49.</summary>
+    /// <remarks>The default is derived: the mean of Tango 12, Teamgeist and Brazuca, rounded.</remarks>
     public double Subcritical { get; init; } = 0.49;
 
-    /// <summary>Re_c, the Reynolds number of the crisis. 80 000 … 600 000; default 186 000, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>Re_c, the Reynolds number of the crisis. 80 000 … 600 000; default 186 000.</summary>
+    /// <remarks>The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double CriticalReynolds { get; init; } = 186_000;
 
-    /// <summary>Re_s, the width of the crisis. 10 000 … 100 000; default 17 000, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>Re_s, the width of the crisis. 10 000 … 100 000; default 17 000.</summary>
+    /// <remarks>The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double Width { get; init; } = 17_000;
 
-    /// <summary>b₀, C_D just above the crisis. 0.01 … 2; default 0.155, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>b₀, the drag coefficient just above the crisis. 0.01 … 2; default 0.155.</summary>
+    /// <remarks>The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double Supercritical { get; init; } = 0.155;
 
-    /// <summary>b₁, C_D at <see cref="RiseTo"/>. From <see cref="Supercritical"/> to twice that; default 0.185, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>b₁, the drag coefficient at <see cref="RiseTo"/>. Default 0.185.</summary>
+    /// <remarks>From <see cref="Supercritical"/> to twice that. The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double Risen { get; init; } = 0.185;
 
-    /// <summary>Re₀, from where on C_D rises again. 80 000 … 600 000; default 230 000, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>Re₀, the Reynolds number above which drag rises again. 80 000 … 600 000; default 230 000.</summary>
+    /// <remarks>The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double RiseFrom { get; init; } = 230_000;
 
-    /// <summary>Re₁, where it has risen to <see cref="Risen"/>. At least <see cref="RiseFrom"/> + <see cref="Width"/>; default 510 000, derived as <see cref="Subcritical"/>.</summary>
+    /// <summary>Re₁, the Reynolds number at which drag has risen to <see cref="Risen"/>. Default 510 000.</summary>
+    /// <remarks>At least <see cref="RiseFrom"/> + <see cref="Width"/>. The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double RiseTo { get; init; } = 510_000;
 
-    /// <summary>No ball in particular (derived: the mean of Tango 12, Teamgeist and Brazuca, rounded so that Hong and Asai's four C_D and Mencke's flight hold).</summary>
+    /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
+    /// <remarks>Derived. The rounding keeps the four C_D of Hong and Asai and the flight of Mencke within their errors.</remarks>
     public static DragCurve Generic { get; } = new();
 
-    /// <summary>Tango 12 (measured: Kiratidis and Leinweber; crisis at 12.86 m/s).</summary>
+    /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>
     public static DragCurve Tango12 { get; } = OfTunnelSpeeds(0.5452, 12.86, 1.304, 0.1657, 0.1953, 16.22);
 
-    /// <summary>Teamgeist (measured: Kiratidis and Leinweber; crisis at 12.58 m/s).</summary>
+    /// <summary>Teamgeist: crisis at 12.58 m/s (measured: Kiratidis and Leinweber).</summary>
     public static DragCurve Teamgeist { get; } = OfTunnelSpeeds(0.4927, 12.58, 1.071, 0.1440, 0.1540, 23.17);
 
-    /// <summary>Jabulani (measured: Kiratidis and Leinweber; crisis at 18.69 m/s).</summary>
+    /// <summary>Jabulani: crisis at 18.69 m/s (measured: Kiratidis and Leinweber).</summary>
     public static DragCurve Jabulani { get; } = OfTunnelSpeeds(0.4839, 18.69, 1.377, 0.1413, 0.1780, 23.29);
 
-    /// <summary>Brazuca (measured: Kiratidis and Leinweber; crisis at 12.92 m/s).</summary>
+    /// <summary>Brazuca: crisis at 12.92 m/s (measured: Kiratidis and Leinweber).</summary>
     public static DragCurve Brazuca { get; } = OfTunnelSpeeds(0.4740, 12.92, 1.000, 0.1657, 0.2112, 14.61);
 
-    /// <summary>
-    /// A ball of today as it flies in a match (roughness 0.86: crisis at Re 95 000, 6.5 m/s at sea level). Measured on the flights of one minute of one match in 2024, at 2 600 m; a second
-    /// minute has it between 85 000 and 110 000. What of it is the ball, its spin or the stadium's air, that cannot tell.
-    /// </summary>
+    /// <summary>A present-day ball as it flies in a match: roughness 0.86, crisis at Re 95 000 (6.5 m/s at sea level).</summary>
+    /// <remarks>
+    /// Measured on the flights of one minute of a match in 2024, at 2 600 m. A second minute gives 85 000 … 110 000. The measurement cannot separate the effects
+    /// of the ball, its spin and the air in the stadium.
+    /// </remarks>
     public static DragCurve Modern { get; } = OfRoughness(0.86);
 
-    /// <summary>Re_c of the smoothest match ball.</summary>
+    /// <summary>The Reynolds number of the crisis of the smoothest match ball.</summary>
     private const double SmoothCrisis = 272_000;
 
-    /// <summary>The least Reynolds number that a crisis may have.</summary>
+    /// <summary>The minimum Reynolds number of a crisis.</summary>
     internal const double LeastCriticalReynolds = 80_000;
 
-    /// <summary>The least width that a crisis may have.</summary>
+    /// <summary>The minimum width of a crisis.</summary>
     internal const double LeastWidth = 10_000;
 
     internal const double MostWidth = 100_000;
     internal const double MostReynolds = 600_000;
 
-    /// <summary>The curve with its crisis elsewhere: its width, and where drag rises again, in proportion.</summary>
+    /// <summary>Returns the curve with its crisis at another Reynolds number; width and rise scale in proportion.</summary>
     internal DragCurve WithCrisisAt(double reynolds)
     {
-        // Kept within the ranges that Validate allows: the result is always a curve.
+        // Clamp to the ranges of Validate, so that the result is always valid.
         double moved = Math.Min(MostReynolds, Math.Max(LeastCriticalReynolds, reynolds));
         double share = moved / CriticalReynolds;
         double width = Math.Min(MostWidth, Math.Max(LeastWidth, share * Width));
@@ -88,20 +94,22 @@ public sealed record DragCurve
         };
     }
 
-    /// <summary>The curve of a ball by how rough it is: the crisis comes earlier, and drag above it is higher, the rougher the ball and the more turbulent the air.</summary>
+    /// <summary>Returns the curve of a ball with a given roughness.</summary>
     /// <remarks>
-    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49. Between the rows of the tunnel, of
-    /// which ρ is 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived; beyond, up to <see cref="Modern"/>, by the flights of one match. What makes a ball rougher:
-    /// wider seams (measured: the strongest of all, Hong, Goff and Asai 2020) and deeper ones, texture, wear (measured: the crisis moves with use, Appl. Sci. 11, 7204, 2021); spin
-    /// and the turbulence in a stadium do the same as roughness does (known of spheres; how much of it each has, guess).
+    /// <para>The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
+    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.</para>
+    /// <para>The balls of the wind tunnel have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
+    /// <see cref="Modern"/>, the flights of one match set the curve.</para>
+    /// <para>Wider seams make a ball rougher (measured: the strongest effect, Hong, Goff and Asai 2020), and so do deeper seams, texture and wear (measured: the crisis
+    /// moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a guess.</para>
     /// </remarks>
-    /// <param name="roughness">ρ: 0 as smooth as any match ball was, 0.3 a ball with few panels in a wind tunnel's still air, 1 worn, spinning, in turbulent air.</param>
+    /// <param name="roughness">ρ, 0 … 1. 0: the smoothest match ball; 0.3: a ball with few panels in still air; 1: a worn, spinning ball in turbulent air.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="roughness"/> is out of range.</exception>
     public static DragCurve OfRoughness(double roughness)
     {
         Check.Within(nameof(roughness), roughness, 0, 1);
 
-        // Geometric between the two crises: 272 000 (80 000/272 000)^ρ.
+        // Geometric interpolation between the two crises.
         double critical = SmoothCrisis * Elementary.Exp(roughness * Elementary.Log(LeastCriticalReynolds / SmoothCrisis));
         double supercritical = 0.141 + (0.022 * roughness);
         return new DragCurve
@@ -123,7 +131,7 @@ public sealed record DragCurve
         Check.AtLeast("ball.dragCurve.riseTo", RiseTo, RiseFrom + Width);
     }
 
-    /// <summary>A row of the fit, in m/s of the tunnel's wind.</summary>
+    /// <summary>Creates a curve from a row of the fit, given in m/s of the tunnel's wind.</summary>
     private static DragCurve OfTunnelSpeeds(
         double subcritical, double criticalSpeed, double width, double supercritical, double risen, double riseFrom) => new()
         {

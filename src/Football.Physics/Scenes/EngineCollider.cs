@@ -1,12 +1,10 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>
-/// A collider of a game engine, as the ball sees it: of a known shape, which moves; or, where it has none here (a mesh, a terrain), as the plane or sphere
-/// that is like it where it was hit.
-/// </summary>
+/// <summary>A collider of a game engine, with a known shape or with only its surface at the contact.</summary>
+/// <remarks>A mesh or terrain has no shape in the library: a plane or sphere approximates its surface near the contact.</remarks>
 public sealed class EngineCollider
 {
-    /// <summary>Numbers of engines' colliders begin here, beyond the indices of all things that a scene has itself.</summary>
+    /// <summary>The first number of an engine collider, above all indices of the scene's own objects.</summary>
     internal const int FirstNumber = 1 << 30;
 
     private readonly bool _hasShape;
@@ -17,10 +15,10 @@ public sealed class EngineCollider
     private double _pushedAt = double.NaN;
     private bool _isAsPlaced = true;
 
-    /// <summary>A collider of a known shape.</summary>
-    /// <param name="name">Its name, for events.</param>
-    /// <param name="shape">Its shape, in its own frame.</param>
-    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
+    /// <summary>Creates a collider of a known shape; place it with <see cref="MoveTo"/>.</summary>
+    /// <param name="name">The name used in events.</param>
+    /// <param name="shape">The shape, in the collider's frame.</param>
+    /// <param name="surface">The material; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
     public EngineCollider(string name, IShape shape, SurfaceMaterial? surface = null)
@@ -32,9 +30,9 @@ public sealed class EngineCollider
         Placement.Reshape(shape.Bounds);
     }
 
-    /// <summary>A collider of which is known where it was hit, and no more.</summary>
-    /// <param name="name">Its name, for events.</param>
-    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
+    /// <summary>Creates a collider without a shape; describe each contact with <see cref="TouchAt"/>.</summary>
+    /// <param name="name">The name used in events.</param>
+    /// <param name="surface">The material; default <see cref="SurfaceMaterial.GoalFrame"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="name"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number of the surface is out of range.</exception>
     public EngineCollider(string name, SurfaceMaterial? surface = null)
@@ -48,22 +46,21 @@ public sealed class EngineCollider
         Placement = new Placement(Shape.Bounds);
     }
 
-    /// <summary>Its name.</summary>
+    /// <summary>The name used in events.</summary>
     public string Name { get; }
 
-    /// <summary>
-    /// What states and events call it by: a hash of its name, so that it does not depend on what was found before, and is the same on every machine. Those of one name
-    /// have one number; which of them is meant the place tells.
-    /// </summary>
+    /// <summary>The number in states and events: a hash of the name.</summary>
+    /// <remarks>It is the same on every machine and independent of earlier hits. Colliders with equal names share a number; the position distinguishes them.</remarks>
     internal int Number { get; }
 
     /// <summary>The material of its surface.</summary>
     public SurfaceMaterial Surface { get; }
 
-    /// <summary>
-    /// Mass behind its surface, kg; above 0. Infinite, the default, where the ball does not move it. Else an impact changes its velocity by the impulse
-    /// (<see cref="BallEvent.Impulse"/>) until the engine's time goes on: then it is where, and as fast as, the engine says, who applies the impulse to its body.
-    /// </summary>
+    /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move the collider.</summary>
+    /// <remarks>
+    /// With a finite mass, an impact changes the velocity by the impulse until <see cref="IEngineColliders.Time"/> advances. From then on the engine's own position
+    /// and velocity count, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
+    /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The mass is not above 0.</exception>
     public double Mass
     {
@@ -75,7 +72,8 @@ public sealed class EngineCollider
         }
     }
 
-    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31; default 0. A change counts from the next step on.</summary>
+    /// <summary>The layer; a ball that ignores this layer passes through. 0 … 31; default 0.</summary>
+    /// <remarks>A change takes effect with the next step.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The layer is out of range.</exception>
     public int Layer
     {
@@ -91,13 +89,13 @@ public sealed class EngineCollider
 
     internal Placement Placement { get; }
 
-    /// <summary>Says where a collider of a known shape is at <see cref="IEngineColliders.Time"/>, and how it moves.</summary>
-    /// <param name="position">Where its shape's origin is, m; components within ±1e6.</param>
-    /// <param name="orientation">How it is turned, body to world; normalised.</param>
-    /// <param name="velocity">Velocity, m/s; at most 1000.</param>
-    /// <param name="spin">Spin about its position, rad/s; at most 10 000. Within a step, the shape rotates with this spin.</param>
+    /// <summary>Sets the position and motion of a collider of a known shape at <see cref="IEngineColliders.Time"/>.</summary>
+    /// <param name="position">The position of the shape's origin, in m; components within ±1e6.</param>
+    /// <param name="orientation">The orientation, body to world; it is normalized.</param>
+    /// <param name="velocity">The velocity, in m/s; at most 1000.</param>
+    /// <param name="spin">The spin about the position, in rad/s; at most 10 000. The shape rotates with it within a step.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">It has no known shape.</exception>
+    /// <exception cref="InvalidOperationException">The collider has no known shape.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin)
     {
         RequireShape(true);
@@ -106,7 +104,7 @@ public sealed class EngineCollider
         Check.Size("velocity", velocity, Limits.Speed, "m/s");
         Check.Size("spin", spin, Limits.Spin, "rad/s");
 
-        // Only a new orientation costs a new box.
+        // Recompute the bounding box only for a new orientation.
         if (orientation != Placement.Motion.Orientation)
         {
             Placement.Turn(orientation.Normalized());
@@ -120,13 +118,13 @@ public sealed class EngineCollider
         _isAsPlaced = true;
     }
 
-    /// <summary>Says what a collider without a known shape is like where the ball would touch it.</summary>
-    /// <param name="point">A point of its surface at <see cref="IEngineColliders.Time"/>, m; components within ±1e6.</param>
-    /// <param name="normal">Its outward normal there; any length but 0.</param>
-    /// <param name="velocity">Velocity of its surface there, m/s; at most 1000.</param>
-    /// <param name="curvature">How round it is there, 1/m: 0 for a plane, 1/R for a ball of radius R.</param>
+    /// <summary>Sets the surface of a collider without a known shape, at the expected point of contact.</summary>
+    /// <param name="point">A point of the surface at <see cref="IEngineColliders.Time"/>, in m; components within ±1e6.</param>
+    /// <param name="normal">The outward normal at the point; any length except 0.</param>
+    /// <param name="velocity">The velocity of the surface at the point, in m/s; at most 1000.</param>
+    /// <param name="curvature">The curvature at the point, in 1/m: 0 for a plane, 1/R for a sphere of radius R.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
-    /// <exception cref="InvalidOperationException">It has a shape.</exception>
+    /// <exception cref="InvalidOperationException">The collider has a known shape.</exception>
     public void TouchAt(Vector3d point, Vector3d normal, Vector3d velocity, double curvature = 0)
     {
         RequireShape(false);
@@ -136,17 +134,17 @@ public sealed class EngineCollider
         Check.Within("curvature", curvature, 0, Limits.Length);
         ((TangentShape)Shape).Set(in unit, curvature);
 
-        // The tangent shape is at the origin of its own frame: the point of contact.
+        // The origin of the tangent shape's frame is the point of contact.
         Placement.Motion.Origin = point;
         Placement.Motion.Pivot = point;
         Placement.Motion.Velocity = velocity;
         _isAsPlaced = true;
     }
 
-    /// <summary>An impact changes its velocity.</summary>
+    /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
-        // Told of the engine's own time, at which it is placed anew whenever it is found again: as if it had always gone so.
+        // The engine reports positions at its own time, so move the position back as if the new velocity had applied since then.
         ref RigidMotion motion = ref Placement.Motion;
         bool isFirst = _pushedAt != motion.Time;
         Vector3d change = velocity - motion.Velocity;
@@ -159,10 +157,10 @@ public sealed class EngineCollider
         motion.Velocity = velocity;
     }
 
-    /// <summary>The engine's time at which it was pushed; NaN where it was not.</summary>
+    /// <summary>The engine's time of the last push; NaN if there was none.</summary>
     internal double PushedAt => _pushedAt;
 
-    /// <summary>How it is, and what has pushed it.</summary>
+    /// <summary>The motion and the pushes so far.</summary>
     internal EnginePush PushSoFar
     {
         get => new() { Motion = Placement.Motion, Pushed = _pushed, Gone = _gone, At = _pushedAt, IsAsPlaced = _isAsPlaced };
@@ -176,10 +174,10 @@ public sealed class EngineCollider
         }
     }
 
-    /// <summary>Forgets its last push.</summary>
+    /// <summary>Removes the effect of the last push.</summary>
     internal void ForgetPush()
     {
-        // Taken back, unless the engine has placed it anew since: then the push is no part of where it is.
+        // Undo the push, unless the engine has placed the collider since: its position then excludes the push.
         if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)
         {
             Placement.Motion.Origin -= _gone;
@@ -190,13 +188,13 @@ public sealed class EngineCollider
         _pushedAt = double.NaN;
     }
 
-    /// <summary>It was found at the engine's time: what pushed it since that was reached counts again.</summary>
+    /// <summary>Sets the engine's time of the current position, and reapplies pushes received since that time.</summary>
     internal void FoundAt(double time)
     {
         ref RigidMotion motion = ref Placement.Motion;
         motion.Time = time;
 
-        // Placed anew at the same time of the engine, which knows nothing of the push yet.
+        // The engine placed the collider again at the same time, so its position lacks the push: add it.
         if (_isAsPlaced && _pushedAt == time)
         {
             motion.Origin += _gone;
@@ -209,7 +207,7 @@ public sealed class EngineCollider
 
     private static int NumberOf(string name)
     {
-        // FNV-1a, folded to the bits below the first number.
+        // FNV-1a, folded to the bits below FirstNumber.
         uint hash = 2166136261;
         foreach (char character in name)
         {

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The hits that a sphere cast has found.</summary>
+/// <summary>The colliders that a sphere cast has hit.</summary>
 public sealed class EngineHits
 {
     private EngineCollider[] _found = new EngineCollider[16];
@@ -10,17 +10,17 @@ public sealed class EngineHits
     /// <param name="ignores">The layers that the ball ignores.</param>
     internal EngineHits(uint ignores) => _ignores = ignores;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of hits.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Adds a collider, placed where it is now. Allocates nothing but where there are more than ever before.</summary>
-    /// <param name="collider">The collider; the same object for the same thing each time.</param>
+    /// <summary>Adds a collider at its current position. Allocates only if the list must grow.</summary>
+    /// <param name="collider">The collider. Pass the same instance for the same engine object each time.</param>
     /// <exception cref="ArgumentNullException"><paramref name="collider"/> is null.</exception>
     public void Add(EngineCollider collider)
     {
         Check.Given(nameof(collider), collider);
 
-        // An engine may report a collider more than once, and one that the ball ignores.
+        // An engine may report a collider twice, or one that the ball ignores.
         if (Layers.Contains(_ignores, collider.Layer) || Array.IndexOf(_found, collider, 0, Count) >= 0)
         {
             return;

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>How an engine's collider is, and what has pushed it.</summary>
+/// <summary>A snapshot of an engine collider: its motion and the impulses it received.</summary>
 internal readonly struct EnginePush
 {
     public RigidMotion Motion { get; init; }

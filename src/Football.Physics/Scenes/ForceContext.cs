@@ -1,6 +1,6 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>The input of a force: the ball at one instant.</summary>
+/// <summary>The state of the ball at one instant: the input of a custom force.</summary>
 public readonly struct ForceContext
 {
     internal ForceContext(
@@ -21,27 +21,27 @@ public readonly struct ForceContext
         AirDistance = airDistance;
     }
 
-    /// <summary>Time since the launch, s.</summary>
+    /// <summary>The time since the launch, in s.</summary>
     public double Time { get; }
 
-    /// <summary>Position of the centre, m.</summary>
+    /// <summary>The position of the ball's centre, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>Velocity, m/s.</summary>
+    /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>Velocity relative to the air, u = v − W, m/s: what aerodynamic laws see.</summary>
+    /// <summary>The velocity relative to the air, u = v − W, in m/s. Aerodynamic laws use it.</summary>
     public Vector3d AirVelocity { get; }
 
-    /// <summary>Angular velocity, rad/s.</summary>
+    /// <summary>The angular velocity, in rad/s.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
+    /// <summary>The motion of the ball: in flight, sliding, rolling or at rest.</summary>
     public MotionState Motion { get; }
 
-    /// <summary>Distance flown through the air since the kick, m, where a knuckle force acts; else 0.</summary>
+    /// <summary>The distance through the air since the kick, in m; 0 if no knuckle force acts.</summary>
     internal double AirDistance { get; }
 
-    /// <summary>A copy with another velocity relative to the air.</summary>
+    /// <summary>Returns a copy with another velocity relative to the air.</summary>
     internal ForceContext In(in Vector3d airVelocity) => new(Time, Position, Velocity, in airVelocity, Spin, Motion, AirDistance);
 }

@@ -1,14 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>By which law a force or torque acts.</summary>
+/// <summary>The law of a force or torque.</summary>
 public enum ForceLaw
 {
-    /// <summary>It does not act, and costs nothing.</summary>
+    /// <summary>The force does not act, and costs nothing.</summary>
     None = 0,
 
-    /// <summary>With the constant coefficient given beside it.</summary>
+    /// <summary>The coefficient is constant; the <see cref="ForceSet"/> contains it.</summary>
     Constant = 1,
 
-    /// <summary>By the law fitted to measurements.</summary>
+    /// <summary>The coefficient follows a fit to measurements.</summary>
     Empirical = 2,
 }

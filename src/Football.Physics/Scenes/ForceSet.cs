@@ -1,51 +1,50 @@
 namespace FootballPhysics;
 
-/// <summary>The forces and torques of a scene. Each can be left out or replaced, and a game can add its own.</summary>
+/// <summary>The forces and torques of a scene. You can disable or replace each, and add your own.</summary>
 public sealed record ForceSet
 {
-    /// <summary>True for buoyancy to act. Default true.</summary>
+    /// <summary>True if buoyancy acts. Default true.</summary>
     public bool Buoyancy { get; init; } = true;
 
-    /// <summary>Law of the drag force. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    /// <summary>The law of the drag force. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw Drag { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>Law of the Magnus force. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    /// <summary>The law of the Magnus force. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw Magnus { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>Law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
+    /// <summary>The law of the spin decay in air. Default <see cref="ForceLaw.Empirical"/>.</summary>
     public ForceLaw SpinDecay { get; init; } = ForceLaw.Empirical;
 
-    /// <summary>The coefficients that the empirical laws follow. Default <see cref="AerodynamicModel.Measured"/>.</summary>
+    /// <summary>The coefficients that the empirical laws use. Default <see cref="AerodynamicModel.Measured"/>.</summary>
     public AerodynamicModel Coefficients { get; init; } = AerodynamicModel.Measured;
 
-    /// <summary>C_D of the constant drag law. 0 … 10; default 0.25.</summary>
+    /// <summary>The drag coefficient C_D of the constant law. 0 … 10; default 0.25.</summary>
     public double DragCoefficient { get; init; } = 0.25;
 
-    /// <summary>C_M of the constant Magnus law. Within ±10; default 0.25.</summary>
+    /// <summary>The Magnus coefficient C_M of the constant law. Within ±10; default 0.25.</summary>
     public double MagnusCoefficient { get; init; } = 0.25;
 
-    /// <summary>k of the constant spin decay T = −k ω, N m s. 0 … 1, at most 1e5 1/s times the moment of inertia; default 0.</summary>
+    /// <summary>The coefficient k of the constant spin decay, T = −k ω, in N m s. Default 0.</summary>
+    /// <remarks>0 … 1, and at most 1e5 1/s times the moment of inertia.</remarks>
     public double SpinDecayCoefficient { get; init; }
 
-    /// <summary>
-    /// Seed of the knuckle force on a ball with little spin, whatever the laws are; another seed, another way to wobble. Acts in flight alone, from
-    /// anew after each kick. Default null: none.
-    /// </summary>
+    /// <summary>The seed of the knuckle force, which makes a ball with little spin wobble. Default null: no such force.</summary>
+    /// <remarks>Each seed gives another wobble. The force acts only in flight, under any law, and restarts with each kick.</remarks>
     public long? KnuckleSeed { get; init; }
 
-    /// <summary>Forces of the game's own, added to the others in this order. Default none.</summary>
+    /// <summary>The custom forces, added in this order. Default: none.</summary>
     public IReadOnlyList<IForce> CustomForces { get; init; } = [];
 
-    /// <summary>No air: gravity alone acts in flight.</summary>
+    /// <summary>No air: only gravity acts in flight.</summary>
     public static ForceSet None { get; } = new() { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None };
 
-    /// <summary>Constant coefficients: the cheapest air.</summary>
+    /// <summary>Constant coefficients: the laws of the air with the lowest cost.</summary>
     public static ForceSet Constant { get; } = new() { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant };
 
     /// <summary>All forces by the laws of the thesis, as published.</summary>
     public static ForceSet Published { get; } = new() { Coefficients = AerodynamicModel.Published };
 
-    /// <summary>All forces by the regularised law.</summary>
+    /// <summary>All forces by the regularized laws.</summary>
     public static ForceSet Regularized { get; } = new() { Coefficients = AerodynamicModel.Regularized };
 
     /// <summary>All forces by the measured laws: the default.</summary>
@@ -60,7 +59,7 @@ public sealed record ForceSet
         SceneFields.Check(SceneFields.Forces, this, "forces.");
         Check.Given("forces.customForces", CustomForces);
 
-        // Else the first step would fail, far from whoever left it out.
+        // Check here, so that a null fails where the list is set and not in the first step.
         foreach (IForce force in CustomForces)
         {
             if (force is null)

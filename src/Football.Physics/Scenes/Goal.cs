@@ -1,50 +1,51 @@
 namespace FootballPhysics;
 
-/// <summary>A goal: two posts, a bar, nets, and the line that all of a ball must pass. Sizes by law 1 of the game.</summary>
-/// <remarks><see cref="BallEventKind.Goal"/> says when it counts.</remarks>
+/// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes are those of Law 1.</summary>
+/// <remarks><see cref="BallEventKind.Goal"/> defines when a goal counts.</remarks>
 public sealed record Goal
 {
-    /// <summary>The middle of its line on the ground, m; components within ±1e6.</summary>
+    /// <summary>The centre of the goal line on the ground, in m; components within ±1e6.</summary>
     public required Vector3d Center { get; init; }
 
-    /// <summary>The horizontal direction that it faces: towards the pitch; any length but 0.</summary>
+    /// <summary>The horizontal direction towards the pitch; any length except 0.</summary>
     public required Vector3d Facing { get; init; }
 
-    /// <summary>Width of the opening, m; above 0. Default 7.32.</summary>
+    /// <summary>The width of the opening, in m; above 0. Default 7.32.</summary>
     public double Width { get; init; } = 7.32;
 
-    /// <summary>Height of the opening, m; above 0. Default 2.44.</summary>
+    /// <summary>The height of the opening, in m; above 0. Default 2.44.</summary>
     public double Height { get; init; } = 2.44;
 
-    /// <summary>Radius of posts and bar, m; above 0. Default 0.06.</summary>
+    /// <summary>The radius of posts and crossbar, in m; above 0. Default 0.06.</summary>
     public double PostRadius { get; init; } = 0.06;
 
-    /// <summary>How far behind the line the back net begins at the height of the bar, m; above 0. Default 0.8.</summary>
+    /// <summary>The depth of the net at the height of the crossbar, in m; above 0. Default 0.8.</summary>
     public double DepthAtBar { get; init; } = 0.8;
 
-    /// <summary>How far behind the line it ends on the ground, m; above 0. Default 2.</summary>
+    /// <summary>The depth of the net on the ground, in m; above 0. Default 2.</summary>
     public double DepthOnGround { get; init; } = 2.0;
 
-    /// <summary>True for a goal with nets. Default true.</summary>
+    /// <summary>True if the goal has nets. Default true.</summary>
     public bool HasNet { get; init; } = true;
 
-    /// <summary>The material of posts and bar. Default null: <see cref="SurfaceMaterial.GoalFrame"/> where the scene's laws are measured, else <see cref="SurfaceMaterial.PublishedGoalFrame"/>.</summary>
+    /// <summary>The material of posts and crossbar. Default null: the goal frame of the scene's profile.</summary>
+    /// <remarks>The profile's frame is <see cref="SurfaceMaterial.GoalFrame"/> under the measured laws, and <see cref="SurfaceMaterial.PublishedGoalFrame"/> otherwise.</remarks>
     public SurfaceMaterial? Surface { get; init; }
 
-    /// <summary>The line's direction towards the right post, seen by who stands in the goal and looks at the pitch; of length 1.</summary>
+    /// <summary>The unit vector along the goal line towards the right post, as seen by a goalkeeper who faces the pitch.</summary>
     internal Vector3d Right => Vector3d.Cross(Out, Vector3d.Up);
 
-    /// <summary><see cref="Facing"/> with length 1.</summary>
+    /// <summary><see cref="Facing"/>, normalized.</summary>
     internal Vector3d Out => Check.Direction("facing", Facing);
 
-    /// <summary>Posts and bar, as the simulator has them: capsules that meet at the corners.</summary>
-    /// <param name="laws">The forces of the scene, whose profile's frame it has where it has no surface of its own.</param>
+    /// <summary>Returns the posts and the crossbar that the simulator uses: capsules that join at the corners.</summary>
+    /// <param name="laws">The forces of the scene. If <see cref="Surface"/> is null, they select the material.</param>
     public IEnumerable<Obstacle> Frame(ForceSet laws)
     {
         SurfaceMaterial surface = Surface ?? (laws.Coefficients == AerodynamicModel.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
 
-        // The opening is between the inner edges: the axes lie a radius outside and above.
+        // Width and height are measured between inner edges, so each axis lies one radius outside.
         var up = new Vector3d(0, Height + PostRadius, 0);
         Vector3d left = Center - (side * Right);
         Vector3d right = Center + (side * Right);
@@ -53,10 +54,11 @@ public sealed record Goal
         yield return new Obstacle { Name = "crossbar", Shape = new CapsuleShape(left + up, right + up, PostRadius), Surface = surface };
     }
 
-    /// <summary>How many nets it has.</summary>
+    /// <summary>The number of nets.</summary>
     internal int NetCount => HasNet ? 4 : 0;
 
-    /// <summary>Back, roof and side nets, as the simulator has them, up to the axes of posts and bar; none where <see cref="HasNet"/> is false.</summary>
+    /// <summary>Returns the back, roof and side nets that the simulator uses; empty if <see cref="HasNet"/> is false.</summary>
+    /// <remarks>They end at the axes of posts and crossbar.</remarks>
     public IEnumerable<Net> Nets()
     {
         if (!HasNet)
@@ -67,7 +69,7 @@ public sealed record Goal
         double side = (0.5 * Width) + PostRadius;
         double top = Height + PostRadius;
 
-        // The back net leans from bar depth at the top to its depth on the ground.
+        // The back net slopes from its depth at the crossbar to its depth on the ground.
         Vector3d back = -Out;
         Vector3d highest = Center + (DepthAtBar * back) + new Vector3d(0, top, 0);
         Vector3d lowest = Center + (DepthOnGround * back);
@@ -91,7 +93,7 @@ public sealed record Goal
             HalfWidth = 0.5 * DepthAtBar,
         };
 
-        // Sides are rectangles, as deep everywhere as the goal is on the ground.
+        // The side nets are rectangles with the depth on the ground.
         Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
         yield return Side("left net", middle - (side * Right), in back, top);
         yield return Side("right net", middle + (side * Right), in back, top);

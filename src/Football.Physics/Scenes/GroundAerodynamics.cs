@@ -3,15 +3,13 @@ namespace FootballPhysics;
 /// <summary>The part of drag and Magnus force that acts while the ball is on the ground.</summary>
 public enum GroundAerodynamics
 {
-    /// <summary>Their horizontal part acts; the vertical part is dropped (the thesis' listing).</summary>
+    /// <summary>Only the horizontal part acts (the code listing of the thesis).</summary>
     Horizontal = 0,
 
-    /// <summary>They do not act at all (the thesis' text); spin decay still does.</summary>
+    /// <summary>Neither force acts (the text of the thesis). Spin decay still acts.</summary>
     None = 1,
 
-    /// <summary>
-    /// All of the air's force acts: its part along the normal loads or lifts the ball, its part along the ground is shared with the spin of a ball
-    /// that rolls, and so is the air's torque.
-    /// </summary>
+    /// <summary>The full force and torque of the air act.</summary>
+    /// <remarks>The part along the normal loads or lifts the ball. On a rolling ball, the part along the ground and the torque change velocity and spin together.</remarks>
     Full = 2,
 }

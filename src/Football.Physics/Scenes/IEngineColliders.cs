@@ -1,20 +1,24 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The colliders of a game engine. The engine says what lies near a straight way; the library finds the instant of contact on the ball's own path.</summary>
+/// <summary>The colliders of a game engine.</summary>
 /// <remarks>
-/// It is asked about once for every piece of motion, on the thread that steps the ball. Where several ask at once, each needs a scene of its own.
-/// Snapshots do not hold an engine's colliders: who steps again must have them where they were.
+/// <para>The engine returns the colliders near a straight line. The library then finds the time of contact on the ball's real path.</para>
+/// <para>The simulator calls it once per segment of motion, on the thread that steps the ball. Threads that step balls at the same time need separate
+/// scenes. Snapshots do not store engine colliders: if you replay steps, move the colliders back first.</para>
 /// </remarks>
 public interface IEngineColliders
 {
-    /// <summary>When the colliders are where the engine has them, on the clock of the ball, s. From there each goes on with its own velocity and spin.</summary>
+    /// <summary>The time of the colliders' positions in the engine, on the clock of the ball, in s.</summary>
+    /// <remarks>From this time on, each collider moves with its own velocity and spin.</remarks>
     double Time { get; }
 
-    /// <summary>Not slower than the fastest point of any collider, m/s, with its rotation; 0 where all stand still. So far beside the way they are looked for.</summary>
+    /// <summary>An upper bound on the speed of any point of any collider, including rotation, in m/s.</summary>
+    /// <remarks>0 if all are static. The radius of the sphere cast grows with this speed.</remarks>
     double MaximumSpeed { get; }
 
-    /// <summary>Adds every collider that a sphere touches on a straight way, also where it starts. What is too far does no harm.</summary>
-    /// <param name="cast">The sphere and its way.</param>
-    /// <param name="hits">What it touches, to be added to.</param>
+    /// <summary>Adds every collider that a moving sphere touches, including those at its start.</summary>
+    /// <remarks>Colliders that are too far away do no harm.</remarks>
+    /// <param name="cast">The sphere and its line of motion.</param>
+    /// <param name="hits">The list of hits to add to.</param>
     void Cast(in SphereCast cast, EngineHits hits);
 }

@@ -1,18 +1,19 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>The materials of a pitch from place to place: a mown stripe, a wet half. A game's own is one such function.</summary>
-/// <remarks>It is asked several times a step on the ground, so it should be a pure function that allocates nothing.</remarks>
+/// <summary>A pattern of materials on the ground: mown stripes, a wet half.</summary>
+/// <remarks>The simulator calls it several times per step while the ball is on the ground, so keep it pure and allocation-free.</remarks>
 public interface ISurfacePattern
 {
-    /// <summary>The surfaces that there are besides the ground's own. Always the same.</summary>
+    /// <summary>The materials in addition to the ground's own. The list must not change.</summary>
     IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
-    /// <summary>No part of the pattern is narrower, m; above 0. A ball that slides or rolls goes no further than half of it without looking.</summary>
+    /// <summary>The width of the narrowest part of the pattern, in m; above 0.</summary>
+    /// <remarks>A ball on the ground checks the pattern at least every half of this distance.</remarks>
     double MinimumWidth { get; }
 
-    /// <summary>The surface under a place.</summary>
-    /// <param name="x">Across, m.</param>
-    /// <param name="z">Along, m.</param>
-    /// <returns>Its index among <see cref="Surfaces"/>; any other number for the ground's own.</returns>
+    /// <summary>Returns the material at a point of the ground.</summary>
+    /// <param name="x">The x coordinate, in m.</param>
+    /// <param name="z">The z coordinate, in m.</param>
+    /// <returns>An index into <see cref="Surfaces"/>; any other number stands for the ground's own material.</returns>
     int At(double x, double z);
 }

@@ -3,16 +3,16 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>The things of a scene that the game moves: players' feet, legs and heads, a keeper's hands.</summary>
+/// <summary>The bodies of a scene that your game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
-/// All are added before the first simulator of the scene is built, players who come on later too: <see cref="KinematicBody.Withdraw"/> keeps such a reserve out of play, at no cost to
-/// the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on. A scene with bodies is for one match: they are where the game has put them last, and
-/// its simulators are not for several threads at once. A snapshot of the ball does not hold them: a <see cref="Rollback"/> and a <see cref="Recording"/> keep where they were, or ask
-/// <see cref="FixedStepRunner.MoveBodies"/>.
+/// <para>Add all bodies before you build the first simulator of the scene, including players who come on later. <see cref="KinematicBody.Withdraw"/> keeps a
+/// substitute out of play, at no cost to the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on.</para>
+/// <para>Use one scene with bodies per match, and do not share its simulators between threads. A snapshot of the ball does not store the bodies.
+/// A <see cref="Rollback"/> and a <see cref="Recording"/> store their motions, or call <see cref="FixedStepRunner.MoveBodies"/>.</para>
 /// </remarks>
 public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 {
-    /// <summary>Nobody relies for longer than this, s, on where a body is expected.</summary>
+    /// <summary>The longest time for which a search relies on the expected motion of a body, in s.</summary>
     internal const double Foresight = 0.25;
 
     private readonly List<KinematicBody> _bodies = [];
@@ -27,22 +27,22 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     private long _steps;
     private bool _lookAhead;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of bodies.</summary>
     public int Count => _bodies.Count;
 
     /// <inheritdoc/>
     public KinematicBody this[int index] => _bodies[index];
 
     /// <summary>Adds a body.</summary>
-    /// <param name="name">Its name, for events and messages.</param>
-    /// <param name="shape">Its shape, in its own frame.</param>
-    /// <param name="surface">What it is made of; default <see cref="SurfaceMaterial.Boot"/>.</param>
-    /// <param name="mass">Mass behind its surface, kg; above 0; default infinite: the ball does not move it.</param>
-    /// <param name="layer">Its layer: a ball that ignores it passes through. 0 … 31; default 0.</param>
-    /// <returns>The body, at the origin, for the game to move.</returns>
+    /// <param name="name">The name used in events and messages.</param>
+    /// <param name="shape">The shape, in the body's frame.</param>
+    /// <param name="surface">The material; default <see cref="SurfaceMaterial.Boot"/>.</param>
+    /// <param name="mass">The effective mass at the surface, in kg; above 0; default infinite: the ball does not move the body.</param>
+    /// <param name="layer">The layer; a ball that ignores this layer passes through. 0 … 31; default 0.</param>
+    /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
     public KinematicBody Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
     {
         Check.Given(nameof(name), name);
@@ -50,7 +50,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
         Layers.Validate(nameof(layer), layer);
 
-        // Simulators have counted them: a later one would not be in their lists, nor in snapshots of motions.
+        // Simulators and snapshots have fixed the number of bodies.
         if (_inUse)
         {
             throw new InvalidOperationException(
@@ -65,13 +65,13 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     }
 
     /// <summary>Adds a body of a kind.</summary>
-    /// <param name="name">Its name, for events and messages.</param>
-    /// <param name="kind">Its shape, surface and mass: <see cref="BodyKind.Boot"/>, <see cref="BodyKind.Player"/> and others.</param>
-    /// <param name="layer">Its layer: a ball that ignores it passes through. 0 … 31; default 0.</param>
-    /// <returns>The body, at the origin, for the game to move.</returns>
+    /// <param name="name">The name used in events and messages.</param>
+    /// <param name="kind">The shape, surface and mass: <see cref="BodyKind.Boot"/>, <see cref="BodyKind.Player"/> and others.</param>
+    /// <param name="layer">The layer; a ball that ignores this layer passes through. 0 … 31; default 0.</param>
+    /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator uses the bodies already: a player who comes on later is added before, and withdrawn.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
     public KinematicBody Add(string name, BodyKind kind, int layer = 0)
     {
         Check.Given(nameof(kind), kind);
@@ -83,21 +83,21 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>At least how far any of them can have been put from where it was expected, m, since there is this number: it only grows.</summary>
+    /// <summary>A bound on the distance of any body from its expected position, in m. It only grows.</summary>
     internal double Strayed => _before + _inTick;
 
-    /// <summary>Changes whenever one of them is moved, pushed or withdrawn; a call that leaves a body as it was changes nothing.</summary>
+    /// <summary>A counter that changes whenever a body is moved, pushed or withdrawn. Calls without an effect do not change it.</summary>
     internal long Version { get; private set; }
 
-    /// <summary>From now on they are as many as they are.</summary>
+    /// <summary>Fixes the number of bodies.</summary>
     internal void Use() => _inUse = true;
 
-    /// <summary>How long a ball goes on a straight way before it may meet any of them, s; not longer than the way.</summary>
+    /// <summary>Returns the time for which a ball on a straight path cannot hit any body, in s; at most the duration of the path.</summary>
     internal double FreeFor(in StraightWay way)
     {
         double free = way.Duration;
 
-        // Of those whose sphere comes near the middle of the way, when the way first meets their box: broad phase, then slabs.
+        // Broad phase by bounding spheres, then a slab test against each candidate's box.
         double half = 0.5 * way.Duration;
         double time = way.Time + half;
         Vector3d middle = way.Middle;
@@ -110,9 +110,9 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         return free;
     }
 
-    /// <summary>A body was moved, pushed or withdrawn: what a quick look needs is kept in one place.</summary>
+    /// <summary>Updates the version and the broad phase after a body was moved, pushed or withdrawn.</summary>
     /// <param name="body">The body.</param>
-    /// <param name="before">How it moved before.</param>
+    /// <param name="before">The previous motion.</param>
     internal void Update(KinematicBody body, in RigidMotion before)
     {
         Version += body.Placement.Motion.IsSame(in before) ? 0 : 1;
@@ -126,12 +126,12 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>Refuses a step at a time for which the game did not move its bodies: they would not be where it says.</summary>
-    /// <param name="time">The ball's time before the step, s.</param>
+    /// <summary>Throws if a body was moved for a time too far from that of the step.</summary>
+    /// <param name="time">The ball's time before the step, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
     {
-        // Positions of a quarter of a second ago are what a network has; a body that was not moved since the last step goes on as it went.
+        // Networked positions can be a quarter of a second old. A body that was not moved keeps its motion.
         if (_earliest < time - Foresight || _latest > time + Foresight)
         {
             RefuseTime(time);
@@ -140,7 +140,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         ForgetTimes();
     }
 
-    /// <summary>The steps that follow are of another time than the game's moves, as those of a rollback are.</summary>
+    /// <summary>Discards the times of the moves, because the next steps replay other times, as in a rollback.</summary>
     internal void ForgetTimes()
     {
         _earliest = double.PositiveInfinity;
@@ -148,10 +148,10 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         _steps++;
     }
 
-    /// <summary>The ball's clock jumps: what the game has said for the time before the jump is of the time after it.</summary>
-    /// <param name="from">The clock before, s.</param>
-    /// <param name="to">The clock after, s.</param>
-    /// <param name="isNew">Whether the clock begins anew, and all bodies go on from where they are; else the time is one of the same clock, and only those that were moved for the step to come.</param>
+    /// <summary>Adjusts the times of the bodies when the ball's clock jumps.</summary>
+    /// <param name="from">The clock before, in s.</param>
+    /// <param name="to">The clock after, in s.</param>
+    /// <param name="isNew">True if the clock restarts: all bodies keep their positions. False for another time of the same clock: only bodies moved for the next step are adjusted.</param>
     internal void MoveClock(double from, double to, bool isNew)
     {
         if (from == to)
@@ -163,7 +163,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         _latest = double.NegativeInfinity;
         for (int i = 0; i < Count; i++)
         {
-            // A body may have been moved for the time after the jump already.
+            // The game may have moved a body for the time after the jump already.
             KinematicBody body = _bodies[i];
             bool isTold = IsTold(i);
             if (isTold ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
@@ -181,10 +181,10 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>A body was moved: for a step to come, or within a look-ahead, after which it is put back.</summary>
+    /// <summary>Records that the game moved a body for the next step.</summary>
     internal void Told(KinematicBody body, double time)
     {
-        // What a look-ahead moves is put back: no step is told of it.
+        // A look-ahead restores the bodies afterwards, so its moves do not count.
         if (_lookAhead)
         {
             return;
@@ -195,13 +195,13 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         body.ToldAt = _steps;
     }
 
-    /// <summary>A body was withdrawn: that is of no time, and holds from the step to come on.</summary>
+    /// <summary>Records that the game withdrew a body: this has no time, and holds from the next step on.</summary>
     internal void Told(KinematicBody body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
 
-    /// <summary>True when the game has moved a body since the last step.</summary>
+    /// <summary>True if the game has moved a body since the last step.</summary>
     internal bool IsTold(int body) => _bodies[body].ToldAt == _steps;
 
-    /// <summary>The game has put a body there for the step to come.</summary>
+    /// <summary>Moves a body for the next step, as if the game had done so.</summary>
     internal void Tell(int body, in RigidMotion motion)
     {
         _bodies[body].Motion = motion;
@@ -212,7 +212,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         for (int i = 0; i < Count; i++)
         {
-            // The first that is at fault is named.
+            // Name the first body with a wrong time.
             if (_bodies[i].ToldAt == _steps && !_bodies[i].IsWithdrawn && !(Math.Abs(_bodies[i].Time - now) <= Foresight))
             {
                 throw Check.Refusal(
@@ -223,7 +223,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>Remembers where all are, for a look-ahead that moves them.</summary>
+    /// <summary>Saves all motions before a look-ahead that moves bodies.</summary>
     internal void Keep()
     {
         for (int i = 0; i < _kept.Length; i++)
@@ -234,10 +234,10 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         _lookAhead = true;
     }
 
-    /// <summary>Puts all back to where they were when that was remembered.</summary>
+    /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
     internal void PutBack()
     {
-        // Through Motion, so that what was relied on meanwhile is known to have moved.
+        // Use the setter, so that cached searches become invalid.
         for (int i = 0; i < _kept.Length; i++)
         {
             _bodies[i].Motion = _kept[i];
@@ -256,13 +256,13 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>A body was moved.</summary>
-    /// <param name="jump">How far from where it was expected, and goes on to stray by its new velocity, m.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="again">Whether it was moved at that time before: then it may have strayed twice.</param>
+    /// <summary>Records how far a body strayed from its expected motion.</summary>
+    /// <param name="jump">The distance from the expected position, plus the deviation that the new velocity causes later, in m.</param>
+    /// <param name="time">The time of the move, in s.</param>
+    /// <param name="again">True if the body was moved before at this time, so that both jumps may add up.</param>
     internal void Moved(double jump, double time, bool again)
     {
-        // All that are moved at one time have strayed no further than the one that strayed furthest.
+        // Different bodies moved at one time: only the largest jump counts.
         bool sameTick = time == _tick;
         _before += sameTick ? 0 : _inTick;
         _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);

@@ -1,16 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A thing that the game moves: a foot, a leg, a head, a keeper's hand. The game says before a step where it is and how fast it goes; within the step
-/// it goes on so, rotates about its position, and hits the ball exactly when it is hit. One with a mass goes on with what the impact left it, until the game moves it again.
-/// </summary>
+/// <summary>A body that your game moves: a foot, a leg, a head, a keeper's hand.</summary>
 /// <remarks>
-/// Made by <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Where a body is put over the ball, the next step pushes the ball out along the shortest way, without giving it a
-/// speed; what hits it then is the body's own velocity. To a look-ahead a body goes on for ever as it goes now.
+/// <para>Create it with <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Before a step, pass its position and velocity to
+/// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time of contact.</para>
+/// <para>If it has a mass, an impact changes its velocity until you move it again. If you place it over the ball, the next step pushes the ball out along the
+/// shortest path, without adding speed. The impact then depends on the body's own velocity. Look-aheads extrapolate its current motion without limit.</para>
 /// </remarks>
 public sealed class KinematicBody
 {
-    /// <summary>A body that comes into play may be anywhere: farther than this it strays from no place, m.</summary>
+    /// <summary>The jump of a body that comes into play, in m: larger than any distance, since it can appear anywhere.</summary>
     private const double Anywhere = 4.0 * Limits.Length;
 
     private readonly KinematicBodies _all;
@@ -27,51 +26,50 @@ public sealed class KinematicBody
         Placement = new Placement(shape.Bounds);
     }
 
-    /// <summary>Its name, for events and messages.</summary>
+    /// <summary>The name used in events and messages.</summary>
     public string Name { get; }
 
-    /// <summary>Its shape, in its own frame: the body's position is the shape's origin, and what it turns about.</summary>
+    /// <summary>The shape, in the body's frame. Its origin is the body's position and centre of rotation.</summary>
     public IShape Shape { get; }
 
     /// <summary>The material of its surface.</summary>
     public SurfaceMaterial Surface { get; }
 
-    /// <summary>
-    /// Mass behind its surface, kg: an impact of the ball changes its <see cref="Velocity"/> by the impulse, without turning it. Infinite where nothing moves it.
-    /// </summary>
+    /// <summary>The effective mass at the surface, in kg; infinite if the ball does not move the body.</summary>
+    /// <remarks>An impact of the ball changes <see cref="Velocity"/> by the impulse, but does not rotate the body.</remarks>
     public double Mass { get; }
 
-    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31.</summary>
+    /// <summary>The layer; a ball that ignores this layer passes through. 0 … 31.</summary>
     public int Layer { get; }
 
-    /// <summary>Where it is at <see cref="Time"/>, m. Default the origin.</summary>
+    /// <summary>The position at <see cref="Time"/>, in m. Default the origin.</summary>
     public Vector3d Position => Placement.Motion.Origin;
 
-    /// <summary>How it is turned at <see cref="Time"/>, body to world. Default not at all.</summary>
+    /// <summary>The orientation at <see cref="Time"/>, body to world. Default the identity.</summary>
     public Quaterniond Orientation => Placement.Motion.Orientation;
 
-    /// <summary>Velocity, m/s. Default 0.</summary>
+    /// <summary>The velocity, in m/s. Default 0.</summary>
     public Vector3d Velocity => Placement.Motion.Velocity;
 
-    /// <summary>Spin about its position, rad/s. Default 0.</summary>
+    /// <summary>The spin about the position, in rad/s. Default 0.</summary>
     public Vector3d Spin => Placement.Motion.Spin;
 
-    /// <summary>When it is there, on the clock of the ball, s. Default 0.</summary>
+    /// <summary>The time of <see cref="Position"/> on the clock of the ball, in s. Default 0.</summary>
     public double Time => Placement.Motion.Time;
 
-    /// <summary>True while it is out of play. Default false.</summary>
+    /// <summary>True while the body is out of play. Default false.</summary>
     public bool IsWithdrawn => Placement.Motion.IsWithdrawn;
 
-    /// <summary>Its index among all.</summary>
+    /// <summary>The index in <see cref="KinematicBodies"/>.</summary>
     internal int Index { get; }
 
     internal Placement Placement { get; }
 
-    /// <summary>Takes it out of play, from the next step on: nothing hits it, and a ball on it falls. Allocates nothing.</summary>
+    /// <summary>Takes the body out of play from the next step on: the ball no longer collides with it.</summary>
     /// <remarks>
-    /// For a substitute who is not on yet, a player who was sent off, a cone that comes later. It keeps its position, without velocity and spin, until
-    /// <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it into play. Rollbacks, recordings and look-aheads keep whether it is in play as they keep where it is. A
-    /// withdrawn body costs a step nothing that can be measured.
+    /// <para>Use it for a substitute who is not on yet, a player who was sent off, or a cone that comes later. A ball on top of it falls. The body keeps its
+    /// position, without velocity and spin, until <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it back.</para>
+    /// <para>Rollbacks, recordings and look-aheads store whether a body is in play. A withdrawn body adds no measurable cost to a step. Does not allocate.</para>
     /// </remarks>
     public void Withdraw()
     {
@@ -81,21 +79,21 @@ public sealed class KinematicBody
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
-        // Nobody meets it sooner for that: it has strayed from nowhere.
+        // A body that disappears has not strayed: no cached search can miss a hit.
         _all.Update(this, in before);
         _all.Told(this);
     }
 
-    /// <summary>Says where it is and how fast it goes, and brings it into play. It keeps how it is turned.</summary>
+    /// <summary>Sets the position and velocity, and brings the body into play. The orientation stays the same.</summary>
     /// <inheritdoc cref="MoveTo(Vector3d, Quaterniond, Vector3d, Vector3d, double)"/>
     public void MoveTo(Vector3d position, Vector3d velocity, double time) => MoveTo(position, Orientation, velocity, Vector3d.Zero, time);
 
-    /// <summary>Says where it is, how it is turned, and how fast it goes and turns, and brings it into play. Allocates nothing.</summary>
-    /// <param name="position">Where it is, m; components within ±1e6.</param>
-    /// <param name="orientation">How it is turned, body to world; normalised.</param>
-    /// <param name="velocity">Velocity, m/s; at most 1000.</param>
-    /// <param name="spin">Spin about its position, rad/s; at most 10 000. Within a step, the shape rotates with this spin.</param>
-    /// <param name="time">When it is there: the ball's <see cref="Ball.Time"/> before the step, s; within ±1e12. The next step refuses one more than 0.25 s from that.</param>
+    /// <summary>Sets position, orientation, velocity and spin, and brings the body into play. Does not allocate.</summary>
+    /// <param name="position">The position, in m; components within ±1e6.</param>
+    /// <param name="orientation">The orientation, body to world; it is normalized.</param>
+    /// <param name="velocity">The velocity, in m/s; at most 1000.</param>
+    /// <param name="spin">The spin about the position, in rad/s; at most 10 000. The shape rotates with it within a step.</param>
+    /// <param name="time">The time of this position: <see cref="Ball.Time"/> before the step, in s; within ±1e12. The next step throws if they differ by more than 0.25 s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void MoveTo(Vector3d position, Quaterniond orientation, Vector3d velocity, Vector3d spin, double time)
     {
@@ -105,7 +103,7 @@ public sealed class KinematicBody
         Check.Size("spin", spin, Limits.Spin, "rad/s");
         Check.Within("time", time, -Limits.Time, Limits.Time);
 
-        // How far any point of it may be from where it was expected.
+        // jump: a bound on how far any point of the body may be from its expected position.
         ref RigidMotion motion = ref Placement.Motion;
         RigidMotion before = motion;
         double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
@@ -115,7 +113,7 @@ public sealed class KinematicBody
             expected = expected.Turned((time - motion.Time) * motion.Spin);
         }
 
-        // The same orientation as before keeps its bits: to normalise it again might change the last.
+        // Normalizing the same orientation again might change its last bit, so keep it.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
         if (turned != expected)
         {
@@ -141,17 +139,17 @@ public sealed class KinematicBody
         motion.Rotate(Shape);
         if ((rotated || motion.Rotates) && change != Vector3d.Zero)
         {
-            // With another spin its points go elsewhere, but not beyond their circles.
+            // With another spin, points leave their expected paths, but stay on spheres around the position.
             jump += Math.Min(KinematicBodies.Foresight * change.Length, 2.0) * Placement.Reach;
         }
 
-        // Told last, when it is where it says: broad phase, and who records.
+        // Notify the broad phase and recorders last, when the new motion is complete.
         _all.Moved(jump, time, again);
         _all.Update(this, in before);
         _all.Told(this, time);
     }
 
-    /// <summary>An impact changes its velocity.</summary>
+    /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
         _all.Moved(KinematicBodies.Foresight * (velocity - Velocity).Length, time, again: true);
@@ -160,13 +158,13 @@ public sealed class KinematicBody
         _all.Update(this, in before);
     }
 
-    /// <summary>Where it is and how it goes; set from what was read there, and what a quick look needs is kept.</summary>
+    /// <summary>The motion; the setter restores a saved motion and updates the broad phase.</summary>
     internal RigidMotion Motion
     {
         get => Placement.Motion;
         set
         {
-            // As MoveTo, but with the largest jump that a turn can be.
+            // As in MoveTo, but with the largest jump that a rotation can cause.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
             RigidMotion before = motion;
@@ -179,19 +177,19 @@ public sealed class KinematicBody
                 Placement.Turn(in value.Orientation);
             }
 
-            // A motion that was read from a file does not say how fast that rotates the shape.
+            // A motion read from a file lacks the speed of rotation of the shape.
             motion.Rotate(Shape);
 
             _all.Update(this, in before);
         }
     }
 
-    /// <summary>The count of checked steps when it was last moved.</summary>
+    /// <summary>The number of checked steps at the time of the last move.</summary>
     internal long ToldAt { get; set; } = -1;
 
-    /// <summary>A box around it at a time.</summary>
+    /// <summary>Returns a bounding box at a time.</summary>
     internal Bounds3d BoundsAt(double time) => Placement.BoundsAt(time);
 
-    /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    /// <summary>Returns a box that bounds the body for a duration if the box moves with the body's velocity.</summary>
     internal Bounds3d BoundsDuring(double time, double duration) => Placement.BoundsDuring(time, duration);
 }

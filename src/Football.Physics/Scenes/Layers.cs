@@ -1,12 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>Layers of objects and zones, 0 … 31, and sets of layers that a ball ignores (<see cref="BallProperties.Ignores"/>).</summary>
+/// <summary>Layers of objects and zones, 0 … 31, and the sets of layers that a ball ignores.</summary>
+/// <remarks>See <see cref="BallProperties.Ignores"/>.</remarks>
 public static class Layers
 {
     /// <summary>The highest layer.</summary>
     public const int Highest = 31;
 
-    /// <summary>A set of layers: bit k stands for layer k.</summary>
+    /// <summary>Returns a set of layers: bit k stands for layer k.</summary>
     /// <param name="layers">The layers, 0 … 31.</param>
     /// <exception cref="ArgumentNullException"><paramref name="layers"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A layer is out of range.</exception>

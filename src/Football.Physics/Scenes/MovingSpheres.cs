@@ -2,24 +2,24 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Spheres around things that move, four side by side, for a quick look: most are too far to be met, and that is seen of four at once.</summary>
+/// <summary>The broad phase of moving objects: bounding spheres, tested four at a time with SIMD.</summary>
 internal sealed class MovingSpheres
 {
     private const int Lanes = 4;
     private const int Fields = 8;
 
-    // Of each four their centers, velocities, radii and speeds, each four numbers one after the other; a lane without a thing is infinitely far.
+    // Groups of four: centres, velocities, radii and speeds, each as four consecutive numbers. Unused lanes are infinitely far away.
     private double[] _fours = [];
     private int _count;
 
-    /// <summary>Makes room for one more, and puts it there.</summary>
-    /// <param name="box">A box around it, at time 0.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <summary>Adds an object.</summary>
+    /// <param name="box">A bounding box at time 0.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
     public void Add(in Bounds3d box, in Vector3d velocity)
     {
         if (_count % Lanes == 0)
         {
-            // Room for four at a time; lanes of none are infinitely far, so that they never count.
+            // Allocate four lanes at once; empty lanes are infinitely far away and never match.
             int start = _fours.Length;
             Array.Resize(ref _fours, start + (Fields * Lanes));
             for (int lane = 0; lane < Lanes; lane++)
@@ -31,10 +31,10 @@ internal sealed class MovingSpheres
         Set(_count++, in box, in velocity);
     }
 
-    /// <summary>Puts one elsewhere.</summary>
-    /// <param name="index">Which.</param>
-    /// <param name="box">A box around it, at time 0.</param>
-    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <summary>Changes the bounds and velocity of an object.</summary>
+    /// <param name="index">The index of the object.</param>
+    /// <param name="box">A bounding box at time 0.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
     public void Set(int index, in Bounds3d box, in Vector3d velocity)
     {
         Vector3d center = 0.5 * (box.Min + box.Max);
@@ -47,12 +47,12 @@ internal sealed class MovingSpheres
         _fours[i + (5 * Lanes)] = velocity.Z;
         _fours[i + (6 * Lanes)] = 0.5 * (box.Max - box.Min).Length;
 
-        // |v_x| + |v_y| + |v_z| ≥ |v|: a bound without a root.
+        // |v_x| + |v_y| + |v_z| ≥ |v|: a bound without a square root.
         _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
     }
 
-    /// <summary>Takes one out: it is infinitely far from every way.</summary>
-    /// <param name="index">Which.</param>
+    /// <summary>Removes an object by moving it infinitely far away.</summary>
+    /// <param name="index">The index of the object.</param>
     public void Remove(int index)
     {
         int i = FirstOf(index);
@@ -62,16 +62,16 @@ internal sealed class MovingSpheres
         }
     }
 
-    /// <summary>Goes on to the next that may be met on a way.</summary>
-    /// <param name="middle">The middle of the way, m.</param>
-    /// <param name="reach">How far the way goes from there, and what lies around it, m.</param>
-    /// <param name="time">When the ball is in the middle, s.</param>
-    /// <param name="half">How long it goes from there, s.</param>
-    /// <param name="index">Where to look first; then which it is.</param>
-    /// <returns>False where there is none.</returns>
+    /// <summary>Finds the next candidate on a path.</summary>
+    /// <param name="middle">The midpoint of the path, in m.</param>
+    /// <param name="reach">The radius around the midpoint that contains the path and its margin, in m.</param>
+    /// <param name="time">The time at the midpoint, in s.</param>
+    /// <param name="half">Half the duration of the path, in s.</param>
+    /// <param name="index">The first index to test; on return the index of the candidate.</param>
+    /// <returns>False if no candidate is left.</returns>
     public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
     {
-        // Four that are far are passed over at once; of four of which one may be near each is looked at.
+        // Skip groups of four that are all far away; test the objects of the other groups one by one.
         for (; index < _count; index++)
         {
             if (index % Lanes == 0 && AreFar(index, in middle, reach, time, half))
@@ -98,7 +98,7 @@ internal sealed class MovingSpheres
         Quad y = Quad.From(_fours, i + Lanes) + (t * Quad.From(_fours, i + (4 * Lanes))) - Quad.Of(middle.Y);
         Quad z = Quad.From(_fours, i + (2 * Lanes)) + (t * Quad.From(_fours, i + (5 * Lanes))) - Quad.Of(middle.Z);
 
-        // As far as both may go in half of the way's time, from where they are at its middle.
+        // The distance that both can cover from the middle of the path in half its duration.
         Quad near = Quad.Of(reach) + Quad.From(_fours, i + (6 * Lanes)) + (Quad.Of(half) * Quad.From(_fours, i + (7 * Lanes)));
         return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
     }
@@ -114,18 +114,18 @@ internal sealed class MovingSpheres
     }
 }
 
-/// <summary>A straight way of a ball, with all that lies near it: what the broad phase looks along.</summary>
+/// <summary>A straight path of a ball with a margin: the input of the broad phase.</summary>
 internal readonly struct StraightWay
 {
-    /// <summary>A velocity along an axis smaller than this, m/s, is taken for this: so that nothing is divided by zero.</summary>
+    /// <summary>The minimum speed along an axis, in m/s, to avoid a division by zero.</summary>
     private const double Slowest = 1e-30;
 
-    /// <summary>A way.</summary>
-    /// <param name="from">Where it starts, m.</param>
-    /// <param name="velocity">Velocity on it, m/s.</param>
-    /// <param name="time">When it starts, s.</param>
-    /// <param name="duration">How long it lasts, s.</param>
-    /// <param name="around">All that is so near, m, counts as met.</param>
+    /// <summary>Creates a path.</summary>
+    /// <param name="from">The start, in m.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="time">The start time, in s.</param>
+    /// <param name="duration">The duration, in s.</param>
+    /// <param name="around">The margin, in m: everything within it counts as hit.</param>
     public StraightWay(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
     {
         From = from;
@@ -135,25 +135,25 @@ internal readonly struct StraightWay
         Around = around;
     }
 
-    /// <summary>Where it starts, m.</summary>
+    /// <summary>The start, in m.</summary>
     public Vector3d From { get; }
 
-    /// <summary>Velocity on it, m/s.</summary>
+    /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>When it starts, s.</summary>
+    /// <summary>The start time, in s.</summary>
     public double Time { get; }
 
-    /// <summary>How long it lasts, s.</summary>
+    /// <summary>The duration, in s.</summary>
     public double Duration { get; }
 
-    /// <summary>All that is so near, m, counts as met.</summary>
+    /// <summary>The margin, in m: everything within it counts as hit.</summary>
     public double Around { get; }
 
-    /// <summary>Its middle, m.</summary>
+    /// <summary>The midpoint, in m.</summary>
     public Vector3d Middle => From + ((0.5 * Duration) * Velocity);
 
-    /// <summary>A box around it and all that lies near it.</summary>
+    /// <summary>A bounding box of the path with its margin.</summary>
     public Bounds3d Box
     {
         get
@@ -165,17 +165,17 @@ internal readonly struct StraightWay
         }
     }
 
-    /// <summary>The way as something sees it that moves steadily.</summary>
-    /// <param name="velocity">Its velocity, m/s.</param>
+    /// <summary>Returns the path relative to an object with constant velocity.</summary>
+    /// <param name="velocity">The velocity of the object, in m/s.</param>
     public StraightWay SeenFrom(in Vector3d velocity) => new(From, Velocity - velocity, Time, Duration, Around);
 
-    /// <summary>When it comes near a box, s from its start: the slab test. Infinite where it never does.</summary>
+    /// <summary>Returns the time from the start until the path reaches a box, in s, by the slab test; infinite if never.</summary>
     public double Meets(in Bounds3d box)
     {
         double enter = 0;
         double leave = double.PositiveInfinity;
 
-        // The ball is a point, and the box larger by what lies near; it is inside where it is between all three pairs of planes.
+        // Enlarge the box by the margin, and treat the ball as a point. It is inside while it is between all three pairs of planes.
         Slab(box.Min.X - Around - From.X, box.Max.X + Around - From.X, Inverse(Velocity.X), ref enter, ref leave);
         Slab(box.Min.Y - Around - From.Y, box.Max.Y + Around - From.Y, Inverse(Velocity.Y), ref enter, ref leave);
         Slab(box.Min.Z - Around - From.Z, box.Max.Z + Around - From.Z, Inverse(Velocity.Z), ref enter, ref leave);
@@ -184,7 +184,7 @@ internal readonly struct StraightWay
 
     private static void Slab(double low, double high, double inverse, ref double enter, ref double leave)
     {
-        // Which plane comes first depends on the direction.
+        // The sign of the velocity decides which plane comes first.
         double first = inverse < 0 ? high * inverse : low * inverse;
         double last = inverse < 0 ? low * inverse : high * inverse;
         enter = first > enter ? first : enter;

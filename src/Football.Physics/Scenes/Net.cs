@@ -1,42 +1,43 @@
 namespace FootballPhysics;
 
-/// <summary>A soft sheet: a rectangle that takes energy from the ball and gives it back slowly.</summary>
+/// <summary>A net: a soft rectangle that absorbs most of the ball's energy.</summary>
 /// <remarks>
-/// It is met when the centre comes within a radius of its plane inside the rectangle, from the side σ = ±1 on which it is, and left when the depth
-/// δ = r − σ (p − c)·n falls back to 0, or where the centre is beyond its edge by r and the depth in the net that the ball is deepest in: it rolls off the roof of a
-/// goal, and is not let through where two nets are joined. In between F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T = −k_ω δ ω. A ball that hangs in it comes to rest
-/// when its energy is below <see cref="Ground.RestEnergy"/> and all that acts on it is in balance, to 0.01 m/s².
+/// <para>Contact begins when the ball's centre comes within one radius of the plane, inside the rectangle, on side σ = ±1. Contact ends when the depth
+/// δ = r − σ (p − c)·n returns to 0. It also ends when the centre is beyond the edge by more than r plus the depth in the deepest net. So the ball can roll off
+/// the roof of a goal, but cannot pass between two joined nets.</para>
+/// <para>In contact, F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t and T = −k_ω δ ω. A ball in the net comes to rest if its energy is below
+/// <see cref="Ground.RestEnergy"/> and all forces balance to within 0.01 m/s².</para>
 /// </remarks>
 public sealed record Net
 {
-    /// <summary>Its name, for events and messages. Default "net".</summary>
+    /// <summary>The name used in events and messages. Default "net".</summary>
     public string Name { get; init; } = "net";
 
-    /// <summary>Centre of the rectangle, m; components within ±1e6.</summary>
+    /// <summary>The centre of the rectangle, in m; components within ±1e6.</summary>
     public required Vector3d Center { get; init; }
 
-    /// <summary>Normal of its plane; any length but 0.</summary>
+    /// <summary>The normal of the plane; any length except 0.</summary>
     public required Vector3d Normal { get; init; }
 
-    /// <summary>Direction of the first half size, across the normal; any length but 0.</summary>
+    /// <summary>The direction of the first edge, perpendicular to the normal; any length except 0.</summary>
     public required Vector3d Along { get; init; }
 
-    /// <summary>Half its size along <see cref="Along"/>, m; above 0.</summary>
+    /// <summary>Half the size along <see cref="Along"/>, in m; above 0.</summary>
     public required double HalfLength { get; init; }
 
-    /// <summary>Half its size along normal × along, m; above 0.</summary>
+    /// <summary>Half the size along normal × along, in m; above 0.</summary>
     public required double HalfWidth { get; init; }
 
-    /// <summary>Stiffness k, N/m. 0 … 1e5; default 400.</summary>
+    /// <summary>The stiffness k, in N/m. 0 … 1e5; default 400.</summary>
     public double Stiffness { get; init; } = 400;
 
-    /// <summary>Damping b: the ball leaves the net at 1/b at most, s/m. 0 … 100; default 1.5.</summary>
+    /// <summary>The damping b, in s/m: the ball leaves the net at no more than 1/b. 0 … 100; default 1.5.</summary>
     public double Damping { get; init; } = 1.5;
 
-    /// <summary>Damping along the sheet k_t, N s/m². 0 … 1e4; default 60.</summary>
+    /// <summary>The damping along the net, k_t, in N s/m². 0 … 1e4; default 60.</summary>
     public double TangentialDamping { get; init; } = 60;
 
-    /// <summary>Damping of the spin k_ω, N s. 0 … 10; default 0.02.</summary>
+    /// <summary>The damping of the spin, k_ω, in N s. 0 … 10; default 0.02.</summary>
     public double SpinDamping { get; init; } = 0.02;
 
     internal void Validate(string field)
@@ -44,7 +45,7 @@ public sealed record Net
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         Check.Place(field + ".center", Center);
 
-        // Both directions are needed, and at right angles: the third edge is their product.
+        // Normal and along must be perpendicular: their cross product gives the second edge.
         Vector3d normal = Check.Direction(field + ".normal", Normal);
         Vector3d along = Check.Direction(field + ".along", Along);
         if (Math.Abs(Vector3d.Dot(in normal, in along)) > 1e-6)

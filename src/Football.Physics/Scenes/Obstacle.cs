@@ -1,43 +1,44 @@
 namespace FootballPhysics;
 
-/// <summary>A thing that can be hit: a shape with a surface. It may move with a constant velocity, and its surface may turn.</summary>
+/// <summary>An object that the ball can hit: a shape with a surface.</summary>
+/// <remarks>It can move at a constant velocity, and its surface can spin.</remarks>
 public sealed record Obstacle
 {
-    /// <summary>Its name, for events and messages. Default "obstacle".</summary>
+    /// <summary>The name used in events and messages. Default "obstacle".</summary>
     public string Name { get; init; } = "obstacle";
 
-    /// <summary>Its shape, where it is at time 0.</summary>
+    /// <summary>The shape, positioned as at time 0.</summary>
     public required IShape Shape { get; init; }
 
     /// <summary>The material. Default <see cref="SurfaceMaterial.GoalFrame"/>.</summary>
     public SurfaceMaterial Surface { get; init; } = SurfaceMaterial.GoalFrame with { };
 
-    /// <summary>Velocity, m/s; at most 1000. Default 0.</summary>
+    /// <summary>The velocity, in m/s; at most 1000. Default 0.</summary>
     public Vector3d Velocity { get; init; }
 
-    /// <summary>Spin of its surface about <see cref="Pivot"/>, rad/s; at most 10 000. It moves the surface, not the shape. Default 0.</summary>
+    /// <summary>The spin of the surface about <see cref="Pivot"/>, in rad/s; at most 10 000. Default 0.</summary>
+    /// <remarks>It moves the surface, like a conveyor belt, but not the shape.</remarks>
     public Vector3d Spin { get; init; }
 
-    /// <summary>
-    /// Mass, kg; above 0. Infinite, the default, for what nothing moves, or moves by its <see cref="Velocity"/> alone; else an impact of the ball changes its velocity by
-    /// the impulse, and it goes on so.
-    /// </summary>
+    /// <summary>The mass, in kg; above 0. Default infinite: the ball does not move the obstacle.</summary>
+    /// <remarks>With a finite mass, an impact changes the velocity by the impulse, and the obstacle keeps the new velocity.</remarks>
     public double Mass { get; init; } = double.PositiveInfinity;
 
-    /// <summary>The pivot that its surface turns about, at time 0, m; components within ±1e6. Moves with it. Default the origin.</summary>
+    /// <summary>The pivot of <see cref="Spin"/> at time 0, in m; components within ±1e6. Default the origin.</summary>
+    /// <remarks>The pivot moves with the obstacle.</remarks>
     public Vector3d Pivot { get; init; }
 
-    /// <summary>Its layer: a ball that ignores it passes through. 0 … 31; default 0.</summary>
+    /// <summary>The layer; a ball that ignores this layer passes through. 0 … 31; default 0.</summary>
     public int Layer { get; init; }
 
     internal void Validate(string field, BallProperties ball)
     {
-        // A serializer, or a with-expression, may leave null where the type says there is none.
+        // A serializer or a with-expression can set a non-nullable property to null.
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         _ = Shape ?? throw Check.Refusal(field + ".shape", "null", "a shape");
         _ = Surface ?? throw Check.Refusal(field + ".surface", "null", "a surface");
 
-        // The search for contact relies on it: no hollow bends more than half as much as the ball.
+        // The contact search needs hollows that curve at most half as much as the ball.
         Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
         Surface.Validate(field + ".surface", ball.MostDamping);
         Check.Size(field + ".velocity", Velocity, Limits.Speed, "m/s");

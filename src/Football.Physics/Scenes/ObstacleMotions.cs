@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Where the obstacles of a scene that have a mass have got to: what an impact pushes does not stay where the scene has it.</summary>
+/// <summary>The current motions of the obstacles with a mass, which impacts of the ball change.</summary>
 internal sealed class ObstacleMotions
 {
     private readonly IReadOnlyList<Obstacle> _obstacles;
@@ -16,7 +16,7 @@ internal sealed class ObstacleMotions
         var movable = new List<int>();
         for (int i = 0; i < _placements.Length; i++)
         {
-            // Only what has a mass is placed anew by impacts; all else stays where the scene has it.
+            // Impacts move only obstacles with a mass; all others stay as the scene defines them.
             Obstacle obstacle = obstacles[i];
             if (obstacle.Mass < double.PositiveInfinity)
             {
@@ -33,28 +33,28 @@ internal sealed class ObstacleMotions
         _start = new RigidMotion[_movable.Length];
         _kept = new RigidMotion[_movable.Length];
 
-        // Where they are at time 0, to go back to.
+        // Store the motions at time 0 for Reset.
         Read(_start);
     }
 
-    /// <summary>How many have a mass.</summary>
+    /// <summary>The number of obstacles with a mass.</summary>
     public int Count => _movable.Length;
 
-    /// <summary>Changes whenever one of them is pushed, or put elsewhere.</summary>
+    /// <summary>A counter that changes whenever one of them is pushed or moved.</summary>
     public long Version { get; private set; }
 
-    /// <summary>The place of an obstacle; null where nothing moves that.</summary>
+    /// <summary>Returns the placement of an obstacle; null if it has no mass.</summary>
     public Placement? Of(int obstacle) => _placements[obstacle];
 
-    /// <summary>An impact changes the velocity of one.</summary>
+    /// <summary>Changes the velocity of one obstacle in an impact.</summary>
     public void Push(Placement placement, in Vector3d velocity, double time)
     {
-        // By the version who has looked among them sees that they are no longer there.
+        // A new version invalidates cached searches.
         placement.Motion.GoOn(in velocity, time);
         Version++;
     }
 
-    /// <summary>Reads where all are.</summary>
+    /// <summary>Copies the motions of all.</summary>
     public void Read(Span<RigidMotion> into)
     {
         for (int i = 0; i < _movable.Length; i++)
@@ -63,10 +63,10 @@ internal sealed class ObstacleMotions
         }
     }
 
-    /// <summary>A box around one of those that have a mass, at a time.</summary>
+    /// <summary>Returns a bounding box of the obstacle with the given movable index at a time.</summary>
     public Bounds3d BoundsAt(int movable, double time) => _placements[_movable[movable]]!.BoundsAt(time);
 
-    /// <summary>Puts all where they were.</summary>
+    /// <summary>Restores the motions of all.</summary>
     public void Write(Span<RigidMotion> from)
     {
         for (int i = 0; i < _movable.Length; i++)
@@ -77,12 +77,12 @@ internal sealed class ObstacleMotions
         Version++;
     }
 
-    /// <summary>What another scene has of the same obstacles is where it has got to there.</summary>
+    /// <summary>Copies the motions of those obstacles that another scene shares.</summary>
     public void Follow(ObstacleMotions other)
     {
         for (int i = 0; i < _movable.Length; i++)
         {
-            // In both scenes an obstacle is the same one, wherever in the list: a wall may stand before it.
+            // Both scenes hold the same instance, but possibly at different indices.
             int its = Array.FindIndex(other._movable, movable => ReferenceEquals(other._obstacles[movable], _obstacles[_movable[i]]));
             if (its >= 0)
             {
@@ -92,10 +92,10 @@ internal sealed class ObstacleMotions
         }
     }
 
-    /// <summary>Remembers where all are.</summary>
+    /// <summary>Saves the motions of all for <see cref="PutBack"/>.</summary>
     public void Keep() => Read(_kept);
 
-    /// <summary>Puts all back to where they were when that was remembered.</summary>
+    /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>
     public void PutBack()
     {
         if (Count > 0)
@@ -104,6 +104,6 @@ internal sealed class ObstacleMotions
         }
     }
 
-    /// <summary>Puts all back to where the scene has them.</summary>
+    /// <summary>Restores the motions that the scene defines.</summary>
     public void Reset() => Write(_start);
 }

@@ -1,36 +1,39 @@
 namespace FootballPhysics;
 
-/// <summary>A pitch: its lines, its two goals, and boards round it. The middle is the origin; goals stand at −z and +z. Sizes by law 1 of the game.</summary>
+/// <summary>A pitch by Law 1: its size, its two goals, and boards around it.</summary>
+/// <remarks>The origin is the centre of the pitch. The goals stand at −z and +z.</remarks>
 public sealed record Pitch
 {
-    /// <summary>From goal line to goal line, m; above 0. Default 105.</summary>
+    /// <summary>The distance between the goal lines, in m; above 0. Default 105.</summary>
     public double Length { get; init; } = 105;
 
-    /// <summary>From touchline to touchline, m; above 0. Default 68.</summary>
+    /// <summary>The distance between the touchlines, in m; above 0. Default 68.</summary>
     public double Width { get; init; } = 68;
 
-    /// <summary>The goals' sizes, material and nets; their place and facing are the pitch's. Default that of <see cref="Goal"/>, 7.32 m × 2.44 m.</summary>
+    /// <summary>The size, material and nets of both goals. Default: those of <see cref="Goal"/>, 7.32 m × 2.44 m.</summary>
+    /// <remarks>The pitch sets their position and direction.</remarks>
     public Goal Goal { get; init; } = new() { Center = Vector3d.Zero, Facing = new Vector3d(0, 0, 1) };
 
-    /// <summary>Height of the boards round the pitch, m; 0 for none. Default none.</summary>
+    /// <summary>The height of the boards around the pitch, in m. Default 0: no boards.</summary>
     public double BoardHeight { get; init; }
 
-    /// <summary>How far behind the lines the boards stand, m; not negative. Default 3. At 0 there is a gap in them for each goal.</summary>
+    /// <summary>The distance between the lines and the boards, in m; at least 0. Default 3.</summary>
+    /// <remarks>The boards leave a gap for each goal if the distance is not above <see cref="Goal.DepthOnGround"/>.</remarks>
     public double BoardDistance { get; init; } = 3;
 
-    /// <summary>Half their thickness, m; above 0. Default 0.05.</summary>
+    /// <summary>Half the thickness of the boards, in m; above 0. Default 0.05.</summary>
     public double BoardHalfThickness { get; init; } = 0.05;
 
     /// <summary>The material of the boards. Default <see cref="SurfaceMaterial.Board"/>.</summary>
     public SurfaceMaterial BoardSurface { get; init; } = SurfaceMaterial.Board with { };
 
-    /// <summary>Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
+    /// <summary>A pitch by Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
     public static Pitch Standard { get; } = new();
 
-    /// <summary>A pitch by law 1 in a stadium: 105 m × 68 m, advertising boards of 1 m, 4 m behind the lines.</summary>
+    /// <summary>A pitch in a stadium: 105 m × 68 m, with advertising boards 1 m high, 4 m behind the lines.</summary>
     public static Pitch Stadium { get; } = new() { BoardHeight = 1, BoardDistance = 4 };
 
-    /// <summary>Futsal, law 1: 40 m × 20 m, goals of 3 m × 2 m with frames of 8 cm, no boards.</summary>
+    /// <summary>A futsal pitch by Law 1: 40 m × 20 m, goals of 3 m × 2 m with 8 cm frames, no boards.</summary>
     public static Pitch Futsal { get; } = new()
     {
         Length = 40,
@@ -38,17 +41,18 @@ public sealed record Pitch
         Goal = new Goal { Center = Vector3d.Zero, Facing = new Vector3d(0, 0, 1), Width = 3, Height = 2, PostRadius = 0.04, DepthAtBar = 0.8, DepthOnGround = 1 },
     };
 
-    /// <summary>A small-sided cage: 40 m × 20 m, goals of 3 m × 2 m, and a bowl of boards of 1.2 m on the lines.</summary>
+    /// <summary>A small-sided cage: 40 m × 20 m, goals of 3 m × 2 m, and 1.2 m boards on the lines.</summary>
     public static Pitch Cage { get; } = Futsal with { BoardHeight = 1.2, BoardDistance = 0, BoardSurface = SurfaceMaterial.Wood };
 
-    /// <summary>The two goals: at −z first.</summary>
+    /// <summary>The two goals; the goal at −z comes first.</summary>
     public IReadOnlyList<Goal> Goals =>
     [
         Goal with { Center = new Vector3d(0, 0, -0.5 * Length), Facing = new Vector3d(0, 0, 1) },
         Goal with { Center = new Vector3d(0, 0, 0.5 * Length), Facing = new Vector3d(0, 0, -1) },
     ];
 
-    /// <summary>The boards: "left board", "right board", "far board" (−z) and "near board"; in two parts beside a goal that they would close.</summary>
+    /// <summary>The boards: "left board", "right board", "far board" (−z) and "near board" (+z).</summary>
+    /// <remarks>A board that would cross a goal is split into two parts with the same name.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public IReadOnlyList<Obstacle> Boards
     {
@@ -60,12 +64,12 @@ public sealed record Pitch
                 return [];
             }
 
-            // The middle planes of the boards.
+            // Positions of the boards' middle planes.
             double x = (0.5 * Width) + BoardDistance + BoardHalfThickness;
             double z = (0.5 * Length) + BoardDistance + BoardHalfThickness;
             double reach = x + BoardHalfThickness;
 
-            // Boards that stand in the net's way leave a gap for the goal with its posts.
+            // If the net reaches the boards, leave a gap as wide as the goal with its posts.
             double mouth = BoardDistance > Goal.DepthOnGround ? 0 : (0.5 * Goal.Width) + (2.0 * Goal.PostRadius);
             var boards = new List<Obstacle> { Board("left board", -x, -z, -x, z), Board("right board", x, -z, x, z) };
             foreach ((string name, double end) in new[] { ("far board", -z), ("near board", z) })
@@ -85,14 +89,14 @@ public sealed record Pitch
         }
     }
 
-    /// <summary>A scene with the goals and boards of this pitch added.</summary>
-    /// <param name="scene">The scene; default <see cref="Scene.Default"/>. Height and surface of the pitch are those of its ground.</param>
+    /// <summary>Returns a scene with the goals and boards of this pitch added.</summary>
+    /// <param name="scene">The scene; default <see cref="Scene.Default"/>. Its ground gives the height and surface of the pitch.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public Scene On(Scene? scene = null)
     {
         scene ??= Scene.Default;
 
-        // A pitch lies on the ground of its scene, which may be higher.
+        // Raise goals and boards to the height of the scene's ground.
         var up = new Vector3d(0, scene.Ground.IsNone ? 0 : scene.Ground.Height, 0);
         return scene with
         {
@@ -103,7 +107,7 @@ public sealed record Pitch
 
     private static Obstacle Raised(Obstacle board, in Vector3d up)
     {
-        // All boards are boxes along the axes: made above.
+        // Board creates only axis-aligned boxes.
         var box = (BoxShape)board.Shape;
         return board with { Shape = new BoxShape(box.Center + up, box.HalfSize) };
     }

@@ -1,20 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>Everything a flight depends on but the kick: ball, air, gravity, forces, ground. Built once; immutable.</summary>
+/// <summary>Everything a flight depends on except the kick: ball, air, gravity, forces, ground and objects.</summary>
+/// <remarks>Immutable. Build one scene and share it between simulators.</remarks>
 public sealed record Scene
 {
-    /// <summary>Nets, and goals, of a scene at most: a state says of each in one bit whether the ball is in it.</summary>
+    /// <summary>The maximum number of nets, and of goals: a state stores one bit per net or goal.</summary>
     private const int MostNets = 64;
 
-    /// <summary>Zones of a scene at most.</summary>
+    /// <summary>The maximum number of zones in a scene.</summary>
     private const int MostZones = 10_000;
 
-    // Made when they are asked for: most games have none of them.
+    // Created on first use: most games need none of these scenes.
     private static Scene? s_published;
     private static Scene? s_vacuum;
     private static Scene? s_highAltitude;
 
-    // New ones: a serializer may write into the values that a new scene has.
+    // Each scene gets its own instances, because a serializer may write into the defaults of a new scene.
 
     /// <summary>The ball. Default <see cref="BallProperties.Modern"/>.</summary>
     public BallProperties Ball { get; init; } = new();
@@ -22,72 +23,78 @@ public sealed record Scene
     /// <summary>The air. Default still air at sea level.</summary>
     public Air Air { get; init; } = new();
 
-    /// <summary>Downward part of the gravitational acceleration, g, m/s². 0 … 1000; default 9.81.</summary>
+    /// <summary>The downward part of the gravitational acceleration, g, in m/s².</summary>
+    /// <remarks>0 … 1000; default 9.81.</remarks>
     public double Gravity { get; init; } = 9.81;
 
-    /// <summary>
-    /// Gravitational acceleration as a vector, m/s²: y within −1000 … 0, x and z within ±1000; default (0, −9.81, 0). A vector that is not straight down tilts the world: level ground
-    /// becomes a slope. Sets <see cref="Gravity"/> too.
-    /// </summary>
+    /// <summary>The gravitational acceleration as a vector, in m/s²; also sets <see cref="Gravity"/>.</summary>
+    /// <remarks>
+    /// y is −1000 … 0, x and z are within ±1000; default (0, −9.81, 0). A vector that is not straight down tilts the world: level ground
+    /// becomes a slope.
+    /// </remarks>
     public Vector3d GravityVector
     {
         get => new(Sideways.X, -Gravity, Sideways.Z);
         init => (Gravity, Sideways) = (value.Y == 0 ? 0 : -value.Y, new Vector3d(value.X, 0, value.Z));
     }
 
-    /// <summary>The horizontal part of gravity, m/s².</summary>
+    /// <summary>The horizontal part of gravity, in m/s².</summary>
     internal Vector3d Sideways { get; init; }
 
-    /// <summary>True if forces act that no law of the air gives: the game's own, or a gravity that is not straight down.</summary>
+    /// <summary>True if a custom force acts, or gravity is not straight down.</summary>
     internal bool HasOwnForces => Forces.CustomForces.Count > 0 || Sideways != Vector3d.Zero;
 
-    /// <summary>Which forces act, and by which law. Default all of them, by the measured laws.</summary>
+    /// <summary>The forces that act, and the law of each. Default: all, by the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
 
-    /// <summary>The ground. Default <see cref="SurfaceMaterial.MatchTurf"/>, level.</summary>
+    /// <summary>The ground. Default: level <see cref="SurfaceMaterial.MatchTurf"/>.</summary>
     public Ground Ground { get; init; } = new();
 
-    /// <summary>Things that can be hit: walls, posts, players. Default none.</summary>
+    /// <summary>The obstacles that the ball can hit: walls, posts, players. Default: none.</summary>
     public IReadOnlyList<Obstacle> Obstacles { get; init; } = [];
 
-    /// <summary>Nets, apart from those of the goals; at most 64 nets in all. Default none.</summary>
+    /// <summary>The nets that do not belong to a goal. Default: none.</summary>
+    /// <remarks>At most 64 nets, including those of the goals.</remarks>
     public IReadOnlyList<Net> Nets { get; init; } = [];
 
-    /// <summary>Goals, with their frames and nets; at most 64. Default none.</summary>
+    /// <summary>The goals, with their frames and nets; at most 64. Default: none.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
 
-    /// <summary>Zones, which report when the ball enters and leaves them; at most 10 000. Default none.</summary>
+    /// <summary>The zones that report when the ball enters or leaves; at most 10 000. Default: none.</summary>
     public IReadOnlyList<Zone> Zones { get; init; } = [];
 
-    /// <summary>Things that the game moves: players' feet and heads, a keeper's hands. Default none.</summary>
+    /// <summary>The bodies that your game moves: players' feet and heads, a keeper's hands. Default: none.</summary>
     public KinematicBodies? Bodies { get; init; }
 
-    /// <summary>The colliders of a game engine. Default none.</summary>
+    /// <summary>The colliders of a game engine. Default: none.</summary>
     public IEngineColliders? EngineColliders { get; init; }
 
-    /// <summary>The ball and the turf of two tracked matches, in still air at sea level, by the measured laws.</summary>
+    /// <summary>The ball and turf of two tracked matches, in still air at sea level, by the measured laws.</summary>
     public static Scene Measured { get; } = new();
 
-    /// <summary>The scene of whatever is given none: <see cref="Measured"/>.</summary>
+    /// <summary>The scene used when none is given: <see cref="Measured"/>.</summary>
     public static Scene Default => Measured;
 
-    /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis that the library began with, as published.</summary>
+    /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis.</summary>
+    /// <remarks>The thesis is the one that the library began with; its numbers are used as published.</remarks>
     public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
     public static Scene Vacuum => s_vacuum ??= Published with { Forces = ForceSet.None };
 
-    /// <summary>A stadium at 2 240 m (Mexico City) at 20 °C and 40 % humidity: air of 0.913 kg/m³, kinematic viscosity 1.99e-5 m²/s.</summary>
+    /// <summary>The default scene in a stadium at 2 240 m (Mexico City), at 20 °C and 40 % humidity.</summary>
+    /// <remarks>The air has a density of 0.913 kg/m³ and a kinematic viscosity of 1.99e-5 m²/s.</remarks>
     public static Scene HighAltitude => s_highAltitude ??= new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
-    /// <summary>The default scene with a steady wind.</summary>
-    /// <param name="wind">Wind velocity, m/s.</param>
+    /// <summary>Creates the default scene with a steady wind.</summary>
+    /// <param name="wind">Wind velocity, in m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
-    /// <summary>Where its obstacles with a mass are, shared by the scenes of several balls among them; default none of its own.</summary>
+    /// <summary>The motions of the obstacles with a mass, shared by the scenes of several balls. Default: the simulator creates its own.</summary>
     internal ObstacleMotions? Motions { get; init; }
 
-    /// <summary>True when the ball can meet anything except the ground. Bodies of which there are none count as nothing: a simulator lets nobody add one later.</summary>
+    /// <summary>True if the ball can hit anything except the ground.</summary>
+    /// <remarks>An empty list of bodies counts as none: no body can be added once a simulator exists.</remarks>
     internal bool HasThings => Obstacles.Count > 0 || Nets.Count > 0 || Goals.Count > 0 || Bodies is { Count: > 0 } || EngineColliders is not null;
 
     /// <summary>Checks every number of the scene.</summary>
@@ -95,7 +102,7 @@ public sealed record Scene
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()
     {
-        // What is null is named before anything of it is read.
+        // Check for null first, so that the message names the missing part before anything reads it.
         Check.Given("ball", Ball);
         Check.Given("air", Air);
         Check.Given("forces", Forces);
@@ -105,7 +112,7 @@ public sealed record Scene
         Check.Given("goals", Goals);
         Check.Given("zones", Zones);
 
-        // Parts alone, then what depends on several: the least mass on the air, the most damping and the sharpest hollow on the ball.
+        // First each part alone, then limits that depend on several parts: least mass (air), damping and hollows (ball).
         Ball.Validate();
         Air.Validate();
         Check.Within("gravity", Gravity, 0, 1000);
@@ -118,10 +125,10 @@ public sealed record Scene
         ValidateZones();
     }
 
-    /// <summary>Refuses a ball that is too light: it holds some of the air that it displaces, and nothing ends its spin at once.</summary>
+    /// <summary>Throws if the ball is too light for the air that it displaces, or its spin decays too fast.</summary>
     private void ValidateLightness()
     {
-        // With less mass the buoyancy alone would be more than twenty times its weight.
+        // With less mass, buoyancy alone would exceed twenty times the weight.
         double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
@@ -142,7 +149,7 @@ public sealed record Scene
             Check.Within("ground.tangentialRestitution[1]", tangential, -1, 1);
         }
 
-        // The height of no ground is −∞.
+        // A scene without ground has the height −∞.
         if (!Ground.IsNone)
         {
             Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
@@ -150,7 +157,7 @@ public sealed record Scene
 
         Check.Defined("ground.aerodynamics", Ground.Aerodynamics, (int)Ground.Aerodynamics, 3);
 
-        // A ground that leans over, or is a wall, has no above.
+        // A vertical or overhanging ground has no upper side.
         Vector3d normal = Check.Direction("ground.normal", Ground.Normal);
         Check.Within("ground.normal[1]", normal.Y, 0, 1, exclusiveLow: true);
         if (!Ground.IsLevel || Ground.Pattern is not null)
@@ -161,7 +168,7 @@ public sealed record Scene
 
     private void ValidateShape(in Vector3d normal)
     {
-        // Along x and z means nothing on a slope: one number for all directions.
+        // x and z are no axes of a slope, so a slope has one value for all directions.
         if (!Ground.IsLevel && Ground.TangentialRestitutionZ is { } z && z != Ground.Material.TangentialRestitution)
         {
             throw Check.Refusal(
@@ -170,7 +177,7 @@ public sealed record Scene
                 "two equal numbers on ground that is not level");
         }
 
-        // Its surfaces are checked here, for it is asked for them by number in a step.
+        // A step looks these materials up by index, so check them all here.
         if (Ground.Pattern is { } pattern)
         {
             Check.Within("ground.pattern.minimumWidth", pattern.MinimumWidth, 0, double.PositiveInfinity, exclusiveLow: true);
@@ -182,13 +189,13 @@ public sealed record Scene
             }
         }
 
-        // A ball can lie in every hollow: slopes of at most 1, curvatures of at most half its own.
+        // The ball must fit into every hollow: slope at most 1, curvature at most half the ball's own.
         if (Ground.Heights is { } heights)
         {
             Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
             Check.Within("ground.heights (its strongest curvature, 1/m)", heights.StrongestCurvature, 0, 0.5 / Ball.Radius);
 
-            // Heights are along the vertical: a plane cannot be tilted too.
+            // Heights are measured along the vertical, so the plane below them must be level.
             if (normal != Vector3d.Up)
             {
                 throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
@@ -234,7 +241,7 @@ public sealed record Scene
             Check.GivenItem("zones", i, Zones[i], "a zone");
             Zones[i].Validate(Check.Item("zones", i), Ball);
 
-            // Events tell zones apart by their names.
+            // Events identify zones by name.
             if (!names.Add(Zones[i].Name))
             {
                 throw Check.Refusal(Check.Item("zones", i) + ".name", $"\"{Zones[i].Name}\"", "a name that no other zone has");

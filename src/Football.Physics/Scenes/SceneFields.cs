@@ -1,6 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>The numbers of a scene, each with its name, unit, meaning, evidence of its default, range and access. Validation, JSON in both directions, the scene hash and the tables of the docs use these lists.</summary>
+/// <summary>The numbers of a scene, each with name, unit, meaning, evidence of its default, range and access.</summary>
+/// <remarks>Validation, reading and writing of JSON, the scene hash and the tables in the docs use these lists.</remarks>
 internal static class SceneFields
 {
     /// <summary>The numbers of a surface material.</summary>
@@ -23,7 +24,7 @@ internal static class SceneFields
     /// <summary>The numbers of the ground's material, without the tangential restitution: the ground has one along x and one along z.</summary>
     public static NumberField<SurfaceMaterial>[] GroundMaterial { get; } = [.. Material.Where(field => field.Name != "tangentialRestitution")];
 
-    /// <summary>The numbers of the ground besides its material; its height and shape are not in the list.</summary>
+    /// <summary>The numbers of the ground besides its material, height and shape.</summary>
     public static NumberField<Ground>[] Ground { get; } =
     [
         new("minimumBounceSpeed", "m/s", "slowest speed off the ground that is a bounce", "guess", 0.001, 10, g => g.MinimumBounceSpeed, (g, v) => g with { MinimumBounceSpeed = v }),
@@ -40,7 +41,7 @@ internal static class SceneFields
         new("knuckleForce", "N", "deviation of the knuckle force at 30 m/s", "guess", 0, 100, b => b.KnuckleForce, (b, v) => b with { KnuckleForce = v }),
     ];
 
-    /// <summary>The numbers of a drag curve; two of its ranges depend on other numbers, see <see cref="DragCurve"/>.</summary>
+    /// <summary>The numbers of a drag curve. The ranges of two of them depend on other numbers, see <see cref="DragCurve"/>.</summary>
     public static NumberField<DragCurve>[] Drag { get; } =
     [
         new("subcritical", "", "drag coefficient below the crisis", "measured: wind tunnel", 0.01, 2, c => c.Subcritical, (c, v) => c with { Subcritical = v }),
@@ -52,7 +53,7 @@ internal static class SceneFields
         new("riseTo", "", "Reynolds number where the rise ends", "derived", 0, double.MaxValue, c => c.RiseTo, (c, v) => c with { RiseTo = v }),
     ];
 
-    /// <summary>The dials of a designer.</summary>
+    /// <summary>The condition of ball and pitch, as set by a designer.</summary>
     public static NumberField<Dials>[] Dials { get; } =
     [
         new("pressure", "bar", "pressure of the ball", "law: 0.6 … 1.1", 0.6, 1.1, d => d.Pressure, (d, v) => d with { Pressure = v }),
@@ -85,10 +86,10 @@ internal static class SceneFields
         new("spinDamping", "N s", "damping of the spin", "guess", 0, 10, n => n.SpinDamping, (n, v) => n with { SpinDamping = v }),
     ];
 
-    /// <summary>Refuses the first number that is out of its range.</summary>
+    /// <summary>Throws for the first number that is out of its range.</summary>
     /// <param name="fields">The numbers.</param>
-    /// <param name="part">The part that has them.</param>
-    /// <param name="prefix">What stands before their names in the message.</param>
+    /// <param name="part">The object that contains them.</param>
+    /// <param name="prefix">The text before their names in the message.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range.</exception>
     public static void Check<T>(NumberField<T>[] fields, T part, string prefix)
     {

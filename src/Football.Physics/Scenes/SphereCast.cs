@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>A sphere that is moved along a straight way, to see what it touches.</summary>
+/// <summary>A sphere that moves along a straight line: a query for the colliders near the path.</summary>
 public readonly struct SphereCast
 {
     internal SphereCast(in Vector3d from, in Vector3d to, double radius, double ballRadius)
@@ -8,25 +8,27 @@ public readonly struct SphereCast
         From = from;
         Vector3d way = to - from;
 
-        // Without a way there is no direction: engines want one of length 1 all the same.
+        // Engines require a unit direction even if the length is 0.
         Distance = way.Length;
         Direction = Distance > 0 ? way / Distance : Vector3d.Up;
         Radius = radius;
         BallRadius = ballRadius;
     }
 
-    /// <summary>Centre of the sphere where it starts, m.</summary>
+    /// <summary>The centre of the sphere at the start, in m.</summary>
     public Vector3d From { get; }
 
-    /// <summary>Direction of its way, of length 1.</summary>
+    /// <summary>The direction of the cast, a unit vector.</summary>
     public Vector3d Direction { get; }
 
-    /// <summary>Length of its way, m; 0 where only what touches it there is asked for.</summary>
+    /// <summary>The length of the cast, in m; 0 for an overlap test at the start.</summary>
     public double Distance { get; }
 
-    /// <summary>Its radius, m: more than the ball's, by what the path bends and colliders may move.</summary>
+    /// <summary>The radius of the sphere, in m.</summary>
+    /// <remarks>It exceeds the ball's radius by the bend of the path and by the distance that colliders can move.</remarks>
     public double Radius { get; }
 
-    /// <summary>Radius of the ball, m: for a normal where the ball itself would touch a collider that has no shape of its own here.</summary>
+    /// <summary>The radius of the ball, in m.</summary>
+    /// <remarks>Use it to find the contact normal of a collider that has no shape in the library.</remarks>
     public double BallRadius { get; }
 }

@@ -2,17 +2,19 @@ namespace FootballPhysics;
 
 public sealed partial record SurfaceMaterial
 {
-    /// <summary>
-    /// The default: the turf of a match, mown and watered, by the bounces, slides and rolls of three tracked matches. Measured: restitution 0.67 (0.62 … 0.74), η 0.45 (0 … 0.7),
-    /// e_t −0.15 (−0.3 … −0.1), impact friction 0.42 (0.28 … 0.42), sliding friction 0.45 (0.41 … 0.49), c₀ 0.064, which with c₁ gives 0.076 at 4 m/s (0.05 … 0.11).
-    /// Derived: V_e 20 m/s (15 … ∞). Guess: c₁ 0.003 (0 … 0.007), b. Meets the windows of FIFA's rigs for a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m).
-    /// </summary>
+    /// <summary>The default: mown and watered match turf, from the bounces, slides and rolls of three tracked matches.</summary>
+    /// <remarks>
+    /// <para>Measured: restitution 0.67 (0.62 … 0.74), η 0.45 (0 … 0.7), e_t −0.15 (−0.3 … −0.1), impact friction 0.42 (0.28 … 0.42), sliding friction 0.45 (0.41 … 0.49),
+    /// c₀ 0.064, which with c₁ gives 0.076 at 4 m/s (0.05 … 0.11). Derived: V_e 20 m/s (15 … ∞). Guess: c₁ 0.003 (0 … 0.007), b.</para>
+    /// <para>It passes FIFA's tests of a wet natural pitch (drop 0.60 … 1.00 m, angle 45 … 80 %, roll 4 … 10 m).</para>
+    /// </remarks>
     public static SurfaceMaterial MatchTurf { get; } = new();
 
-    /// <summary>
-    /// Dry, mown turf. Restitution 0.622, e_t 0.20 and c₀ 0.070 measured: they meet the windows of FIFA's rigs (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
+    /// <summary>Dry, mown turf.</summary>
+    /// <remarks>
+    /// Restitution 0.622, e_t 0.20 and c₀ 0.070 measured: they pass FIFA's tests (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
     /// Impact friction 1.2: at least 0.91 derived; the rest guess.
-    /// </summary>
+    /// </remarks>
     public static SurfaceMaterial DryTurf { get; } = new()
     {
         NormalRestitution = 0.622,
@@ -25,13 +27,15 @@ public sealed partial record SurfaceMaterial
         RollingResistancePerSpeed = 0.006,
     };
 
-    /// <summary>
-    /// Artificial turf. Restitution 0.622, e_t 0.20 and c₀ 0.069 measured (windows of FIFA Quality Pro: drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m);
-    /// impact friction 1.2: at least 0.91 derived; the rest guess.
-    /// </summary>
+    /// <summary>Artificial turf.</summary>
+    /// <remarks>
+    /// Restitution 0.622, e_t 0.20 and c₀ 0.069 measured: they pass the FIFA Quality Pro tests (drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m).
+    /// Impact friction 1.2: at least 0.91 derived; the rest guess.
+    /// </remarks>
     public static SurfaceMaterial ArtificialTurf { get; } = DryTurf with { SlidingFriction = 0.55, RollingResistance = 0.069, RollingResistancePerSpeed = 0.008 };
 
-    /// <summary>Watered turf, on which a ball skids. Restitution 0.570 measured (window: drop 0.60 … 1.00 m); the rest guess (impact friction 0.50 gives an angle of 67 %).</summary>
+    /// <summary>Watered turf, on which a ball skids.</summary>
+    /// <remarks>Restitution 0.570 measured (FIFA's drop test: 0.60 … 1.00 m); the rest guess (impact friction 0.50 gives 67 % in the angle test).</remarks>
     public static SurfaceMaterial WetTurf { get; } = DryTurf with
     {
         NormalRestitution = 0.57,
@@ -41,7 +45,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.015,
     };
 
-    /// <summary>Hard, dry ground: guess (drop 1.01 m, the upper end of natural pitches).</summary>
+    /// <summary>Hard, dry ground: guess.</summary>
+    /// <remarks>The rebound in the drop test is 1.01 m, the upper end for natural pitches.</remarks>
     public static SurfaceMaterial HardGround { get; } = DryTurf with
     {
         NormalRestitution = 0.74,
@@ -51,7 +56,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.012,
     };
 
-    /// <summary>Long grass: guess (roll 3.5 m, near the historical limit of 3 m).</summary>
+    /// <summary>Long grass: guess.</summary>
+    /// <remarks>The roll in FIFA's test is 3.5 m, near the historical limit of 3 m.</remarks>
     public static SurfaceMaterial LongGrass { get; } = DryTurf with
     {
         NormalRestitution = 0.5,
@@ -74,7 +80,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.006,
     };
 
-    /// <summary>Concrete. Restitution 0.861 measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</summary>
+    /// <summary>Concrete.</summary>
+    /// <remarks>Restitution 0.861 measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</remarks>
     public static SurfaceMaterial Concrete { get; } = DryTurf with
     {
         NormalRestitution = 0.861,
@@ -97,7 +104,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.03,
     };
 
-    /// <summary>The frame of a goal: steel or aluminium. Guess (priors of others for e₆: 0.65 … 0.80).</summary>
+    /// <summary>The frame of a goal: steel or aluminium. Guess.</summary>
+    /// <remarks>Other authors assume 0.65 … 0.80 for e₆.</remarks>
     public static SurfaceMaterial GoalFrame { get; } = DryTurf with
     {
         NormalRestitution = 0.8,
@@ -109,13 +117,14 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0,
     };
 
-    /// <summary>Wooden boards around a pitch. Guess (stiffer than a plastic panel, softer than concrete).</summary>
+    /// <summary>Wooden boards around a pitch. Guess: stiffer than a plastic panel, softer than concrete.</summary>
     public static SurfaceMaterial Wood { get; } = GoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingResistance = 0.02, TorsionalPatchRadius = 0.005 };
 
-    /// <summary>Advertising boards: thin panels that yield. Guess.</summary>
+    /// <summary>Advertising boards: thin, flexible panels. Guess.</summary>
     public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingResistance = 0.03, TorsionalPatchRadius = 0.005 };
 
-    /// <summary>A boot or a leg: leather on a limb that yields. Guess (kicks: e 0.4 … 0.7 measured, with the foot's mass included).</summary>
+    /// <summary>A boot or a leg: leather on a limb that yields. Guess.</summary>
+    /// <remarks>In measured kicks, e is 0.4 … 0.7 with the mass of the foot included.</remarks>
     public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, TorsionalPatchRadius = 0.01 };
 
     /// <summary>A head. Guess.</summary>
@@ -124,13 +133,14 @@ public sealed partial record SurfaceMaterial
     /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
     public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingResistance = 0.1 };
 
-    /// <summary>A second ball, when two balls collide. Guess: no measurement was found (two air-filled shells rebound about as one shell does from a floor).</summary>
+    /// <summary>A second ball, for collisions between two balls. Guess: no measurement was found.</summary>
+    /// <remarks>Two air-filled shells rebound from each other about as one shell does from a floor.</remarks>
     public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
 
-    /// <summary>
-    /// The turf of the published profile: one restitution at every speed, no limit by friction in an impact. Restitution 0.6, sliding friction 0.5, rolling friction 0.05;
-    /// all numbers as published. <see cref="Ground.PublishedTurf"/> adds the published air on the ground.
-    /// </summary>
+    /// <summary>The turf of the published profile: a constant restitution, and no limit of the friction in an impact.</summary>
+    /// <remarks>
+    /// Restitution 0.6, sliding friction 0.5, rolling friction 0.05; all numbers as published. <see cref="Ground.PublishedTurf"/> adds the published air on the ground.
+    /// </remarks>
     public static SurfaceMaterial PublishedTurf { get; } = new()
     {
         NormalRestitution = 0.6,
@@ -146,13 +156,13 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0,
     };
 
-    /// <summary>Wet turf by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>Wet turf with the laws of <see cref="PublishedTurf"/>: guess.</summary>
     public static SurfaceMaterial PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingResistance = 0.035 };
 
-    /// <summary>A hard, smooth court by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>A hard, smooth court with the laws of <see cref="PublishedTurf"/>: guess.</summary>
     public static SurfaceMaterial PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingResistance = 0.015 };
 
-    /// <summary>Sand by the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>Sand with the laws of <see cref="PublishedTurf"/>: guess.</summary>
     public static SurfaceMaterial PublishedSand { get; } = PublishedTurf with
     {
         NormalRestitution = 0.15,
@@ -171,7 +181,7 @@ public sealed partial record SurfaceMaterial
         SpinDamping = 0.002,
     };
 
-    /// <summary>The presets by the names that JSON, the command line and the engines use.</summary>
+    /// <summary>The presets, by their names in JSON, on the command line and in the engines.</summary>
     public static IReadOnlyDictionary<string, SurfaceMaterial> Presets { get; } = new Dictionary<string, SurfaceMaterial>
     {
         ["matchTurf"] = MatchTurf,

@@ -1,12 +1,12 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>Rectangles of a pitch that are made of something else: worn turf in a goal's mouth, a wet half.</summary>
+/// <summary>Rectangles of the pitch with another material: worn turf in a goalmouth, a wet half.</summary>
 public sealed class SurfaceRectangles : ISurfacePattern
 {
     private readonly Rectangle[] _rectangles;
 
-    /// <summary>Makes a pattern.</summary>
-    /// <param name="rectangles">Corners on the ground, m, components within ±1e6 and each of the second above that of the first (heights do not count), and what is between them. Of several at a place the last counts.</param>
+    /// <summary>Creates a pattern from rectangles. If several overlap, the last one counts.</summary>
+    /// <param name="rectangles">The corners on the ground, in m, and the material between them. Components are within ±1e6; x and z of Max are above those of Min; y is ignored.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public SurfaceRectangles(params (Vector3d Min, Vector3d Max, SurfaceMaterial Surface)[] rectangles)
@@ -17,7 +17,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
         MinimumWidth = Limits.Length;
         for (int i = 0; i < rectangles.Length; i++)
         {
-            // Copied, corner by corner: who gave the array cannot change it afterwards.
+            // Copy the corners, so that later changes to the array have no effect.
             (Vector3d min, Vector3d max, SurfaceMaterial surface) = rectangles[i];
             string field = Check.Item("rectangles", i);
             Check.Given(field + ".surface", surface);
@@ -28,7 +28,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
             _rectangles[i] = new Rectangle(min.X, min.Z, max.X, max.Z);
             surfaces[i] = surface;
 
-            // The narrowest side of all: no step on the ground may pass over it unseen.
+            // The narrowest side of all: no step on the ground may skip over it.
             MinimumWidth = Math.Min(MinimumWidth, Math.Min(max.X - min.X, max.Z - min.Z));
         }
 
@@ -44,7 +44,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
     /// <inheritdoc/>
     public int At(double x, double z)
     {
-        // The last one on top; −1, the ground's own, where there is none.
+        // The last rectangle is on top; −1, the ground's own material, if none contains the point.
         int i = _rectangles.Length - 1;
         while (i >= 0 && !_rectangles[i].Holds(x, z))
         {

@@ -1,18 +1,17 @@
 namespace FootballPhysics;
 
-/// <summary>Speeds that a rotation gives to a shape.</summary>
+/// <summary>Computes the greatest speed that a rotation gives to any part of a shape.</summary>
 internal static class SwingOf
 {
-    /// <summary>A part of a shape that is closer to the axis of rotation than this, m, stays where it is. It is a thousandth of a gap that counts as touching.</summary>
+    /// <summary>The distance from the axis below which a point counts as fixed, in m.</summary>
+    /// <remarks>It is a thousandth of the gap that counts as contact.</remarks>
     private const double OnAxis = 1e-13;
 
-    /// <summary>
-    /// The greatest speed of any part of a shape that rotates, m/s; 0 if the rotation leaves the shape as it is. A sphere moves as its centre, a capsule as its axis:
-    /// a rotation about these changes nothing.
-    /// </summary>
+    /// <summary>Returns the greatest speed of any part of a rotating shape, in m/s; 0 if the rotation does not change the shape.</summary>
+    /// <remarks>A sphere moves with its centre and a capsule with its axis: a rotation about these changes nothing.</remarks>
     /// <param name="shape">The shape.</param>
-    /// <param name="spin">Ω in the shape's own axes, rad/s.</param>
-    /// <param name="pivot">The pivot in the shape's own frame, m.</param>
+    /// <param name="spin">Ω in the shape's axes, in rad/s.</param>
+    /// <param name="pivot">The pivot in the shape's frame, in m.</param>
     public static double Shape(IShape shape, in Vector3d spin, in Vector3d pivot)
     {
         double swing = shape switch
@@ -25,7 +24,7 @@ internal static class SwingOf
         return swing > OnAxis * spin.Length ? swing : 0;
     }
 
-    /// <summary>|Ω × (c − o)| is convex in c: of a box it is greatest at a corner.</summary>
+    /// <summary>Returns the greatest speed at the corners of a box: |Ω × (c − o)| is convex in c, so a corner has the maximum.</summary>
     private static double OfBox(in Bounds3d box, in Vector3d spin, in Vector3d pivot)
     {
         if (!box.IsFinite)

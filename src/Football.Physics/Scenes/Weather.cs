@@ -1,24 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>The weather that air has its density and viscosity from; within 0.05 % of CIPM-2007 where that holds.</summary>
+/// <summary>The weather, from which the density and viscosity of the air follow.</summary>
+/// <remarks>Within 0.05 % of CIPM-2007 in its range of validity.</remarks>
 public sealed record Weather
 {
-    /// <summary>Pressure at sea level, Pa (law: standard atmosphere).</summary>
+    /// <summary>The pressure at sea level, in Pa (law: standard atmosphere).</summary>
     private const double SeaLevelPressure = 101_325;
 
-    /// <summary>Temperature t, °C. −60 … 60; default 20.</summary>
+    /// <summary>The temperature t, in °C. −60 … 60; default 20.</summary>
     public double Temperature { get; init; } = 20;
 
-    /// <summary>Relative humidity h. 0 … 1; default 0.5.</summary>
+    /// <summary>The relative humidity h. 0 … 1; default 0.5.</summary>
     public double Humidity { get; init; } = 0.5;
 
-    /// <summary>Pressure p, Pa. 10 000 … 120 000; default 101 325.</summary>
+    /// <summary>The pressure p, in Pa. 10 000 … 120 000; default 101 325.</summary>
     public double Pressure { get; init; } = SeaLevelPressure;
 
-    /// <summary>The weather of a place above, or below, the sea, with standard pressure at sea level.</summary>
-    /// <param name="altitude">Altitude z, m. −500 … 11 000.</param>
-    /// <param name="temperature">Temperature there, °C.</param>
-    /// <param name="humidity">Relative humidity there, 0 … 1.</param>
+    /// <summary>Returns the weather at an altitude, for standard pressure at sea level.</summary>
+    /// <param name="altitude">The altitude z, in m. −500 … 11 000.</param>
+    /// <param name="temperature">The temperature at that altitude, in °C.</param>
+    /// <param name="humidity">The relative humidity at that altitude, 0 … 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The altitude is out of range; the message names field, value and range.</exception>
     public static Weather AtAltitude(double altitude, double temperature = 20, double humidity = 0.5)
     {
@@ -29,11 +30,11 @@ public sealed record Weather
         return new Weather { Temperature = temperature, Humidity = humidity, Pressure = pressure };
     }
 
-    /// <summary>The air of this weather, without wind.</summary>
+    /// <summary>Returns the air of this weather, without wind.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Air ToAir()
     {
-        // The ranges that the formulas below are meant for.
+        // The formulas below hold in these ranges.
         Check.Within("air.weather.temperature", Temperature, -60, 60);
         Check.Within("air.weather.humidity", Humidity, 0, 1);
         Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);

@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>Sum of gravity and buoyancy, equal everywhere, whatever the ball does.</summary>
+/// <summary>The sum of gravity and buoyancy: the same at every point and for every motion of the ball.</summary>
 internal static class Weight
 {
-    /// <summary>Upward acceleration, m/s²; negative for what is heavier than air.</summary>
+    /// <summary>Returns the upward acceleration, in m/s²; negative if the ball is heavier than the displaced air.</summary>
     public static double UpwardAcceleration(Scene scene) => Gravity.Acceleration(scene) + Buoyancy.Acceleration(scene);
 
-    /// <summary>Acceleration, m/s². Buoyancy is opposite to gravity, also where that is not straight down.</summary>
+    /// <summary>Returns the acceleration, in m/s². Buoyancy opposes gravity, even if gravity is not straight down.</summary>
     public static Vector3d Of(Scene scene)
     {
         double share = 1.0 - (scene.Forces.Buoyancy ? Buoyancy.DisplacedMass(scene.Ball, scene.Air) / scene.Ball.Mass : 0);
@@ -17,17 +17,17 @@ internal static class Weight
 /// <summary>Gravity, F_G = −m g ŷ.</summary>
 internal static class Gravity
 {
-    /// <summary>Upward acceleration, m/s².</summary>
+    /// <summary>Returns the upward acceleration, in m/s².</summary>
     public static double Acceleration(Scene scene) => -scene.Gravity;
 }
 
 /// <summary>Buoyancy, F_B = +4/3 π r³ ρ g ŷ: the weight of the air displaced (thesis 2.2).</summary>
 internal static class Buoyancy
 {
-    /// <summary>Upward acceleration, m/s².</summary>
+    /// <summary>Returns the upward acceleration, in m/s².</summary>
     public static double Acceleration(Scene scene) =>
         scene.Forces.Buoyancy ? DisplacedMass(scene.Ball, scene.Air) * scene.Gravity / scene.Ball.Mass : 0;
 
-    /// <summary>Mass of the air that a ball displaces, 4/3 π r³ ρ, kg.</summary>
+    /// <summary>Returns the mass of the air that a ball displaces, 4/3 π r³ ρ, in kg.</summary>
     public static double DisplacedMass(BallProperties ball, Air air) => 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius * air.Density;
 }

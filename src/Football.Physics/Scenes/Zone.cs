@@ -1,33 +1,33 @@
 namespace FootballPhysics;
 
-/// <summary>A part of space that the ball passes freely: it only reports when the ball enters and leaves it. A penalty area, a touch line, a trigger of a level.</summary>
+/// <summary>A region that reports when the ball enters or leaves it: a penalty area, a touchline, a trigger.</summary>
 /// <remarks>
-/// The events are <see cref="BallEventKind.EnterZone"/> and <see cref="BallEventKind.ExitZone"/>. A zone never changes the path. Whether the ball is in a zone depends only on
-/// its position, so a ball that is placed in a zone has not entered it, and reports when it leaves.
+/// The events are <see cref="BallEventKind.EnterZone"/> and <see cref="BallEventKind.ExitZone"/>. A zone never changes the path. Only the position of the ball
+/// decides whether it is in a zone. So a ball that you place in a zone does not report that it enters, but it reports when it leaves.
 /// </remarks>
 public sealed record Zone
 {
-    /// <summary>A distance at which the ball does not count as in a zone yet, m: it may lie on a border.</summary>
+    /// <summary>The minimum depth at which the ball counts as inside, in m, so that a ball may rest on the border.</summary>
     internal const double Touching = 1e-10;
 
-    /// <summary>Its name, for events and messages; no other zone of the scene has it. Default "zone".</summary>
+    /// <summary>The name used in events and messages, unique in the scene. Default "zone".</summary>
     public string Name { get; init; } = "zone";
 
-    /// <summary>Its shape, which does not move.</summary>
+    /// <summary>The shape, which does not move.</summary>
     public required IShape Shape { get; init; }
 
     /// <summary>The part of the ball that must be in the shape. Default <see cref="ZonePart.Ball"/>.</summary>
     public ZonePart Of { get; init; } = ZonePart.Ball;
 
-    /// <summary>Its layer: a ball that ignores it reports nothing. 0 … 31; default 0.</summary>
+    /// <summary>The layer; a ball that ignores this layer reports nothing. 0 … 31; default 0.</summary>
     public int Layer { get; init; }
 
-    /// <summary>True if a ball is in the zone.</summary>
-    /// <param name="position">Position of the ball's centre, m.</param>
-    /// <param name="radius">Radius of the ball, m.</param>
+    /// <summary>Returns true if a ball is in the zone.</summary>
+    /// <param name="position">The position of the ball's centre, in m.</param>
+    /// <param name="radius">The radius of the ball, in m.</param>
     public bool Holds(Vector3d position, double radius) => Shape.At(in position).Distance - LevelOf(radius) <= -Touching;
 
-    /// <summary>The distance of the ball's centre from the shape at which the ball enters, m.</summary>
+    /// <summary>Returns the distance between the ball's centre and the shape at which the ball enters, in m.</summary>
     internal double LevelOf(double radius) => Of == ZonePart.Ball ? radius : 0;
 
     internal void Validate(string field, BallProperties ball)
@@ -37,7 +37,7 @@ public sealed record Zone
         Check.Defined(field + ".of", Of, (int)Of, 2);
         Layers.Validate(field + ".layer", Layer);
 
-        // The search for the crossing relies on it, as that for contacts does.
+        // The search for crossings needs hollows that curve at most half as much as the ball.
         Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
     }
 }

@@ -3,9 +3,9 @@ namespace FootballPhysics;
 /// <summary>The part of the ball that decides whether the ball is in a <see cref="Zone"/>.</summary>
 public enum ZonePart
 {
-    /// <summary>Its surface: the ball enters when it first touches the shape, and leaves when no part of it is in the shape.</summary>
+    /// <summary>Any part: the ball enters at the first contact with the shape, and leaves when no part is inside.</summary>
     Ball = 0,
 
-    /// <summary>Its centre.</summary>
+    /// <summary>The centre of the ball.</summary>
     Center = 1,
 }

@@ -3,108 +3,107 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The whole state of a ball: an unmanaged value.</summary>
+/// <summary>The complete state of a ball: an unmanaged value.</summary>
 /// <remarks>
-/// Copying it is a snapshot, comparing its bytes is equality, and a step depends on nothing else that changes.
-/// Make one with <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>; all zero bytes are not a valid state.
+/// A copy is a snapshot, and equal bytes mean equal states. A step depends on no other mutable data of the ball.
+/// Create a state with <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>; all zero bytes are not a valid state.
 /// </remarks>
 public struct BallState : IFormattable
 {
-    /// <summary>A spin without an axis, rad/s: the squares of its components vanish, and with them its direction.</summary>
+    /// <summary>The spin below which the axis is undefined, in rad/s: the squares of its components underflow.</summary>
     private const double NoSpin = 1e-140;
 
-    /// <summary>Time since the launch, s.</summary>
+    /// <summary>The time since the launch, in s.</summary>
     public double Time { get; internal set; }
 
-    /// <summary>Position of the centre, m.</summary>
+    /// <summary>The position of the centre, in m.</summary>
     public Vector3d Position { get; internal set; }
 
-    /// <summary>Velocity of the centre, m/s.</summary>
+    /// <summary>The velocity of the centre, in m/s.</summary>
     public Vector3d Velocity
     {
         readonly get => Flight.Velocity;
         internal set => Flight.Velocity = value;
     }
 
-    /// <summary>Velocity and spin.</summary>
+    /// <summary>The velocity and spin.</summary>
     internal FlightMotion Flight;
 
-    /// <summary>The motion of the ball: in the air, sliding, rolling or at rest.</summary>
+    /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
     public MotionState Motion { get; internal set; }
 
-    /// <summary>The branch of the drag law that the ball is on. Beside <see cref="Motion"/>, so that there is no padding between fields.</summary>
+    /// <summary>The active branch of the drag law. It follows <see cref="Motion"/>, so that there is no padding between fields.</summary>
     internal DragBranch Branch;
 
-    /// <summary>Angular velocity in the world frame, rad/s.</summary>
+    /// <summary>The angular velocity in the world frame, in rad/s.</summary>
     public readonly Vector3d Spin => SpinAxis * SpinRate;
 
-    /// <summary>Orientation, body to world. Put together when asked for: in flight it costs nothing until then.</summary>
+    /// <summary>The orientation, body to world.</summary>
+    /// <remarks>Computed on each access; in flight the steps do not update it.</remarks>
     public readonly Quaterniond Orientation => Angle == 0
         ? BaseOrientation
         : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalized();
 
-    /// <summary>In flight the unit axis of rotation, which is constant there; on the ground the spin itself.</summary>
+    /// <summary>In flight, the constant unit axis of rotation; on the ground, the spin itself.</summary>
     internal Vector3d SpinAxis
     {
         readonly get => Flight.Axis;
         set => Flight.Axis = value;
     }
 
-    /// <summary>In flight the size of the spin, rad/s; on the ground 1.</summary>
+    /// <summary>In flight, the magnitude of the spin, in rad/s; on the ground, 1.</summary>
     internal double SpinRate
     {
         readonly get => Flight.SpinRate;
         set => Flight.SpinRate = value;
     }
 
-    /// <summary>Angle turned about <see cref="SpinAxis"/> since <see cref="BaseOrientation"/>, rad.</summary>
+    /// <summary>The angle of rotation about <see cref="SpinAxis"/> since <see cref="BaseOrientation"/>, in rad.</summary>
     internal double Angle;
 
-    /// <summary>Orientation when <see cref="Angle"/> was last zero.</summary>
+    /// <summary>The orientation when <see cref="Angle"/> was last zero.</summary>
     internal Quaterniond BaseOrientation;
 
-    /// <summary>Index, among the things of the scene, of the carrier of a ball that slides, rolls or rests; 0 is the ground.</summary>
+    /// <summary>The index of the object that supports a sliding, rolling or resting ball; 0 is the ground.</summary>
     internal long Carrier;
 
-    /// <summary>The nets that the ball is in, a bit each.</summary>
+    /// <summary>The nets in contact with the ball, one bit per net.</summary>
     internal ulong Nets;
 
-    /// <summary>On which side of its plane it met each of them: a bit is set for the side that the normal points to.</summary>
+    /// <summary>The side of each net from which the ball came: the bit is set for the side of the normal.</summary>
     internal ulong NetSides;
 
-    /// <summary>The goals whose mouth the ball has come through, and whose line it has not passed, a bit each.</summary>
+    /// <summary>The goals whose mouth the ball has passed but not the line, one bit per goal.</summary>
     internal ulong GoalsEntered;
 
-    /// <summary>The goals whose line the ball has passed since it was placed or kicked, a bit each.</summary>
+    /// <summary>The goals whose line the ball has passed since it was placed or kicked, one bit per goal.</summary>
     internal ulong GoalsPassed;
 
-    /// <summary>Until this time, s, the flight was found to meet nothing but level ground; 0 where that is not known.</summary>
+    /// <summary>The time until which the flight is known to hit nothing but level ground, in s; 0 if unknown.</summary>
     internal double ClearUntil;
 
-    /// <summary>A key of the scene for which that was found, which is odd; of a ball that rests in a pile, a key of the balls that it touches, which is even.</summary>
+    /// <summary>An odd key: the scene for which <see cref="ClearUntil"/> holds. An even key: the balls that a ball in a pile touches.</summary>
     internal ulong ClearIn;
 
-    /// <summary><see cref="ClearIn"/> of a ball that several surfaces bore at the end of the last step: the next one need not look whether the way is free.</summary>
+    /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step: the next step can skip the search for a free path.</summary>
     internal const ulong TouchesSeveral = 2;
 
-    /// <summary>Distance flown through the air since the kick, m, where a knuckle force depends on it; else 0.</summary>
+    /// <summary>The distance through the air since the kick, in m, if a knuckle force depends on it; otherwise 0.</summary>
     internal double AirDistance;
 
-    /// <summary>
-    /// Until <see cref="SqueezeUntil"/> things that move may make the ball no faster than this, m/s: the fastest that has touched it, times 1 + e, or as fast as
-    /// it came.
-    /// </summary>
+    /// <summary>The maximum speed that moving objects may give the ball until <see cref="SqueezeUntil"/>, in m/s.</summary>
+    /// <remarks>It is the speed of the fastest object that touched the ball, times 1 + e, or the ball's own speed before.</remarks>
     internal double SqueezeSpeed;
 
-    /// <summary>So long, s, what touched the ball lately, and moved, counts for what touches it next; 0 where nothing did.</summary>
+    /// <summary>The time until which recent contacts with moving objects limit the next one, in s; 0 if there were none.</summary>
     internal double SqueezeUntil;
 
     /// <inheritdoc/>
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>The state as text: motion, time, place and speed, its numbers with a format each, such as "F2".</summary>
-    /// <param name="format">A format of numbers; null or empty for three decimals at most, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant one.</param>
+    /// <summary>Formats motion, time, position, velocity and spin.</summary>
+    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
+    /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public readonly string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);
@@ -112,14 +111,14 @@ public struct BallState : IFormattable
         return $"{Motion} at {Time.ToString(format, culture)} s, {Position.ToString(format, culture)}, {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s";
     }
 
-    /// <summary>Sets the spin of a ball in the air.</summary>
+    /// <summary>Sets the spin of a ball in flight.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
-        // The angle turned so far is about the old axis.
+        // The current angle belongs to the old axis.
         FoldRotation();
         double rate = spin.Length;
 
-        // What is too small to have an axis is no spin; an axis there is nevertheless, of length 1.
+        // A spin too small to have an axis becomes 0. The axis stays a unit vector.
         bool spins = rate > NoSpin;
         SpinAxis = spins ? spin / rate : Vector3d.Up;
         SpinRate = spins ? rate : 0;
@@ -130,33 +129,33 @@ public struct BallState : IFormattable
     {
         FoldRotation();
 
-        // On the ground the axis is the spin itself, and its size 1.
+        // On the ground SpinAxis holds the spin itself, with a rate of 1.
         SpinAxis = spin;
         SpinRate = 1;
     }
 
-    /// <summary>Moves the angle turned so far into the base orientation, before the axis changes.</summary>
+    /// <summary>Applies the angle to the base orientation, before the axis changes.</summary>
     internal void FoldRotation()
     {
         BaseOrientation = Orientation;
         Angle = 0;
     }
 
-    /// <summary>A state, refused where it never was one of a ball.</summary>
+    /// <summary>Returns a state, or throws if it was never launched.</summary>
     internal static BallState Launched(in BallState state) =>
         state.BaseOrientation == default
             ? throw new ArgumentException("state was never launched; allowed: a state from Simulator.Launch, or a copy of a ball's.", nameof(state))
             : state;
 }
 
-/// <summary>Position, velocity and spin, and the distance flown: what a general step advances.</summary>
+/// <summary>The position, velocity, spin and air distance that a general step integrates.</summary>
 internal readonly struct Motion
 {
     public readonly Vector3d Position;
     public readonly Vector3d Velocity;
     public readonly Vector3d Spin;
 
-    /// <summary>Distance flown through the air, m, where the air of the scene asks for it.</summary>
+    /// <summary>The distance through the air, in m, if the scene's air needs it.</summary>
     public readonly double AirDistance;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -168,19 +167,19 @@ internal readonly struct Motion
         AirDistance = airDistance;
     }
 
-    /// <summary>The motion after h with constant rates: a stage.</summary>
+    /// <summary>Returns the motion after a time h at constant rates: a stage of an integrator.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Motion After(double h, in Vector3d velocity, in MotionRates rates) =>
         new(Position + (h * velocity), Velocity + (h * rates.Acceleration), Spin + (h * rates.SpinAcceleration), AirDistance + (h * rates.AirSpeed));
 }
 
-/// <summary>Rates of change of velocity, spin and the distance flown.</summary>
+/// <summary>The rates of change of velocity, spin and air distance.</summary>
 internal readonly struct MotionRates
 {
     public readonly Vector3d Acceleration;
     public readonly Vector3d SpinAcceleration;
 
-    /// <summary>Speed relative to the air, m/s, where the air of the scene asks for it.</summary>
+    /// <summary>The speed relative to the air, in m/s, if the scene's air needs it.</summary>
     public readonly double AirSpeed;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

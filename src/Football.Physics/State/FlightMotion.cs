@@ -1,14 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>State that a step of flight changes, apart from the place: a part of the ball's state, so that one step hands it to the next where it lies.</summary>
+/// <summary>The part of the state, apart from the position, that a flight step changes.</summary>
+/// <remarks>It is stored inside <see cref="BallState"/>, so that consecutive steps need no copies.</remarks>
 internal struct FlightMotion
 {
-    /// <summary>Velocity of the centre, m/s.</summary>
+    /// <summary>The velocity of the centre, in m/s.</summary>
     public Vector3d Velocity;
 
-    /// <summary>In flight the unit axis of rotation, which is constant there; on the ground the spin itself.</summary>
+    /// <summary>In flight, the constant unit axis of rotation; on the ground, the spin itself.</summary>
     public Vector3d Axis;
 
-    /// <summary>In flight the size of the spin, rad/s; on the ground 1.</summary>
+    /// <summary>In flight, the magnitude of the spin, in rad/s; on the ground, 1.</summary>
     public double SpinRate;
 }

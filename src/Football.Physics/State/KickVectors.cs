@@ -1,18 +1,18 @@
 namespace FootballPhysics;
 
-/// <summary>Velocity and spin of a kick from the numbers that a game has: speed, angles, top- and sidespin.</summary>
+/// <summary>Computes the velocity and spin of a kick from speed, angles, topspin and sidespin.</summary>
 public static class KickVectors
 {
     private const double Degree = Math.PI / 180.0;
 
-    /// <summary>Velocity and spin of a kick by angles. Forward is −z, the azimuth turns to the left.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
-    /// <param name="elevationDegrees">Angle above the horizontal, degrees; −90 … 90.</param>
-    /// <param name="azimuthDegrees">Angle from −z, counter-clockwise seen from above (to the left), degrees; −360 … 360.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts; ±10 000.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left; ±10 000.</param>
-    /// <param name="velocity">Velocity, m/s.</param>
-    /// <param name="spin">Spin, rad/s, world frame.</param>
+    /// <summary>Computes the velocity and spin of a kick from angles. Forward is −z.</summary>
+    /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
+    /// <param name="elevationDegrees">The angle above the horizontal, in degrees; −90 … 90.</param>
+    /// <param name="azimuthDegrees">The angle from −z, counter-clockwise seen from above (to the left), in degrees; −360 … 360.</param>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s; ±10 000. Topspin (positive) makes the ball dip, backspin makes it lift.</param>
+    /// <param name="sideSpin">The spin about the vertical, in rad/s; ±10 000. Positive is counter-clockwise seen from above, and bends the path to the left.</param>
+    /// <param name="velocity">The velocity, in m/s.</param>
+    /// <param name="spin">The spin in the world frame, in rad/s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public static void FromAngles(
         double speed, double elevationDegrees, double azimuthDegrees, double topSpin, double sideSpin, out Vector3d velocity, out Vector3d spin)
@@ -25,11 +25,12 @@ public static class KickVectors
         FromAngles(speed, elevationDegrees * Degree, Flat(azimuthDegrees * Degree, new Vector3d(0, 0, -1)), topSpin, sideSpin, out velocity, out spin);
     }
 
-    /// <summary>The spin vector of a kick: ω = top · (ŷ × d) + side · ŷ, with d the horizontal direction of the kick.</summary>
-    /// <param name="direction">Direction of the kick; its horizontal part must not be zero where there is top spin.</param>
-    /// <param name="top">Topspin, rad/s; negative is backspin.</param>
-    /// <param name="side">Sidespin, rad/s; positive is counter-clockwise seen from above.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A vertical kick with top spin has no axis for it, or a number is not finite.</exception>
+    /// <summary>Returns the spin vector of a kick from its topspin and sidespin.</summary>
+    /// <remarks>ω = top · (ŷ × d) + side · ŷ, where d is the horizontal direction of the kick.</remarks>
+    /// <param name="direction">The direction of the kick. With topspin, its horizontal part must not be zero.</param>
+    /// <param name="top">The topspin, in rad/s; negative is backspin.</param>
+    /// <param name="side">The sidespin, in rad/s; positive is counter-clockwise seen from above.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A vertical kick has topspin, or a number is not finite.</exception>
     public static Vector3d Spin(Vector3d direction, double top, double side)
     {
         Check.Within("topSpin", top, -Limits.Spin, Limits.Spin);
@@ -44,7 +45,7 @@ public static class KickVectors
         return Spin(top, side, flat / length);
     }
 
-    /// <summary>Unit vector of a direction.</summary>
+    /// <summary>Returns the unit vector of a direction.</summary>
     internal static Vector3d Unit(Vector3d direction)
     {
         double length = direction.Length;
@@ -53,7 +54,7 @@ public static class KickVectors
             : throw Check.Refusal("direction", direction.ToString(), "finite components, not all zero");
     }
 
-    /// <summary>A horizontal unit vector, turned counter-clockwise seen from above.</summary>
+    /// <summary>Rotates a horizontal unit vector counter-clockwise, seen from above.</summary>
     internal static Vector3d Flat(double azimuth, in Vector3d forward)
     {
         Elementary.SinCos(azimuth, out double sin, out double cos);
@@ -62,7 +63,8 @@ public static class KickVectors
         return new Vector3d((forward.X * cos) + (forward.Z * sin), 0, (forward.Z * cos) - (forward.X * sin));
     }
 
-    /// <summary>Velocity and spin of a kick along a horizontal unit vector, which a launch does not refuse: at their limits they are not above them by rounding.</summary>
+    /// <summary>Computes the velocity and spin of a kick along a horizontal unit vector.</summary>
+    /// <remarks>Rounding never lifts them above their limits, so a launch accepts them.</remarks>
     internal static void FromAngles(double speed, double elevation, in Vector3d flat, double top, double side, out Vector3d velocity, out Vector3d spin)
     {
         Elementary.SinCos(elevation, out double sin, out double cos);
@@ -72,12 +74,12 @@ public static class KickVectors
         spin = Limited(Spin(top, side, in flat), Limits.Spin);
     }
 
-    /// <summary>A vector that is not longer than a limit, by rounding neither.</summary>
+    /// <summary>Returns a vector scaled so that rounding cannot make it longer than a limit.</summary>
     internal static Vector3d Limited(in Vector3d vector, double limit)
     {
         double squared = vector.LengthSquared;
 
-        // Not longer than the limit by its last bit either, or the launch would refuse what the kick has just checked.
+        // The last bit counts too: otherwise the launch would reject a kick that has just been checked.
         return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;
     }
 

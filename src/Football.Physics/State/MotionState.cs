@@ -1,20 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>The motion of the ball, which decides which forces act.</summary>
+/// <summary>The motion of the ball, which selects the forces that act.</summary>
 public enum MotionState
 {
-    /// <summary>In the air, between bounces included.</summary>
+    /// <summary>The ball is in the air, including between bounces.</summary>
     Airborne = 0,
 
-    /// <summary>On the ground, its contact point slipping.</summary>
+    /// <summary>The ball is on the ground, and its contact point slips.</summary>
     Sliding = 1,
 
-    /// <summary>On the ground without slip.</summary>
+    /// <summary>The ball is on the ground and rolls without slip.</summary>
     Rolling = 2,
 
-    /// <summary>At rest until the next kick; costs nothing.</summary>
+    /// <summary>The ball is at rest until the next kick. A step then costs almost nothing.</summary>
     Rest = 3,
 
-    /// <summary>Between things of which some move, and which leave it no room: it is not bounced, and not faster than they are.</summary>
+    /// <summary>The ball is caught between moving objects that leave it no room.</summary>
+    /// <remarks>It does not bounce, and does not move faster than they do.</remarks>
     Pinned = 4,
 }

@@ -1,34 +1,32 @@
 namespace FootballPhysics;
 
-/// <summary>Checks that a state that came as bytes is one that a ball can have.</summary>
+/// <summary>Checks that a state read from bytes is one that a ball can have.</summary>
 internal static class StateCheck
 {
-    /// <summary>
-    /// What a ball that was launched within <see cref="Limits"/> may get to: it falls without drag, flies on, and rolls however small it is.
-    /// From there every step is finite. In m, m/s, rad/s and s.
-    /// </summary>
+    /// <summary>Bounds that no ball launched within <see cref="Limits"/> can exceed, in m; speed, spin and time follow in m/s, rad/s and s.</summary>
+    /// <remarks>They allow for a fall without drag and for the roll of the smallest ball. Within them, every step gives finite numbers.</remarks>
     private const double Farthest = 1e45;
 
     private const double FastestSpeed = 1e30;
     private const double FastestSpin = 1e35;
     private const double LatestTime = 1e15;
 
-    /// <summary>A flight is looked along for some of the longest steps.</summary>
+    /// <summary>The latest <see cref="BallState.ClearUntil"/>, in s: a search looks ahead by at most a few of the longest steps.</summary>
     private const double LatestClear = 2 * LatestTime;
 
-    /// <summary>The largest angle since the spin last changed, rad.</summary>
+    /// <summary>The largest angle since the last change of the spin, in rad.</summary>
     private const double LargestAngle = FastestSpin * LatestTime;
 
-    /// <summary>Time, s, for which a moving thing that touched the ball bounds the speed that the next may give it.</summary>
+    /// <summary>The time for which a contact with a moving object limits the speed from the next contact, in s.</summary>
     private const double Lately = 0.1;
 
-    /// <summary>How far a square of the length of a unit vector or quaternion may be off 1.</summary>
+    /// <summary>The allowed deviation from 1 of the squared length of a unit vector or quaternion.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>True when a ball can have it: the test of <see cref="Validate"/>, in a few nanoseconds.</summary>
+    /// <summary>True if a ball can have this state: the test of <see cref="Validate"/>, in a few nanoseconds.</summary>
     public static bool Holds(in BallState state)
     {
-        // A comparison with what is not a number is false.
+        // Comparisons with NaN are false, so NaN fails the test.
         Vector3d p = state.Position;
         Vector3d v = state.Velocity;
         if (!(state.Time >= 0 && state.Time <= LatestTime && (uint)state.Branch < 5 && (ulong)state.Carrier <= int.MaxValue
@@ -42,25 +40,25 @@ internal static class StateCheck
             return false;
         }
 
-        // In flight a unit axis, a rate and the angle turned.
+        // In flight: a unit axis, a rate and an angle.
         double axis = state.SpinAxis.LengthSquared;
         if (state.Motion == MotionState.Airborne)
         {
             return Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle;
         }
 
-        // On the ground the axis is the spin; what a ball rests on may move.
+        // On the ground SpinAxis holds the spin. A supporting object may move, and the ball with it.
         bool carried = state.SpinRate == 1 && state.Angle == 0;
         return state.Motion == MotionState.Rest
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
             : carried && (state.Motion is MotionState.Sliding or MotionState.Rolling or MotionState.Pinned) && axis <= FastestSpin * FastestSpin;
     }
 
-    /// <summary>Until then, s, what touches a ball at a time, and moves, counts for what touches it next.</summary>
+    /// <summary>Returns the time until which a contact with a moving object limits the next contact, in s.</summary>
     public static double SqueezedUntil(double time) => time + Lately;
 
-    /// <summary>Refuses what is none.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">It is none; the message names field, value and range.</exception>
+    /// <summary>Throws if no ball can have this state.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public static void Validate(in BallState state)
     {
         Check.Within("state.time", state.Time, 0, LatestTime);
@@ -78,13 +76,13 @@ internal static class StateCheck
         }
         else
         {
-            // On the ground the axis is the spin.
+            // On the ground SpinAxis holds the spin.
             Check.Size("state.spin", state.SpinAxis, state.Motion != MotionState.Rest ? FastestSpin : state.Carrier > 0 ? Limits.Spin : 0, "rad/s");
             Check.Within("state.spinRate", state.SpinRate, 1, 1);
             Check.Within("state.angle", state.Angle, 0, 0);
         }
 
-        // What a ball rests on may move.
+        // A ball can rest on a moving object.
         double moves = state.Carrier > 0 ? FastestSpeed : 0;
         if (state.Motion == MotionState.Rest)
         {

@@ -2,13 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Up to four functions of one number by table: its exponent and top mantissa bits choose a segment, on it a cubic a function, through
-/// the Chebyshev points. Coarse segments over the whole range, finer ones over the part that needs them.
-/// </summary>
+/// <summary>A table of up to four functions of one variable: piecewise cubics through Chebyshev points.</summary>
 /// <remarks>
-/// The cubics are in the number itself, and their terms are added in pairs, for a step waits for nothing longer than for these values: the
-/// powers are ready before the coefficients. A function whose value is not used leaves no code.
+/// The exponent and top mantissa bits of the argument select a segment. Segments are coarse on the entire range, and finer on the part that needs it. The
+/// cubics use the argument itself, and pair their terms to shorten the dependency chain of the step. Functions whose value is unused leave no code.
 /// </remarks>
 internal sealed class FactorTable
 {
@@ -22,7 +19,7 @@ internal sealed class FactorTable
 
     /// <summary>Tabulates functions.</summary>
     /// <param name="functions">The functions.</param>
-    /// <param name="whole">The range.</param>
+    /// <param name="whole">The entire range.</param>
     /// <param name="fine">The part with finer segments.</param>
     public FactorTable(Functions functions, Octaves whole, Octaves fine)
     {
@@ -34,13 +31,13 @@ internal sealed class FactorTable
         _coarseShift = whole.Shift;
         _coarseOffset = (int)(whole.LowestBits >> whole.Shift) - fine.Segments;
 
-        // The fine segments come first in memory, then the coarse ones.
+        // Store the fine segments first, then the coarse ones.
         for (int i = 0; i < fine.Segments; i++)
         {
             Fill(ref _segments[i], functions, fine.Start(i), fine.Start(i + 1));
         }
 
-        // The coarse ones below and above the fine.
+        // Coarse segments below and above the fine range.
         int below = (fine.From - whole.From) << whole.SegmentBits;
         int above = (fine.To - whole.From) << whole.SegmentBits;
         for (int i = 0; i < whole.Segments; i = i + 1 == below ? above : i + 1)
@@ -49,16 +46,16 @@ internal sealed class FactorTable
         }
     }
 
-    /// <summary>Up to four functions of one number.</summary>
+    /// <summary>Evaluates up to four functions of one variable.</summary>
     public delegate void Functions(double x, out LawFactors values);
 
-    /// <summary>The values of the functions.</summary>
-    /// <param name="x">A number within the range.</param>
-    /// <param name="values">Their values.</param>
+    /// <summary>Returns the values of the functions.</summary>
+    /// <param name="x">The argument, within the range.</param>
+    /// <param name="values">The values.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Evaluate(double x, out LawFactors values)
     {
-        // The bits of a number, shifted, are exponent and segment: the index, without a logarithm.
+        // The shifted bits of a double are its exponent and segment: an index without a logarithm.
         long bits = BitConverter.DoubleToInt64Bits(x);
         nint index = (ulong)(bits - _fineLowest) < _fineSpan
             ? (nint)(bits >> _fineShift) - _fineOffset
@@ -74,7 +71,7 @@ internal sealed class FactorTable
 
     private static void Fill(ref Segment segment, Functions functions, double low, double high)
     {
-        // The cubic through the four Chebyshev points: nearly the best one for its greatest error.
+        // A cubic through the four Chebyshev points nearly minimizes the maximum error.
         var at = new ChebyshevPoints(low, high);
         functions(at.X0, out LawFactors f0);
         functions(at.X1, out LawFactors f1);

@@ -2,8 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A smooth law by its tables in air that varies: each stage of a step asks whether they hold, for nobody knows how fast the wind changes along it.</summary>
-/// <typeparam name="TLaw">The law; it has no regions.</typeparam>
+/// <summary>A smooth tabulated law in air that varies.</summary>
+/// <remarks>Each stage checks the range of the tables, because the wind may change by any amount along a step.</remarks>
+/// <typeparam name="TLaw">The type of the law, which has no regions.</typeparam>
 internal struct FieldAir<TLaw> : IFlightAir
     where TLaw : struct, ITableLaw
 {

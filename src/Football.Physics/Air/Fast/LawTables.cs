@@ -1,24 +1,24 @@
 namespace FootballPhysics;
 
-/// <summary>The functions of a law as tables that need no root of their argument.</summary>
+/// <summary>The tabulated functions of a law, over squared arguments, so that no root is needed.</summary>
 internal sealed class LawTables
 {
-    /// <summary>log₂ S² from which on segments are fine: S 0.004.</summary>
+    /// <summary>log₂ S² at which the fine segments begin: S = 0.004.</summary>
     private const int Usual = -16;
 
-    /// <summary>Exponent of the square of the largest spin parameter, 2.8.</summary>
+    /// <summary>The exponent of the square of the largest spin parameter, 2.8.</summary>
     private const int Largest = 3;
 
-    /// <summary>Below S 2.3e-10 there is no spin.</summary>
+    /// <summary>The exponent of S² below which there is no spin: S = 2.3e-10.</summary>
     private const int None = -64;
 
-    /// <summary>Exponent below the S² that a ball without spin is given.</summary>
+    /// <summary>An exponent below the S² that a ball without spin gets.</summary>
     private const int Least = -81;
 
-    /// <summary>Tabulates a law's functions.</summary>
-    /// <param name="law">The law; what it has from a scene is not asked.</param>
-    /// <param name="speeds">Squares of the scaled speed.</param>
-    /// <param name="crisis">Those with finer segments.</param>
+    /// <summary>Tabulates the functions of a law.</summary>
+    /// <param name="law">The law; its constants from a scene are not used.</param>
+    /// <param name="speeds">The range of the squared scaled speed.</param>
+    /// <param name="crisis">The part of this range with finer segments.</param>
     public LawTables(ITableLaw law, Octaves speeds, Octaves crisis)
     {
         Speeds = new FactorTable((double x, out LawFactors values) => law.OfSpeed(Math.Sqrt(x), out values), speeds, crisis);
@@ -36,15 +36,15 @@ internal sealed class LawTables
         Fastest = Math.Sqrt(speeds.Start(speeds.Segments));
     }
 
-    /// <summary>Functions of the speed, over the square of the scaled speed.</summary>
+    /// <summary>The functions of speed, over the squared scaled speed.</summary>
     public FactorTable Speeds { get; }
 
-    /// <summary>Functions of the spin parameter: over S² where that is of the spin across the motion, over 1/S² elsewhere.</summary>
+    /// <summary>The functions of the spin parameter: over S² for spin across the motion, over 1/S² for the total spin.</summary>
     public FactorTable Spins { get; }
 
-    /// <summary>The slowest scaled speed in the table.</summary>
+    /// <summary>The lowest scaled speed in the table.</summary>
     public double Slowest { get; }
 
-    /// <summary>Fastest speed of the tables, m/s.</summary>
+    /// <summary>The highest scaled speed in the table.</summary>
     public double Fastest { get; }
 }

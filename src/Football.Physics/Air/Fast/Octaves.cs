@@ -1,23 +1,23 @@
 namespace FootballPhysics;
 
-/// <summary>Numbers from 2^From to 2^To, every octave in 2^SegmentBits equal segments.</summary>
+/// <summary>The numbers from 2^From to 2^To, with 2^SegmentBits equal segments per octave.</summary>
 internal readonly record struct Octaves(int From, int To, int SegmentBits)
 {
-    /// <summary>How many segments there are.</summary>
+    /// <summary>The number of segments.</summary>
     public int Segments => (To - From) << SegmentBits;
 
-    /// <summary>The lowest number.</summary>
+    /// <summary>The smallest number.</summary>
     public double Lowest => BitConverter.Int64BitsToDouble(LowestBits);
 
-    /// <summary>The bits of the lowest number.</summary>
+    /// <summary>The bits of the smallest number.</summary>
     public long LowestBits => (From + 1023L) << 52;
 
-    /// <summary>How many bit patterns there are.</summary>
+    /// <summary>The number of bit patterns in the range.</summary>
     public long Span => (To - (long)From) << 52;
 
-    /// <summary>By how much a number's bits are shifted to leave exponent and segment.</summary>
+    /// <summary>The right shift that reduces a number's bits to exponent and segment.</summary>
     public int Shift => 52 - SegmentBits;
 
-    /// <summary>The number at which a segment begins.</summary>
+    /// <summary>Returns the start of a segment.</summary>
     public double Start(int segment) => BitConverter.Int64BitsToDouble(LowestBits + ((long)segment << Shift));
 }

@@ -2,27 +2,28 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A law by the tables of its functions, where <see cref="Covers"/> says that they hold: two indices, a handful of cubics, and the law's own
-/// <see cref="ITableLaw.Combine"/>. The law's functions are its definition, and the tests compare the two over the whole domain.
-/// </summary>
-/// <typeparam name="TLaw">The law.</typeparam>
+/// <summary>A law by tables of its functions, valid where <see cref="Covers"/> returns true.</summary>
+/// <remarks>
+/// It costs two table indices, a few cubics and <see cref="ITableLaw.Combine"/>. The functions define the law; the tests compare tables and functions over the
+/// entire domain.
+/// </remarks>
+/// <typeparam name="TLaw">The type of the law.</typeparam>
 internal struct TableAir<TLaw> : IFlightAir
     where TLaw : struct, ITableLaw
 {
-    /// <summary>Below this |u|, m/s, there is no drag and no lift, and the spin decays as it does there.</summary>
+    /// <summary>The |u|, in m/s, below which there is no drag and no lift, and the spin decay stays constant.</summary>
     private const double StillAir = 1e-9;
 
-    /// <summary>Added to (r|ω|)², m²/s², so that a ball without spin is within the tables, where they say that there is none.</summary>
+    /// <summary>Added to (r|ω|)², in m²/s², so that a ball without spin stays within the tables.</summary>
     private const double NoSpin = 1e-20;
 
-    /// <summary>The slowest speed, m/s, that is asked about.</summary>
+    /// <summary>The lowest speed of a single evaluation by tables, in m/s.</summary>
     private const double SlowestPoint = 0.5;
 
-    /// <summary>Steps begin so much above the slowest speed of the tables.</summary>
+    /// <summary>The margin by which a step must start above the lowest speed of the tables.</summary>
     private const double AboveSlowest = 1.5;
 
-    /// <summary>Share of the fastest speed of the tables up to which they are used.</summary>
+    /// <summary>The share of the highest speed of the tables up to which they are used.</summary>
     private const double BelowFastest = 0.9375;
 
     private TLaw _law;
@@ -50,7 +51,7 @@ internal struct TableAir<TLaw> : IFlightAir
         get => _law.Jumps;
     }
 
-    /// <summary>The fastest spin, rad/s, that is covered at any speed.</summary>
+    /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>
     private double FastestSpin => TableRange.LargestSpinParameter * TableRange.Fastest / _radius;
 
     public TableAir(Scene scene)
@@ -76,7 +77,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public bool Covers(double speedSquared, double spinRate, double h) =>
         _range.Holds(speedSquared, spinRate, h) && _range.HoldsSpin(speedSquared, _radiusSquared * spinRate * spinRate, h);
 
-    /// <summary>True when the tables hold at a point by itself.</summary>
+    /// <summary>Returns true if the tables hold at a single point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool HoldsAt(double speedSquared, double spinSquared)
     {
@@ -88,7 +89,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // A stage may overshoot zero spin: there S is 0.
+        // A stage may overshoot zero spin: use S = 0 there.
         double spin = spinRate > 0 ? spinRate : 0;
         double surfaceSquared = _radiusSquared * (spin * spin);
         double ofSpin;
@@ -100,7 +101,7 @@ internal struct TableAir<TLaw> : IFlightAir
         }
         else
         {
-            // 1/S² = |u|²/(r|ω|)²: the division does not wait for the speed
+            // 1/S² = |u|²/(r|ω|)², written so that the division does not wait for the speed.
             ofSpin = speedSquared * (1.0 / (surfaceSquared + NoSpin));
         }
 
@@ -109,7 +110,7 @@ internal struct TableAir<TLaw> : IFlightAir
         _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
     }
 
-    /// <summary>The factors at any point: by tables where they hold, else by the functions themselves.</summary>
+    /// <summary>Computes the factors at any point: by tables in their range, otherwise by the functions.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void FactorsAnywhere(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
@@ -120,7 +121,7 @@ internal struct TableAir<TLaw> : IFlightAir
         }
         else
         {
-            // By way of others: what a call is handed the address of lies in memory, and not in a register.
+            // Use temporaries: a variable passed by address is stored in memory, not in a register.
             ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
             drag = ofDrag;
             lift = ofLift;
@@ -135,12 +136,12 @@ internal struct TableAir<TLaw> : IFlightAir
         bool spins = spinSquared > AirRates.NoSpin;
         if (_law.NeedsSpinAcross && spins && HoldsAt(speedSquared, spinSquared))
         {
-            // Where lift and decay are proportional to the spin, and S² = r²|ω × u|²/|u|⁴, it is neither divided by nor its root taken.
+            // Lift and decay are proportional to the spin and S² = r²|ω × u|²/|u|⁴, so this needs neither a division by the spin nor its root.
             Factors(speedSquared, 1.0, crossSquared, region, out drag, out lift, out decay);
             return true;
         }
 
-        // |ω̂ × u|² = |ω × u|²/|ω|², whose division does not wait for the root.
+        // |ω̂ × u|² = |ω × u|²/|ω|², written so that the division does not wait for the root.
         double perSquared = spins ? 1.0 / spinSquared : 0;
         double rate = spins ? Math.Sqrt(spinSquared) : 0;
         FactorsAnywhere(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
@@ -150,18 +151,18 @@ internal struct TableAir<TLaw> : IFlightAir
         return spins;
     }
 
-    /// <summary>The law by its functions themselves, anywhere.</summary>
+    /// <summary>Computes the factors by the functions of the law, at any point.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In still air the decay is that at the slowest speed, and there is no force.
+        // In still air there is no force, and the decay is that at the lowest speed.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;
         double across = _law.NeedsSpinAcross && moves ? Math.Sqrt(acrossSquared) / speed : 1.0;
 
-        // A stage may overshoot zero spin: there the forces end, and the decay goes on.
+        // A stage may overshoot zero spin: forces then stop, and the decay continues.
         double spin = spinRate > 0 ? spinRate : 0;
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
@@ -175,22 +176,22 @@ internal struct TableAir<TLaw> : IFlightAir
     public Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
 }
 
-/// <summary>Where the tables of the laws hold at every stage of a step, however strong gravity and the air are.</summary>
+/// <summary>The states and step lengths for which the tables hold at every stage, for any gravity and air.</summary>
 internal readonly struct TableRange
 {
-    /// <summary>The fastest speed, m/s, at which the tables hold, with something in hand.</summary>
+    /// <summary>The highest speed at which the tables hold, with a margin, in m/s.</summary>
     public const double Fastest = 120;
 
-    /// <summary>The largest spin parameter with which a step of a smooth law may begin. At 2 one plate of the empirical spin decay stands still.</summary>
+    /// <summary>The largest spin parameter at the start of a step of a smooth law. At 2, one plate of the empirical spin decay stands still.</summary>
     public const double LargestSpinParameter = 1.9;
 
-    /// <summary>Drag and lift may each change the velocity by this share within a step.</summary>
+    /// <summary>The share of the velocity that drag, and lift, may each change within a step.</summary>
     private const double LargestChange = 0.125;
 
-    /// <summary>A fall of this many m/s is short.</summary>
+    /// <summary>The change of speed by gravity in a short step, in m/s.</summary>
     private const double ShortFall = 0.5;
 
-    /// <summary>Drag leaves 7/8 of a speed, and gravity takes the rest of it down to the slowest.</summary>
+    /// <summary>Drag leaves at least 7/8 of a speed; gravity may reduce the rest to the lowest speed.</summary>
     private const double Slower = 1.0 / (1.0 - LargestChange);
 
     private readonly double _slowest;  // m/s
@@ -199,16 +200,16 @@ internal readonly struct TableRange
     private readonly double _perSpeed; // bound for drag and lift, 1/m
     private readonly double _perSpin;
 
-    // Up to this length, s, drag and lift are small at every speed and spin, and these are the bounds of |u|².
+    // Up to this length, in s, drag and lift are small at every speed and spin, and two constant bounds on |u|² suffice.
     private readonly double _short;
     private readonly double _leastSquare;
     private readonly double _mostSquare;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="forces">How fast drag and lift change the velocity.</param>
-    /// <param name="fastestSpin">The fastest spin, rad/s, that the laws are asked about; without end where there is none.</param>
-    /// <param name="slowest">The slowest speed, m/s, at which the tables hold.</param>
-    /// <param name="fastest">The fastest speed, m/s, at which the tables hold.</param>
+    /// <param name="forces">The bound on the change of velocity by drag and lift.</param>
+    /// <param name="fastestSpin">The highest spin of an evaluation, in rad/s; infinite if there is none.</param>
+    /// <param name="slowest">The lowest speed at which the tables hold, in m/s.</param>
+    /// <param name="fastest">The highest speed at which the tables hold, in m/s.</param>
     public TableRange(Scene scene, in RateBound forces, double fastestSpin, double slowest, double fastest)
     {
         _slowest = slowest;
@@ -217,7 +218,7 @@ internal readonly struct TableRange
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
 
-        // So short a step changes little at every speed and spin: two bounds of |u|² are enough for it.
+        // A step this short changes little at every speed and spin, so two bounds on |u|² suffice.
         _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;
@@ -225,7 +226,7 @@ internal readonly struct TableRange
         _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
     }
 
-    /// <summary>True when the speed stays within the tables.</summary>
+    /// <summary>Returns true if the speed stays within the tables.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Holds(double speedSquared, double spinRate, double h)
     {
@@ -234,7 +235,7 @@ internal readonly struct TableRange
             return speedSquared > _leastSquare && speedSquared < _mostSquare;
         }
 
-        // A longer one by what gravity, drag and lift do at this speed and spin.
+        // For a longer step, bound the changes by gravity, drag and lift at this speed and spin.
         double fall = h * _gravity;
         double least = Slower * (_slowest + fall);
         double most = _fastest - fall;
@@ -243,10 +244,10 @@ internal readonly struct TableRange
             && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
     }
 
-    /// <summary>True when the spin parameter stays below √8 at every stage, and begins below <see cref="LargestSpinParameter"/>.</summary>
+    /// <summary>Returns true if the spin parameter starts below <see cref="LargestSpinParameter"/> and stays below √8 at every stage.</summary>
     /// <param name="speedSquared">|u|².</param>
     /// <param name="surfaceSquared">(r|ω|)².</param>
-    /// <param name="h">Length of the step, s.</param>
+    /// <param name="h">The length of the step, in s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
     {

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Drag with the fitted coefficient, F_D = −½ ρ C_D A |u| u (thesis 2.3, with the density it lacks).</summary>
+/// <summary>Drag with the fitted coefficient, F_D = −½ ρ C_D A |u| u (thesis 2.3, corrected for its missing density).</summary>
 internal struct EmpiricalDrag : IAirLaw
 {
     private double _k; // ½ ρ A / m, 1/m

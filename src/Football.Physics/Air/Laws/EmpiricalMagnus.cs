@@ -3,10 +3,10 @@ namespace FootballPhysics;
 /// <summary>Magnus force with the fitted lift coefficient, F_M = ½ ρ C_L A |u|² (ω̂ × û) (thesis 2.8 to 2.10, corrected).</summary>
 internal struct EmpiricalMagnus : IAirLaw
 {
-    /// <summary>Exponent of the spin parameter.</summary>
+    /// <summary>The exponent of the spin parameter.</summary>
     public const double Beta = 0.83;
 
-    /// <summary>Factor of the law.</summary>
+    /// <summary>The factor of the law.</summary>
     public const double Alpha = 1.15;
 
     /// <summary>1.15 / (C_D0 − a).</summary>
@@ -17,13 +17,13 @@ internal struct EmpiricalMagnus : IAirLaw
     private double _k; // ½ ρ A / m, 1/m
     private double _radius;
 
-    // C_L |u| ≤ 1.15 Sp^β |u| = 1.15 (r|ω|)^β |u|^(1−β) ≤ 1.15 (β r|ω| + (1−β)|u|), the deficit's quotient being at most C_D0/(C_D0 − a)
+    // C_L |u| ≤ 1.15 Sp^β |u| = 1.15 (r|ω|)^β |u|^(1−β) ≤ 1.15 (β r|ω| + (1−β)|u|); the quotient of the deficit is at most C_D0/(C_D0 − a).
     public readonly RateBound Bound => new(
         _k * Scale * FittedDrag.AtRest * (1 - Beta),
         _k * Scale * FittedDrag.AtRest * Beta * _radius,
         0);
 
-    /// <summary>1.15 Sp^β / (C_D0 − a).</summary>
+    /// <summary>Returns 1.15 Sp^β / (C_D0 − a).</summary>
     public static double OfSpin(double spinParameter) => Scale * PowerBeta.Of(spinParameter);
 
     public void Prepare(Scene scene)

@@ -3,13 +3,13 @@ namespace FootballPhysics;
 /// <summary>Spin decay by skin friction on two plates (Tuplin; thesis 2.11 to 2.15, with |U±|).</summary>
 internal struct EmpiricalSpinDecay : IAirLaw
 {
-    /// <summary>Exponent of the Reynolds number in the skin friction of a plate, C = 0.0074 Re^(−0.2), as published.</summary>
+    /// <summary>The exponent of the Reynolds number in the skin friction of a plate, C = 0.0074 Re^(−0.2), as published.</summary>
     public const decimal ReynoldsExponent = 0.2m;
 
-    /// <summary>Exponent of a plate's speed in the torque, U² C ∝ U^1.8.</summary>
+    /// <summary>The exponent of a plate's speed in the torque, U² C ∝ U^1.8.</summary>
     public const decimal SpeedExponent = 2m - ReynoldsExponent;
 
-    /// <summary>Factor of the skin friction.</summary>
+    /// <summary>The factor of the skin friction.</summary>
     public const double SkinFriction = 0.0074;
 
     private static readonly PowerTable SpeedPower = new((double)SpeedExponent);
@@ -18,18 +18,18 @@ internal struct EmpiricalSpinDecay : IAirLaw
     private double _halfRadius;
 
     /// <remarks>
-    /// Near zero spin the torque of a ball that moves does not fade: what it could reverse is caught where it happens. Else the torque changes with the
+    /// Near zero spin, the torque on a moving ball does not vanish; a separate check prevents a reversal of the spin. Otherwise the torque changes with the
     /// spin by 1.8 k r/2 (U₊^0.8 ± U₋^0.8), less than 3.6 k r/2 U^0.8 with U = |u| + r|ω|/2, and U^0.8 is less than 0.8 U + 0.2.
     /// </remarks>
     public readonly RateBound Bound => new(2.88 * _k * _halfRadius, 2.88 * _k * _halfRadius * _halfRadius, 0.72 * _k * _halfRadius);
 
-    /// <summary>Angular deceleration by one plate at 1 m/s, rad/s².</summary>
+    /// <summary>The angular deceleration by one plate at 1 m/s, in rad/s².</summary>
     public readonly double Plate => _k;
 
-    /// <summary>|u|^1.8.</summary>
+    /// <summary>Returns |u|^1.8.</summary>
     public static double OfSpeed(double speed) => SpeedPower.Of(speed);
 
-    /// <summary>Both plates over that, (1 + Sp/2)^1.8 + |1 − Sp/2|^1.8.</summary>
+    /// <summary>Returns the sum of both plates divided by |u|^1.8: (1 + Sp/2)^1.8 + |1 − Sp/2|^1.8.</summary>
     public static double OfSpin(double spinParameter)
     {
         double plate = 0.5 * spinParameter;

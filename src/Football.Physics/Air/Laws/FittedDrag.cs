@@ -8,34 +8,34 @@ internal static class FittedDrag
     /// <summary>C_D at high speed without spin.</summary>
     public const double A = 0.155;
 
-    /// <summary>Drop of C_D through the drag crisis.</summary>
+    /// <summary>The drop of C_D through the drag crisis.</summary>
     public const double B = 0.346;
 
-    /// <summary>Critical speed v_c, m/s.</summary>
+    /// <summary>The critical speed v_c, in m/s.</summary>
     public const double CriticalSpeed = 12.19;
 
-    /// <summary>Width of the drag crisis v_s, m/s.</summary>
+    /// <summary>The width of the drag crisis v_s, in m/s.</summary>
     public const double SpeedScale = 1.309;
 
-    /// <summary>Factor c of the law with spin.</summary>
+    /// <summary>The factor c of the law with spin.</summary>
     public const double C = 0.4127;
 
-    /// <summary>Exponent d of the law with spin.</summary>
+    /// <summary>The exponent d of the law with spin.</summary>
     public const double D = 0.3056;
 
-    /// <summary>Spin parameter above which the law with spin holds.</summary>
+    /// <summary>The spin parameter above which the law with spin holds.</summary>
     public const double CriticalSpin = 0.05;
 
-    /// <summary>C_D at speed 0, the largest without spin: a + b/(1 + exp(−v_c/v_s)).</summary>
+    /// <summary>C_D at zero speed, the maximum without spin: a + b/(1 + exp(−v_c/v_s)).</summary>
     public static readonly double AtRest = A + (B / (1.0 + Elementary.Exp(-CriticalSpeed / SpeedScale)));
 
     private static readonly PowerTable PowerD = new(D);
 
-    /// <summary>C_D = a + b / (1 + exp((|u| − v_c)/v_s)).</summary>
+    /// <summary>Returns C_D = a + b / (1 + exp((|u| − v_c)/v_s)).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double WithoutSpin(double speed) => A + (B / (1.0 + Elementary.Exp((speed - CriticalSpeed) * (1.0 / SpeedScale))));
 
-    /// <summary>C_D = c Sp^d.</summary>
+    /// <summary>Returns C_D = c Sp^d.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double WithSpin(double spinParameter) => C * PowerD.Of(spinParameter);
 }

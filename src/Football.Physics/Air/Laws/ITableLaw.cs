@@ -1,59 +1,56 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// All aerodynamic laws of a scene as data for one kernel: functions of the speed alone, functions of the spin parameter alone, and how the
-/// two go together to forces and spin decay. That is the law's one definition; <see cref="TableAir{TLaw}"/> asks tables of the functions where they hold,
-/// and the functions themselves elsewhere.
-/// </summary>
+/// <summary>All aerodynamic laws of a scene in a form for tables: functions of speed, functions of the spin parameter, and their combination.</summary>
 /// <remarks>
-/// The spin parameter is S = r|ω⊥|/|u|, of the spin across the motion where <see cref="NeedsSpinAcross"/>, of the whole spin elsewhere. A law that jumps
-/// has regions: the region is the branch that a step is locked to, and the functions of every region are smooth over the whole domain.
+/// <para>This is the only definition of a law. <see cref="TableAir{TLaw}"/> uses tables of the functions in their range, and the functions themselves elsewhere.</para>
+/// <para>The spin parameter is S = r|ω⊥|/|u| with the spin across the motion if <see cref="NeedsSpinAcross"/> is true, and with the total spin otherwise. A law that
+/// jumps has regions, one per branch; the functions of each region are smooth on the entire domain.</para>
 /// </remarks>
 internal interface ITableLaw
 {
-    /// <summary>True when S is that of the spin across the motion, and lift and decay are proportional to the spin for one S. A constant of the type.</summary>
+    /// <summary>True if S uses the spin across the motion, and lift and decay are proportional to the spin at fixed S. A constant of the type.</summary>
     bool NeedsSpinAcross { get; }
 
-    /// <summary>True when the law has regions, so that a step is locked to one and ends where it does. A constant of the type.</summary>
+    /// <summary>True if the law has regions, so that a step is locked to one and ends where it ends. A constant of the type.</summary>
     bool Jumps { get; }
 
-    /// <summary>Reads the law's constants from the scene.</summary>
+    /// <summary>Reads the constants of the law from the scene.</summary>
     void Prepare(Scene scene);
 
-    /// <summary>Scale of the speed in the functions' argument, per m/s: 1 for the speed itself, 2r/ν for the Reynolds number.</summary>
+    /// <summary>The factor from speed to the argument of the functions: 1 for the speed itself, 2r/ν for the Reynolds number.</summary>
     double SpeedScale { get; }
 
-    /// <summary>Tables of the functions, the same ones for every scene with the same functions.</summary>
+    /// <summary>The tables of the functions, shared by all scenes with the same functions.</summary>
     LawTables Tables { get; }
 
-    /// <summary>An upper bound for drag up to a speed, m/s.</summary>
+    /// <summary>Returns an upper bound on the drag up to a speed, in m/s.</summary>
     RateBound DragBound(double fastest);
 
-    /// <summary>An upper bound for lift.</summary>
+    /// <summary>An upper bound on the lift.</summary>
     RateBound LiftBound { get; }
 
-    /// <summary>An upper bound for spin decay.</summary>
+    /// <summary>An upper bound on the spin decay.</summary>
     RateBound DecayBound { get; }
 
-    /// <summary>The functions of the speed.</summary>
+    /// <summary>Evaluates the functions of speed.</summary>
     /// <param name="speed">|u| times <see cref="SpeedScale"/>, above 0.</param>
-    /// <param name="factors">Their values.</param>
+    /// <param name="factors">The values.</param>
     void OfSpeed(double speed, out LawFactors factors);
 
-    /// <summary>The functions of the spin parameter.</summary>
-    /// <param name="spinParameter">S, not negative.</param>
-    /// <param name="factors">Their values.</param>
+    /// <summary>Evaluates the functions of the spin parameter.</summary>
+    /// <param name="spinParameter">S; at least 0.</param>
+    /// <param name="factors">The values.</param>
     void OfSpin(double spinParameter, out LawFactors factors);
 
-    /// <summary>Puts the functions together: a = −drag · u + lift · (ω̂ × u), angular deceleration decay (rad/s²).</summary>
+    /// <summary>Combines the functions: a = −drag · u + lift · (ω̂ × u), angular deceleration decay (rad/s²).</summary>
     /// <param name="region">The region of a law that jumps.</param>
-    /// <param name="bySpeed">From <see cref="OfSpeed"/>.</param>
-    /// <param name="bySpin">From <see cref="OfSpin"/>.</param>
+    /// <param name="bySpeed">The values of <see cref="OfSpeed"/>.</param>
+    /// <param name="bySpin">The values of <see cref="OfSpin"/>.</param>
     /// <param name="speed">|u|, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
     /// <param name="drag">D, 1/s.</param>
     /// <param name="lift">L, 1/s.</param>
-    /// <param name="decay">Angular deceleration.</param>
+    /// <param name="decay">The angular deceleration, in rad/s².</param>
     void Combine(
         DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay);
 }

@@ -1,25 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// The side force on a ball with little spin, a smooth pure function of seed, distance flown through the air, air velocity and spin (fitted to
-/// Hong and Asai 2014: peak at 2.5 Hz and standard deviation K at 30 m/s, growth from 20 to 30 m/s; limits in the spin parameter and the four
-/// waves are guesses):
-/// F_K = κ(|u|, S) (f₁ ê₁ + f₂ ê₂),  ê₁ = û × ŷ normalised (ẑ if vertical),  ê₂ = ê₁ × û.
-/// </summary>
+/// <summary>The side force on a ball with little spin: a smooth, pure function of seed, distance flown, air velocity and spin.</summary>
+/// <remarks>
+/// <para>F_K = κ(|u|, S) (f₁ ê₁ + f₂ ê₂), ê₁ = û × ŷ normalized (ẑ if vertical), ê₂ = ê₁ × û.</para>
+/// <para>Fitted to Hong and Asai 2014: peak at 2.5 Hz and standard deviation K at 30 m/s, growth from 20 to 30 m/s. The limits in the spin parameter and the
+/// four waves are guesses.</para>
+/// </remarks>
 internal sealed class KnuckleForce
 {
     private const int Waves = 4;
 
-    /// <summary>Strouhal number 2r f/|u| of the middle of the spectrum (measured).</summary>
+    /// <summary>The Strouhal number 2r f/|u| of the middle of the spectrum (measured).</summary>
     public const double Strouhal = 0.0183;
 
-    /// <summary>How the force grows with the speed (measured: by 320 % from 20 to 30 m/s).</summary>
+    /// <summary>The exponent of the growth with speed (measured: by 320 % from 20 to 30 m/s).</summary>
     public const double Growth = 2.9;
 
-    /// <summary>Spin parameter up to which all of it acts (guess).</summary>
+    /// <summary>The spin parameter up to which the full force acts (guess).</summary>
     public const double LeastSpin = 0.02;
 
-    /// <summary>How much farther none of it does (guess).</summary>
+    /// <summary>The width in spin parameter over which the force falls to 0 (guess).</summary>
     public const double SpinWidth = 0.04;
 
     private const double Slowest = 3;
@@ -43,7 +43,7 @@ internal sealed class KnuckleForce
             sum += 0.5 * w * w;
         }
 
-        // c = 1/√(Σ w²/2), so that the standard deviation of f is 1
+        // c = 1/√(Σ w²/2), so that the standard deviation of f is 1.
         double scale = 1.0 / Math.Sqrt(sum);
         var amplitude = new Quad(scale * Weight[0], scale * Weight[1], scale * Weight[2], scale * Weight[3]);
         _first = new FourWaves(seed, 0, r, amplitude);
@@ -52,16 +52,16 @@ internal sealed class KnuckleForce
         _perMass = scene.Ball.KnuckleForce * (scene.Air.Density / 1.2) * (r / 0.11) * (r / 0.11) / scene.Ball.Mass;
     }
 
-    /// <summary>The force of a scene; null where none acts.</summary>
+    /// <summary>Returns the force of a scene; null if none acts.</summary>
     public static KnuckleForce? Of(Scene scene) => scene.Forces.KnuckleSeed is { } seed && scene.Ball.KnuckleForce > 0 ? new KnuckleForce(scene, seed) : null;
 
-    /// <summary>An upper bound of what it does to the motion: |F_K|/m ≤ √2 c Σ w κ/m, and κ/|u|² is largest where κ grows no further.</summary>
+    /// <summary>An upper bound on the effect: |F_K|/m ≤ √2 c Σ w κ/m, and κ/|u|² is largest at the speed where κ stops growing.</summary>
     public RateBound Bound => new(_perMass * Math.Sqrt(2.0) * _first.Amplitude.Sum * Power.Of(Fastest / 30.0) / (Fastest * Fastest), 0, 0);
 
-    /// <summary>The acceleration, m/s².</summary>
-    /// <param name="u">Velocity relative to the air, m/s.</param>
-    /// <param name="spin">Spin, rad/s.</param>
-    /// <param name="distance">Distance flown through the air, s, m.</param>
+    /// <summary>Returns the acceleration, in m/s².</summary>
+    /// <param name="u">The velocity relative to the air, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="distance">The distance flown through the air, s, in m.</param>
     public Vector3d Acceleration(in Vector3d u, in Vector3d spin, double distance)
     {
         double speedSquared = u.LengthSquared;
@@ -82,7 +82,7 @@ internal sealed class KnuckleForce
         double speed = Math.Sqrt(speedSquared);
         double strength = _perMass * Power.Of(Math.Min(speed, Fastest) / 30.0) * fade;
 
-        // ê₁ = û × ŷ normalised, ẑ where û is vertical; ê₂ = ê₁ × û
+        // ê₁ = û × ŷ normalized, or ẑ if û is vertical; ê₂ = ê₁ × û.
         Vector3d along = u / speed;
         var level = new Vector3d(-along.Z, 0, along.X);
         double across = level.Length;
@@ -97,7 +97,7 @@ internal sealed class KnuckleForce
         return (waves.Amplitude * sin).Sum;
     }
 
-    // A class: a scene without a knuckle force then loads no vectors.
+    // A class, so that a scene without a knuckle force loads no SIMD data.
     private sealed class FourWaves
     {
         public readonly Quad Amplitude;

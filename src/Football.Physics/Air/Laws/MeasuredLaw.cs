@@ -2,19 +2,17 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.
-/// Functions of the Reynolds number stand for those of the speed, so that a ball has the same tables in every weather.
-/// </summary>
+/// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
+/// <remarks>Functions of the Reynolds number replace those of speed, so that a ball has the same tables in any weather.</remarks>
 internal struct MeasuredLaw : ITableLaw
 {
-    /// <summary>The tables of a drag curve, for as long as something knows the curve.</summary>
+    /// <summary>The tables of each drag curve, as long as the curve is reachable.</summary>
     private static readonly ConditionalWeakTable<DragCurve, LawTables> Shared = new();
 
-    /// <summary>Reynolds numbers 4 096 to 4.2e6.</summary>
+    /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
     private static readonly Octaves Reynolds = new(24, 44, 6);
 
-    /// <summary>65 000 to 740 000, with segments fine enough for the narrowest drag crisis.</summary>
+    /// <summary>Reynolds numbers from 65 000 to 740 000, in segments fine enough for the narrowest drag crisis.</summary>
     private static readonly Octaves Crisis = new(32, 39, 7);
 
     private DragCurve _curve;
@@ -24,7 +22,7 @@ internal struct MeasuredLaw : ITableLaw
     private double _radius;
     private double _perSpeed; // 2r/ν, s/m
 
-    /// <summary>Beyond this Reynolds number, that of a ball twice as fast as any that is kicked, C_D rises no further: so that it has a bound.</summary>
+    /// <summary>The Reynolds number above which C_D stays constant, at twice the speed of any kick, so that C_D is bounded.</summary>
     private double _largest;
 
     public readonly bool NeedsSpinAcross
@@ -47,7 +45,7 @@ internal struct MeasuredLaw : ITableLaw
 
     public readonly LawTables Tables =>
 
-        // Of the curve alone, and of all its Reynolds numbers: what a scene cuts off is not in the tables.
+        // The tables depend on the curve alone: they contain no cut-off of a scene.
         Shared.GetValue(_curve, static curve => new LawTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
 
     // C_L |u| ≤ L |u|
@@ -69,10 +67,10 @@ internal struct MeasuredLaw : ITableLaw
         _largest = _perSpeed * (2.0 * Limits.Speed);
     }
 
-    /// <summary>The one instance of a curve that many balls have, whoever copied it: its tables are made once.</summary>
+    /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
     private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
-    // C_D without spin, what the crisis leaves of the drag by spin, and of the lift
+    // C_D without spin, and the reductions of drag by spin and of lift below the crisis.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
@@ -82,7 +80,7 @@ internal struct MeasuredLaw : ITableLaw
         factors.Fourth = 0;
     }
 
-    // C_D by spin above the crisis, C_L/S there
+    // C_D by spin above the crisis, and C_L/S above the crisis.
     public readonly void OfSpin(double spinParameter, out LawFactors factors)
     {
         factors.First = SpinDrag.OfSpin(spinParameter);
@@ -106,7 +104,7 @@ internal struct MeasuredLaw : ITableLaw
         decay = _decay.PerSpin(speed) * spinRate;
     }
 
-    /// <summary>The factors in a flow that moves.</summary>
+    /// <summary>Computes the factors in a flow with non-zero speed.</summary>
     public readonly void At(in AirFlow flow, out double drag, out double lift, out double decay)
     {
         // S = r|ω × u|/|u|²
@@ -116,7 +114,7 @@ internal struct MeasuredLaw : ITableLaw
     }
 }
 
-/// <summary>Drag of the measured laws alone, F_D = −½ ρ A C_D |u| u by <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>.</summary>
+/// <summary>The drag of the measured laws alone, F_D = −½ ρ A C_D |u| u by <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>.</summary>
 internal struct MeasuredDrag : IAirLaw
 {
     private MeasuredLaw _law;
@@ -132,7 +130,7 @@ internal struct MeasuredDrag : IAirLaw
     }
 }
 
-/// <summary>Lift of the measured laws alone, by <see cref="SaturatingLift"/>.</summary>
+/// <summary>The lift of the measured laws alone, by <see cref="SaturatingLift"/>.</summary>
 internal struct MeasuredMagnus : IAirLaw
 {
     private MeasuredLaw _law;

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A force or torque that is left out.</summary>
+/// <summary>A disabled force or torque.</summary>
 internal struct NoAirLaw : IAirLaw
 {
     public readonly RateBound Bound => default;

@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Spin decay by speed times spin, T_D = −(β π ρ r⁴ |u| + I ε ρ/1.2) ω, which never reverses a spin.</summary>
+/// <summary>Spin decay proportional to speed times spin, T_D = −(β π ρ r⁴ |u| + I ε ρ/1.2) ω. It never reverses a spin.</summary>
 internal struct ProportionalSpinDecay : IAirLaw
 {
-    /// <summary>β. Measured on golf balls (Smits and Smith 1994), scaled: for footballs a guess, 0.003 … 0.012.</summary>
+    /// <summary>β. Measured on golf balls (Smits and Smith 1994), scaled. For footballs a guess, 0.003 … 0.012.</summary>
     public const double Beta = 0.0096;
 
-    /// <summary>ε, 1/s, the decay in still air of density 1.2. Guess, 0.003 … 0.006.</summary>
+    /// <summary>ε, in 1/s: the decay rate in still air of density 1.2. Guess, 0.003 … 0.006.</summary>
     public const double AtRest = 0.004;
 
     private double _perMetre; // β π ρ r⁴ / I, 1/m
@@ -23,7 +23,7 @@ internal struct ProportionalSpinDecay : IAirLaw
         _atRest = AtRest * scene.Air.Density / 1.2;
     }
 
-    /// <summary>The decay's rate, 1/s: ω̇ = −(β π ρ r⁴/I |u| + ε ρ/1.2) ω.</summary>
+    /// <summary>Returns the decay rate, in 1/s: ω̇ = −(β π ρ r⁴/I |u| + ε ρ/1.2) ω.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double PerSpin(double speed) => (_perMetre * speed) + _atRest;
 

@@ -2,14 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The published laws (<see cref="EmpiricalDrag"/>, <see cref="EmpiricalMagnus"/>, <see cref="EmpiricalSpinDecay"/>), taken apart into functions of the
-/// speed and of the spin parameter. Their drag coefficient jumps: it is one function of the speed in the region without spin, one of the spin in the
-/// region with spin (<see cref="FittedDrag"/>).
-/// </summary>
+/// <summary>The published laws, split into functions of speed and of the spin parameter.</summary>
+/// <remarks>
+/// They are <see cref="EmpiricalDrag"/>, <see cref="EmpiricalMagnus"/> and <see cref="EmpiricalSpinDecay"/>. The drag coefficient jumps: it depends on speed in the region
+/// without spin, and on spin in the region with spin (<see cref="FittedDrag"/>).
+/// </remarks>
 internal struct PublishedLaw : ITableLaw
 {
-    /// <summary>From 0.5 to 128 m/s; from 2.8 to 32 m/s, where the drag crisis is, with finer segments.</summary>
+    /// <summary>Tables from 0.5 to 128 m/s, with finer segments from 2.8 to 32 m/s, around the drag crisis.</summary>
     private static readonly LawTables Shared = new(default(PublishedLaw), new Octaves(-2, 14, 6), new Octaves(3, 10, 7));
 
     private EmpiricalDrag _drag;
@@ -55,7 +55,7 @@ internal struct PublishedLaw : ITableLaw
         _plate = _decay.Plate;
     }
 
-    // C_D without spin, C_D0 − C_D there (by itself: it vanishes in slow air), |u|^1.8
+    // C_D without spin; C_D0 − C_D, computed on its own because it vanishes in slow air; |u|^1.8.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         factors.First = FittedDrag.WithoutSpin(speed);
@@ -77,7 +77,7 @@ internal struct PublishedLaw : ITableLaw
     public readonly void Combine(
         DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
-        // C_D = c S^d with spin, C_D(|u|) without
+        // C_D = c S^d with spin, C_D(|u|) without.
         double coefficient = bySpeed.First;
         double deficit = bySpeed.Second;
         if (region == DragBranch.Spinning)

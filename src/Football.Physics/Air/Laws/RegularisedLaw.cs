@@ -2,13 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The published laws with the regularised drag coefficient (<see cref="RegularisedDragFit"/>, <see cref="EmpiricalMagnus"/>,
-/// <see cref="EmpiricalSpinDecay"/>), taken apart into functions of the speed and of the spin parameter.
-/// </summary>
+/// <summary>The published laws with the smoothed drag coefficient, split into functions of speed and of the spin parameter.</summary>
+/// <remarks>They are <see cref="RegularisedDragFit"/>, <see cref="EmpiricalMagnus"/> and <see cref="EmpiricalSpinDecay"/>.</remarks>
 internal struct RegularisedLaw : ITableLaw
 {
-    /// <summary>From 0.5 to 128 m/s; from 8 to 32 m/s segments fine enough for the layer of 0.25 m/s about the critical speed.</summary>
+    /// <summary>Tables from 0.5 to 128 m/s, with segments from 8 to 32 m/s fine enough for the 0.25 m/s layer at the critical speed.</summary>
     private static readonly LawTables Shared = new(default(RegularisedLaw), new Octaves(-2, 14, 6), new Octaves(6, 10, 8));
 
     private EmpiricalDrag _drag;
@@ -54,7 +52,7 @@ internal struct RegularisedLaw : ITableLaw
         _plate = _decay.Plate;
     }
 
-    // C_D without spin, the weight of the law with spin by speed, |u|^1.8
+    // C_D without spin; the weight of the law with spin by speed; |u|^1.8.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         factors.First = FittedDrag.WithoutSpin(speed);
@@ -63,7 +61,7 @@ internal struct RegularisedLaw : ITableLaw
         factors.Fourth = 0;
     }
 
-    // The weight of the law with spin by spin, that times c S^d, 1.15 S^β / (C_D0 − a), ((1 + S/2)^1.8 + |1 − S/2|^1.8)
+    // The weight of the law with spin by spin parameter; that times c S^d; 1.15 S^β / (C_D0 − a); ((1 + S/2)^1.8 + |1 − S/2|^1.8).
     public readonly void OfSpin(double spinParameter, out LawFactors factors)
     {
         factors.First = RegularisedDragFit.SpinWeight(spinParameter);
@@ -83,7 +81,7 @@ internal struct RegularisedLaw : ITableLaw
         double lost = withoutSpin * bySpeed.Second * bySpin.First;
         drag = (withoutSpin + gained) - lost;
 
-        // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); the difference does not wait for D
+        // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); the deficit is computed without waiting for D.
         double deficit = (((scale * _atRest) - withoutSpin) - gained) + lost;
         lift = deficit > 0 ? bySpin.Third * deficit : 0;
 

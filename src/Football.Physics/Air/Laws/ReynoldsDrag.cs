@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The drag coefficient of a ball without spin by Reynolds number, through its drag crisis.</summary>
+/// <summary>The drag coefficient of a ball without spin as a function of the Reynolds number, through its drag crisis.</summary>
 internal readonly struct ReynoldsDrag
 {
     private readonly double _subcritical; // a
@@ -20,10 +20,10 @@ internal readonly struct ReynoldsDrag
         _slope = (curve.Risen - curve.Supercritical) / (curve.RiseTo - curve.RiseFrom);
     }
 
-    /// <summary>q = σ((Re − Re_c)/Re_s), the share of the subcritical flow: 1 slow, 0 fast.</summary>
+    /// <summary>Returns q = σ((Re_c − Re)/Re_s), the share of subcritical flow: 1 at low speed, 0 at high speed.</summary>
     public double SubcriticalShare(double reynolds) => Elementary.Logistic((_criticalReynolds - reynolds) * _perWidth);
 
-    /// <summary>C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀).</summary>
+    /// <summary>Returns C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀).</summary>
     public double Coefficient(double reynolds)
     {
         double beyond = reynolds - _riseFrom;
@@ -31,6 +31,6 @@ internal readonly struct ReynoldsDrag
             + (beyond * Elementary.Logistic(beyond * _perWidth) * _slope);
     }
 
-    /// <summary>An upper bound for C_D up to a Reynolds number: it rises without end.</summary>
+    /// <summary>Returns an upper bound on C_D up to a Reynolds number; without such a limit C_D is unbounded.</summary>
     public double Largest(double reynolds) => Math.Max(_subcritical, _supercritical) + (Math.Max(0, reynolds - _riseFrom) * _slope);
 }

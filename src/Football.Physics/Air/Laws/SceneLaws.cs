@@ -1,20 +1,20 @@
 namespace FootballPhysics;
 
-/// <summary>The laws that a scene names, prepared for it: for what is computed once a scene.</summary>
+/// <summary>Creates the laws of a scene one by one, for values that are computed once per scene.</summary>
 internal static class SceneLaws
 {
-    /// <summary>The law of the drag force.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns the law of the drag force.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static IAirLaw Drag(Scene scene) =>
         Prepared(scene, "forces.drag", scene.Forces.Drag, default(ConstantDrag), IsMeasured(scene) ? default(MeasuredDrag) : default(EmpiricalDrag));
 
-    /// <summary>The law of the Magnus force.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns the law of the Magnus force.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static IAirLaw Magnus(Scene scene) =>
         Prepared(scene, "forces.magnus", scene.Forces.Magnus, default(ConstantMagnus), IsMeasured(scene) ? default(MeasuredMagnus) : default(EmpiricalMagnus));
 
-    /// <summary>The law of the spin decay.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns the law of the spin decay.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static IAirLaw SpinDecay(Scene scene) => Prepared(
         scene,
         "forces.spinDecay",

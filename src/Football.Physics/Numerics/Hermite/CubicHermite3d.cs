@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The cubic Hermite interpolant of a motion: positions and velocities at both ends.</summary>
+/// <summary>The cubic Hermite interpolant of a motion, from positions and velocities at both ends.</summary>
 internal readonly struct CubicHermite3d
 {
     private readonly Vector3d _start;
@@ -9,14 +9,14 @@ internal readonly struct CubicHermite3d
     private readonly Vector3d _c3;
     private readonly double _length;
 
-    /// <param name="start">Position at the start.</param>
-    /// <param name="startVelocity">Velocity at the start.</param>
-    /// <param name="end">Position at the end.</param>
-    /// <param name="endVelocity">Velocity at the end.</param>
-    /// <param name="length">Time from start to end.</param>
+    /// <param name="start">The position at the start.</param>
+    /// <param name="startVelocity">The velocity at the start.</param>
+    /// <param name="end">The position at the end.</param>
+    /// <param name="endVelocity">The velocity at the end.</param>
+    /// <param name="length">The time from start to end.</param>
     public CubicHermite3d(in Vector3d start, in Vector3d startVelocity, in Vector3d end, in Vector3d endVelocity, double length)
     {
-        // What is left of position and velocity at the end after steady motion, in units of the length
+        // The deviations from uniform motion at the end, in units of length.
         Vector3d miss = end - start - (length * startVelocity);
         Vector3d turn = length * (endVelocity - startVelocity);
         _start = start;
@@ -26,14 +26,14 @@ internal readonly struct CubicHermite3d
         _length = length;
     }
 
-    /// <summary>p₀ + v₀ t + s² (c₂ + s c₃), s = t / length.</summary>
+    /// <summary>Returns p₀ + v₀ t + s² (c₂ + s c₃), s = t / length.</summary>
     public Vector3d PositionAt(double t)
     {
         double s = Share(t);
         return _start + (t * _startVelocity) + (s * s * (_c2 + (s * _c3)));
     }
 
-    /// <summary>v₀ + s (2 c₂ + 3 s c₃)/length.</summary>
+    /// <summary>Returns v₀ + s (2 c₂ + 3 s c₃)/length.</summary>
     public Vector3d VelocityAt(double t)
     {
         double s = Share(t);

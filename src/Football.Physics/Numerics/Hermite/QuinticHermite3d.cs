@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The quintic Hermite interpolant of a motion: positions, velocities and accelerations at both ends.</summary>
+/// <summary>The quintic Hermite interpolant of a motion, from positions, velocities and accelerations at both ends.</summary>
 internal readonly struct QuinticHermite3d
 {
     private readonly Vector3d _start;
@@ -11,13 +11,13 @@ internal readonly struct QuinticHermite3d
     private readonly Vector3d _c5;
     private readonly double _length;
 
-    /// <param name="start">Position at the start.</param>
-    /// <param name="startVelocity">Velocity at the start.</param>
-    /// <param name="startAcceleration">Acceleration at the start.</param>
-    /// <param name="end">Position at the end.</param>
-    /// <param name="endVelocity">Velocity at the end.</param>
-    /// <param name="endAcceleration">Acceleration at the end.</param>
-    /// <param name="length">Time from start to end; above 0.</param>
+    /// <param name="start">The position at the start.</param>
+    /// <param name="startVelocity">The velocity at the start.</param>
+    /// <param name="startAcceleration">The acceleration at the start.</param>
+    /// <param name="end">The position at the end.</param>
+    /// <param name="endVelocity">The velocity at the end.</param>
+    /// <param name="endAcceleration">The acceleration at the end.</param>
+    /// <param name="length">The time from start to end; above 0.</param>
     public QuinticHermite3d(
         in Vector3d start,
         in Vector3d startVelocity,
@@ -27,7 +27,7 @@ internal readonly struct QuinticHermite3d
         in Vector3d endAcceleration,
         double length)
     {
-        // What is left of position, velocity and acceleration at the end after the quadratic part, in units of the length
+        // The deviations from uniformly accelerated motion at the end, in units of length.
         double squared = length * length;
         Vector3d p = end - start - (length * startVelocity) - (0.5 * squared * startAcceleration);
         Vector3d v = (length * (endVelocity - startVelocity)) - (squared * startAcceleration);
@@ -41,14 +41,14 @@ internal readonly struct QuinticHermite3d
         _length = length;
     }
 
-    /// <summary>p₀ + v₀ t + a₀ t²/2 + s³ (c₃ + s (c₄ + s c₅)), s = t / length.</summary>
+    /// <summary>Returns p₀ + v₀ t + a₀ t²/2 + s³ (c₃ + s (c₄ + s c₅)), s = t / length.</summary>
     public Vector3d PositionAt(double t)
     {
         double s = t / _length;
         return _start + (t * (_startVelocity + (0.5 * t * _startAcceleration))) + (s * s * s * (_c3 + (s * (_c4 + (s * _c5)))));
     }
 
-    /// <summary>v₀ + a₀ t + s² (3 c₃ + s (4 c₄ + 5 s c₅))/length.</summary>
+    /// <summary>Returns v₀ + a₀ t + s² (3 c₃ + s (4 c₄ + 5 s c₅))/length.</summary>
     public Vector3d VelocityAt(double t)
     {
         double s = t / _length;

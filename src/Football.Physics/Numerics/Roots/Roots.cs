@@ -1,23 +1,24 @@
 namespace FootballPhysics;
 
-/// <summary>Root finders that never leave the bracket they are given. What they evaluate is a struct that they are compiled for.</summary>
+/// <summary>Root finders that never leave their bracket. Functions are structs, so that the searches are specialized for them.</summary>
 internal static class Roots
 {
-    /// <summary>Evaluations of <see cref="Newton"/> at most: enough to halve any bracket of doubles of one size down to its last bits.</summary>
+    /// <summary>The maximum number of evaluations in <see cref="Newton"/>: enough to bisect any bracket to its last bits.</summary>
     private const int MostNewton = 60;
 
-    /// <summary>One step in so many of <see cref="Illinois"/> bisects: it guards against functions that are all but flat at one end.</summary>
+    /// <summary>The interval between bisections in <see cref="Illinois"/>, a guard against functions that are nearly flat at one end.</summary>
     private const int BisectionEvery = 6;
 
-    /// <summary>
-    /// Newton's method inside a bracket: every value narrows it, and where the tangent leads out of it, it is bisected instead. The function is
-    /// positive at its lower end, and not at its upper one.
-    /// </summary>
+    /// <summary>Newton's method within a bracket.</summary>
+    /// <remarks>
+    /// Every value narrows the bracket. If the tangent leads out of the bracket, the method bisects. The function must be positive at the lower end and not
+    /// positive at the upper end.
+    /// </remarks>
     /// <param name="function">The function.</param>
-    /// <param name="low">Lower end of the bracket.</param>
-    /// <param name="high">Upper end.</param>
-    /// <param name="start">The first guess, inside the bracket or at one of its ends.</param>
-    /// <param name="closeness">It ends when a step is no longer than this share of where it starts.</param>
+    /// <param name="low">The lower end of the bracket.</param>
+    /// <param name="high">The upper end of the bracket.</param>
+    /// <param name="start">The first guess, inside the bracket or at an end.</param>
+    /// <param name="closeness">The tolerance: the search ends if a step is at most this fraction of x.</param>
     public static double Newton<TFunction>(ref TFunction function, double low, double high, double start, double closeness = 0)
         where TFunction : struct, IDifferentiableFunction
     {
@@ -29,7 +30,7 @@ internal static class Roots
                 break;
             }
 
-            // Positive below the root: what was evaluated becomes the end on its side.
+            // The function is positive below the root, so this point replaces the end on its side.
             if (value > 0)
             {
                 low = x;
@@ -42,7 +43,7 @@ internal static class Roots
             // x' = x − f/f'
             double next = x - (value / slope);
 
-            // Also where the slope is 0 or not a number.
+            // A slope of 0 or NaN also leads here.
             if (!(next > low && next < high))
             {
                 next = 0.5 * (low + high);
@@ -59,18 +60,18 @@ internal static class Roots
         return x;
     }
 
-    /// <summary>
-    /// The Illinois method: regula falsi, in which an end that stays twice in a row counts with half its value, so that it moves too; and a
-    /// bisection now and then. The function has opposite signs at the ends; its value at the lower one need not be known.
-    /// </summary>
+    /// <summary>The Illinois method: regula falsi that halves the value at an end which stays twice in a row.</summary>
+    /// <remarks>
+    /// It bisects now and then. The function must have opposite signs at the ends; its value at the lower end may be unknown.
+    /// </remarks>
     /// <param name="function">The function.</param>
-    /// <param name="low">One end of the bracket.</param>
-    /// <param name="atLow">The function there, or not a number: then the bracket is bisected until it is known.</param>
-    /// <param name="high">The other end.</param>
-    /// <param name="atHigh">The function there.</param>
-    /// <param name="width">It ends when an end moves by less than this.</param>
-    /// <param name="most">Evaluations at most.</param>
-    /// <returns>Where it was evaluated last.</returns>
+    /// <param name="low">The lower end of the bracket.</param>
+    /// <param name="atLow">The value at the lower end, or NaN: the search then bisects until it is known.</param>
+    /// <param name="high">The upper end of the bracket.</param>
+    /// <param name="atHigh">The value at the upper end.</param>
+    /// <param name="width">The tolerance: the search ends if an end moves by less than this.</param>
+    /// <param name="most">The maximum number of evaluations.</param>
+    /// <returns>The point of the last evaluation.</returns>
     public static double Illinois<TFunction>(
         ref TFunction function, double low, double atLow, double high, double atHigh, double width, int most)
         where TFunction : struct, IFunction
@@ -79,7 +80,7 @@ internal static class Roots
         bool wasBelow = false;
         for (int i = 1; i <= most; i++)
         {
-            // Where the chord between the ends is zero; where the value at the lower end is not known, the middle.
+            // The zero of the chord between the ends, or the middle if the value at the lower end is unknown.
             double secant = low + ((high - low) * atLow / (atLow - atHigh));
             x = i % BisectionEvery == 0 || double.IsNaN(secant) ? 0.5 * (low + high) : secant;
             if (function.Evaluate(x, out double value) || value == 0)
@@ -87,7 +88,7 @@ internal static class Roots
                 break;
             }
 
-            // On which side of the root: its sign is not that of the upper end.
+            // The point lies below the root if its sign differs from that of the upper end.
             bool below = value < 0 != atHigh < 0;
             double stays = i > 1 && below == wasBelow ? 0.5 : 1.0;
             double moved;
@@ -116,12 +117,12 @@ internal static class Roots
         return x;
     }
 
-    /// <summary>Bisection: halves the bracket at whose lower end a condition does not hold, and at whose upper end it does.</summary>
+    /// <summary>Bisects a bracket in which a condition is false at the lower end and true at the upper end.</summary>
     /// <param name="condition">The condition.</param>
-    /// <param name="low">The lower end, moved up.</param>
-    /// <param name="high">The upper end, moved down.</param>
-    /// <param name="halvings">How often at most; it ends where there is no number between the ends.</param>
-    /// <returns>True where the condition ended the search; the end that moved last is where.</returns>
+    /// <param name="low">The lower end, which moves up.</param>
+    /// <param name="high">The upper end, which moves down.</param>
+    /// <param name="halvings">The maximum number of bisections. The search also ends if no double is left between the ends.</param>
+    /// <returns>True if the condition ended the search, at the end that moved last.</returns>
     public static bool Bisect<TCondition>(ref TCondition condition, ref double low, ref double high, int halvings)
         where TCondition : struct, ICondition
     {
@@ -129,7 +130,7 @@ internal static class Roots
         {
             double middle = 0.5 * (low + high);
 
-            // No double is left between the two.
+            // No double is left between the ends.
             if (!(middle > low && middle < high))
             {
                 break;
@@ -155,33 +156,33 @@ internal static class Roots
     }
 }
 
-/// <summary>A condition that holds from some place on, which is sought. A struct, so that a search is compiled for it and allocates nothing.</summary>
+/// <summary>A condition that is false below an unknown point and true above it. A struct, so that a search is specialized for it and does not allocate.</summary>
 internal interface ICondition
 {
-    /// <summary>Evaluates it.</summary>
-    /// <param name="x">Where.</param>
-    /// <param name="holds">Whether it holds there.</param>
-    /// <returns>True where <paramref name="x"/> is close enough to the place: the search ends there.</returns>
+    /// <summary>Evaluates the condition.</summary>
+    /// <param name="x">The argument.</param>
+    /// <param name="holds">True if the condition holds.</param>
+    /// <returns>True if <paramref name="x"/> is close enough to the point: the search ends.</returns>
     bool Evaluate(double x, out bool holds);
 }
 
-/// <summary>A function of which a root is sought. A struct, so that a search is compiled for it and allocates nothing.</summary>
+/// <summary>A function whose root is sought. A struct, so that a search is specialized for it and does not allocate.</summary>
 internal interface IFunction
 {
-    /// <summary>Evaluates it.</summary>
-    /// <param name="x">Where.</param>
-    /// <param name="value">Its value there.</param>
-    /// <returns>True where <paramref name="x"/> is close enough to the root: the search ends there.</returns>
+    /// <summary>Evaluates the function.</summary>
+    /// <param name="x">The argument.</param>
+    /// <param name="value">The value.</param>
+    /// <returns>True if <paramref name="x"/> is close enough to the root: the search ends.</returns>
     bool Evaluate(double x, out double value);
 }
 
-/// <summary>A function with its slope, of which a root is sought. A struct, so that a search is compiled for it and allocates nothing.</summary>
+/// <summary>A function with a derivative, whose root is sought. A struct, so that a search is specialized for it and does not allocate.</summary>
 internal interface IDifferentiableFunction
 {
-    /// <summary>Evaluates it.</summary>
-    /// <param name="x">Where.</param>
-    /// <param name="value">Its value there.</param>
-    /// <param name="slope">Its slope there; a slope that is no number makes the search bisect.</param>
-    /// <returns>True where <paramref name="x"/> is close enough to the root: the search ends there.</returns>
+    /// <summary>Evaluates the function.</summary>
+    /// <param name="x">The argument.</param>
+    /// <param name="value">The value.</param>
+    /// <param name="slope">The slope; NaN makes the search bisect.</param>
+    /// <returns>True if <paramref name="x"/> is close enough to the root: the search ends.</returns>
     bool Evaluate(double x, out double value, out double slope);
 }

@@ -1,54 +1,54 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>A box along the axes of the world.</summary>
+/// <summary>An axis-aligned bounding box.</summary>
 public readonly struct Bounds3d
 {
-    /// <summary>Makes a box.</summary>
-    /// <param name="min">Its lowest corner, m.</param>
-    /// <param name="max">Its highest corner, m.</param>
+    /// <summary>Creates a box.</summary>
+    /// <param name="min">The corner with the smallest coordinates, in m.</param>
+    /// <param name="max">The corner with the largest coordinates, in m.</param>
     public Bounds3d(in Vector3d min, in Vector3d max)
     {
         Min = min;
         Max = max;
     }
 
-    /// <summary>All of space.</summary>
+    /// <summary>A box that contains all of space.</summary>
     public static Bounds3d Everywhere => new(
         new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
         new Vector3d(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
 
-    /// <summary>No point at all: it touches nothing, and adds nothing to another box.</summary>
+    /// <summary>The empty box: it intersects nothing, and a union with it changes nothing.</summary>
     internal static Bounds3d Nowhere => new(
         new Vector3d(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
         new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity));
 
-    /// <summary>The lowest corner, m.</summary>
+    /// <summary>The corner with the smallest coordinates, in m.</summary>
     public Vector3d Min { get; }
 
-    /// <summary>The highest corner, m.</summary>
+    /// <summary>The corner with the largest coordinates, in m.</summary>
     public Vector3d Max { get; }
 
-    /// <summary>True when it ends on all sides.</summary>
+    /// <summary>True if the box is bounded on all sides.</summary>
     internal bool IsFinite => Min.IsFinite && Max.IsFinite;
 
-    /// <summary>A box around a point.</summary>
-    /// <param name="center">The point, m.</param>
-    /// <param name="x">Half its size along x, m.</param>
-    /// <param name="y">The same, y.</param>
-    /// <param name="z">The same, z.</param>
+    /// <summary>Returns a box around a point.</summary>
+    /// <param name="center">The point, in m.</param>
+    /// <param name="x">Half the size along x, in m.</param>
+    /// <param name="y">Half the size along y, in m.</param>
+    /// <param name="z">Half the size along z, in m.</param>
     public static Bounds3d Around(in Vector3d center, double x, double y, double z)
     {
         var half = new Vector3d(x, y, z);
         return new Bounds3d(center - half, center + half);
     }
 
-    /// <summary>The smallest box around two.</summary>
+    /// <summary>Returns the smallest box that contains this box and another.</summary>
     /// <param name="other">The other box.</param>
     public Bounds3d Union(in Bounds3d other) => new(
         new Vector3d(Math.Min(Min.X, other.Min.X), Math.Min(Min.Y, other.Min.Y), Math.Min(Min.Z, other.Min.Z)),
         new Vector3d(Math.Max(Max.X, other.Max.X), Math.Max(Max.Y, other.Max.Y), Math.Max(Max.Z, other.Max.Z)));
 
-    /// <summary>The point in its middle, as a box.</summary>
+    /// <summary>The centre, as a box without size.</summary>
     internal Bounds3d AtCenter
     {
         get
@@ -58,22 +58,22 @@ public readonly struct Bounds3d
         }
     }
 
-    /// <summary>True when two boxes have a point in common.</summary>
+    /// <summary>Returns true if the two boxes have a point in common.</summary>
     /// <param name="other">The other box.</param>
     public bool Intersects(in Bounds3d other) =>
         Min.X <= other.Max.X && Max.X >= other.Min.X
         && Min.Y <= other.Max.Y && Max.Y >= other.Min.Y
         && Min.Z <= other.Max.Z && Max.Z >= other.Min.Z;
 
-    /// <summary>The box, larger on all sides.</summary>
-    /// <param name="margin">By how much, m.</param>
+    /// <summary>Returns the box, extended on all sides.</summary>
+    /// <param name="margin">The extension of each side, in m.</param>
     public Bounds3d Expanded(double margin)
     {
         var by = new Vector3d(margin, margin, margin);
         return new Bounds3d(Min - by, Max + by);
     }
 
-    /// <summary>The box, moved.</summary>
-    /// <param name="by">By how much, m.</param>
+    /// <summary>Returns the box, translated.</summary>
+    /// <param name="by">The translation, in m.</param>
     public Bounds3d Translated(in Vector3d by) => new(Min + by, Max + by);
 }

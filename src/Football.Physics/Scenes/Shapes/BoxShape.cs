@@ -1,23 +1,23 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>A box at any angle: a board, a dummy, a wall of players.</summary>
+/// <summary>A box in any orientation: a board, a dummy, a wall of players.</summary>
 public sealed class BoxShape : IShape
 {
     private readonly Vector3d _x;
     private readonly Vector3d _y;
     private readonly Vector3d _z;
 
-    /// <summary>Makes a box along the axes of the world.</summary>
+    /// <summary>Creates a box along the axes of the world.</summary>
     /// <inheritdoc cref="BoxShape(Vector3d, Vector3d, Quaterniond)"/>
     public BoxShape(Vector3d center, Vector3d halfSize)
         : this(center, halfSize, Quaterniond.Identity)
     {
     }
 
-    /// <summary>Makes a box.</summary>
-    /// <param name="center">Its centre, m; components within ±1e6.</param>
-    /// <param name="halfSize">Half its size along its own axes, m; each above 0, at most 1e6.</param>
-    /// <param name="rotation">Its rotation, body to world; normalised.</param>
+    /// <summary>Creates a box.</summary>
+    /// <param name="center">The centre, in m; components within ±1e6.</param>
+    /// <param name="halfSize">Half the size along the box's axes, in m; each above 0, at most 1e6.</param>
+    /// <param name="rotation">The rotation, body to world; it is normalized.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public BoxShape(Vector3d center, Vector3d halfSize, Quaterniond rotation)
     {
@@ -30,19 +30,19 @@ public sealed class BoxShape : IShape
         HalfSize = halfSize;
         Rotation = rotation.Normalized();
 
-        // Its axes in the world, which every look needs.
+        // The box's axes in the world, which every query needs.
         _x = Rotation.Rotate(new Vector3d(1, 0, 0));
         _y = Rotation.Rotate(new Vector3d(0, 1, 0));
         _z = Rotation.Rotate(new Vector3d(0, 0, 1));
     }
 
-    /// <summary>Its centre, m.</summary>
+    /// <summary>The centre, in m.</summary>
     public Vector3d Center { get; }
 
-    /// <summary>Half its size along its own axes, m.</summary>
+    /// <summary>Half the size along the box's axes, in m.</summary>
     public Vector3d HalfSize { get; }
 
-    /// <summary>Its rotation, body to world.</summary>
+    /// <summary>The rotation, body to world.</summary>
     public Quaterniond Rotation { get; }
 
     /// <inheritdoc/>
@@ -55,7 +55,7 @@ public sealed class BoxShape : IShape
         (Math.Abs(_x.Y) * HalfSize.X) + (Math.Abs(_y.Y) * HalfSize.Y) + (Math.Abs(_z.Y) * HalfSize.Z),
         (Math.Abs(_x.Z) * HalfSize.X) + (Math.Abs(_y.Z) * HalfSize.Y) + (Math.Abs(_z.Z) * HalfSize.Z));
 
-    /// <summary>How far a point is inside the border of the face that it is over, m: negative beyond it.</summary>
+    /// <summary>Returns the distance of a point inside the border of the face below it, in m; negative outside the border.</summary>
     internal double FaceMargin(in Vector3d point)
     {
         Vector3d from = point - Center;
@@ -63,14 +63,14 @@ public sealed class BoxShape : IShape
         double y = HalfSize.Y - Math.Abs(Vector3d.Dot(in from, in _y));
         double z = HalfSize.Z - Math.Abs(Vector3d.Dot(in from, in _z));
 
-        // It is over the face along whose axis it is farthest out.
+        // The face is the one along whose axis the point lies farthest out.
         return x <= y && x <= z ? Math.Min(y, z) : y <= z ? Math.Min(x, z) : Math.Min(x, y);
     }
 
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // In the box's own axes: what sticks out beyond each pair of faces.
+        // In the box's axes: the distance beyond each pair of faces.
         Vector3d from = point - Center;
         double x = Vector3d.Dot(in from, in _x);
         double y = Vector3d.Dot(in from, in _y);
@@ -84,16 +84,16 @@ public sealed class BoxShape : IShape
         double l = Math.Sqrt((outX * outX) + (outY * outY) + (outZ * outZ));
         if (!(l > 0))
         {
-            // Inside: the nearest face.
+            // Inside: use the nearest face.
             return beyondX >= beyondY && beyondX >= beyondZ ? new ShapePoint(beyondX, x < 0 ? -_x : _x, SymmetricMatrix3d.Zero)
                 : beyondY >= beyondZ ? new ShapePoint(beyondY, y < 0 ? -_y : _y, SymmetricMatrix3d.Zero)
                 : new ShapePoint(beyondZ, z < 0 ? -_z : _z, SymmetricMatrix3d.Zero);
         }
 
-        // Outside: from the nearest point of the box.
+        // Outside: the normal points away from the nearest point of the box.
         Vector3d normal = ((x < 0 ? -outX : outX) / l * _x) + ((y < 0 ? -outY : outY) / l * _y) + ((z < 0 ? -outZ : outZ) / l * _z);
 
-        // Beyond one pair of faces it is a plane, beyond two an edge, beyond three a corner.
+        // Beyond one pair of faces the surface is a plane, beyond two an edge, beyond three a corner.
         int beyond = (outX > 0 ? 1 : 0) + (outY > 0 ? 1 : 0) + (outZ > 0 ? 1 : 0);
         SymmetricMatrix3d curvature = beyond == 1 ? SymmetricMatrix3d.Zero
             : beyond == 3 ? SymmetricMatrix3d.AroundPoint(in normal, l)

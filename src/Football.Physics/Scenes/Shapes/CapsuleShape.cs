@@ -1,16 +1,16 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>A segment with a radius: a post, a bar, a leg, an arm.</summary>
+/// <summary>A capsule, a segment with a radius: a post, a crossbar, a leg, an arm.</summary>
 public sealed class CapsuleShape : IShape
 {
     private readonly Vector3d _axis;
     private readonly Vector3d _middle;
     private readonly double _half;
 
-    /// <summary>Makes a capsule.</summary>
-    /// <param name="from">One end of the segment, m; components within ±1e6.</param>
-    /// <param name="to">The other end, m; other than the first.</param>
-    /// <param name="radius">Radius around it, m; above 0, at most 1e6.</param>
+    /// <summary>Creates a capsule.</summary>
+    /// <param name="from">One end of the segment, in m; components within ±1e6.</param>
+    /// <param name="to">The other end, in m; different from the first.</param>
+    /// <param name="radius">The radius around the segment, in m; above 0, at most 1e6.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public CapsuleShape(Vector3d from, Vector3d to, double radius)
     {
@@ -31,13 +31,13 @@ public sealed class CapsuleShape : IShape
         _half = 0.5 * length;
     }
 
-    /// <summary>One end of the segment, m.</summary>
+    /// <summary>One end of the segment, in m.</summary>
     public Vector3d From { get; }
 
-    /// <summary>The other end, m.</summary>
+    /// <summary>The other end of the segment, in m.</summary>
     public Vector3d To { get; }
 
-    /// <summary>Radius around it, m.</summary>
+    /// <summary>The radius around the segment, in m.</summary>
     public double Radius { get; }
 
     /// <inheritdoc/>
@@ -49,17 +49,17 @@ public sealed class CapsuleShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // From the middle, so that the two ends are the same to the last bit.
+        // Measure from the middle, so that both ends are treated bit-identically.
         Vector3d from = point - _middle;
         double along = Vector3d.Dot(in from, in _axis);
 
-        // Beside the segment it is a cylinder, beyond its ends a sphere.
+        // Next to the segment the surface is a cylinder, beyond the ends a sphere.
         bool beside = Math.Abs(along) < _half;
         Vector3d nearest = (beside ? along : along > 0 ? _half : -_half) * _axis;
         Vector3d away = from - nearest;
         double l = away.Length;
 
-        // On the axis itself there is no direction away from it: any across will do.
+        // A point on the axis has no unique normal: use any direction across the axis.
         if (!(l > 0))
         {
             return new ShapePoint(-Radius, Across(in _axis), SymmetricMatrix3d.Zero);
@@ -70,7 +70,7 @@ public sealed class CapsuleShape : IShape
         return new ShapePoint(l - Radius, in normal, in curvature);
     }
 
-    /// <summary>Any direction across an axis: for a point on the axis itself, which is as near to all sides.</summary>
+    /// <summary>Returns a unit vector across an axis, for a point on the axis.</summary>
     private static Vector3d Across(in Vector3d axis)
     {
         Vector3d across = Vector3d.Cross(in axis, Math.Abs(axis.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0));

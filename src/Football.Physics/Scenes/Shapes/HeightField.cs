@@ -1,21 +1,22 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights. Beyond the grid it goes on as at its border.</summary>
+/// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights.</summary>
 /// <remarks>
-/// With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors, y = Σ b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3,
-/// b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6. A ball can lie on it where its slope is below 1 and its curvature below 1/(2r).
+/// <para>Beyond the grid, the border values continue. With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors,
+/// y = Σ b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6.</para>
+/// <para>A ball can rest on it if its slope is at most 1 and its curvature at most 1/(2r).</para>
 /// </remarks>
 public sealed class HeightField : IShape
 {
-    /// <summary>Samples of a cell in each direction that are looked at for the steepest slope and the strongest curvature.</summary>
+    /// <summary>The samples per cell and direction in the search for the steepest slope and the strongest curvature.</summary>
     private const int SamplesOfCell = 4;
 
-    /// <summary>Newton for the nearest point ends where it moves by less than this, m.</summary>
+    /// <summary>The step of Newton's method at which the search for the nearest point ends, in m.</summary>
     private const double Closeness = 1e-15;
 
     private const int MostIterations = 30;
 
-    /// <summary>Up to this share of the radius of curvature the nearest point is looked for.</summary>
+    /// <summary>The distance up to which the nearest point is computed, relative to the radius of curvature.</summary>
     private const double NearBy = 0.8;
 
     private readonly double[] _values;
@@ -23,11 +24,11 @@ public sealed class HeightField : IShape
     private readonly int _columns;
     private readonly double _highest;
 
-    /// <summary>Makes uneven ground.</summary>
-    /// <param name="originX">x of the first value, m; within ±1e6.</param>
-    /// <param name="originZ">z of the first value, m; within ±1e6.</param>
-    /// <param name="spacing">Distance of neighbours δ, m; above 0, at most 1e6.</param>
-    /// <param name="values">Heights c[i][j], m: i along x, j along z; at least one, each within ±1e6. Copied.</param>
+    /// <summary>Creates uneven ground.</summary>
+    /// <param name="originX">The x coordinate of the first value, in m; within ±1e6.</param>
+    /// <param name="originZ">The z coordinate of the first value, in m; within ±1e6.</param>
+    /// <param name="spacing">The distance δ between neighbours, in m; above 0, at most 1e6.</param>
+    /// <param name="values">The heights c[i][j], in m, with i along x and j along z; at least one, each within ±1e6. They are copied.</param>
     /// <exception cref="ArgumentNullException"><paramref name="values"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public HeightField(double originX, double originZ, double spacing, double[,] values)
@@ -51,7 +52,7 @@ public sealed class HeightField : IShape
         OriginZ = originZ;
         Spacing = spacing;
 
-        // A copy, so that who gave the array cannot change the ground under a ball.
+        // Copy the values, so that later changes to the array do not move the ground under a ball.
         _values = new double[_rows * _columns];
         _highest = double.NegativeInfinity;
         for (int i = 0; i < _rows; i++)
@@ -81,22 +82,22 @@ public sealed class HeightField : IShape
         _values = [.. other._values.Select(value => value + by)];
     }
 
-    /// <summary>x of the first value, m.</summary>
+    /// <summary>The x coordinate of the first value, in m.</summary>
     public double OriginX { get; }
 
-    /// <summary>z of the first value, m.</summary>
+    /// <summary>The z coordinate of the first value, in m.</summary>
     public double OriginZ { get; }
 
-    /// <summary>Distance of neighbours δ, m.</summary>
+    /// <summary>The distance δ between neighbours, in m.</summary>
     public double Spacing { get; }
 
-    /// <summary>The steepest slope of the samples of every cell.</summary>
+    /// <summary>The steepest slope among samples of every cell.</summary>
     public double SteepestSlope { get; }
 
-    /// <summary>The strongest curvature of the samples of every cell, 1/m.</summary>
+    /// <summary>The strongest curvature among samples of every cell, in 1/m.</summary>
     public double StrongestCurvature { get; }
 
-    /// <summary>The heights that it was made of, row by row.</summary>
+    /// <summary>The heights passed to the constructor, row by row.</summary>
     internal IEnumerable<IEnumerable<double>> Rows => Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
 
     /// <inheritdoc/>
@@ -107,39 +108,39 @@ public sealed class HeightField : IShape
         new Vector3d(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
         new Vector3d(double.PositiveInfinity, _highest, double.PositiveInfinity));
 
-    /// <summary>The height at a place, m.</summary>
-    /// <param name="x">x, m.</param>
-    /// <param name="z">z, m.</param>
+    /// <summary>Returns the height at a point, in m.</summary>
+    /// <param name="x">The x coordinate, in m.</param>
+    /// <param name="z">The z coordinate, in m.</param>
     public double HeightAt(double x, double z) => Sample(x, z).Height;
 
-    /// <summary>A copy that is higher.</summary>
-    /// <param name="by">How much, m.</param>
+    /// <summary>Returns a copy at another height.</summary>
+    /// <param name="by">The change of the height, in m.</param>
     internal HeightField Raised(double by) => by == 0 ? this : new HeightField(this, by);
 
     /// <inheritdoc/>
     /// <remarks>
-    /// Near the ground, up to four fifths of its radius of curvature, the distance of the nearest point; farther off a lower bound of it, which is all that
-    /// the search for contact needs there.
+    /// Near the ground, up to four fifths of its radius of curvature, the distance is exact. Farther away it is a lower bound, which is enough for the
+    /// contact search.
     /// </remarks>
     public ShapePoint At(in Vector3d point)
     {
         double x = point.X;
         double z = point.Z;
 
-        // Straight below first.
+        // Start from the point straight below.
         Patch patch = Sample(x, z);
         double above = point.Y - patch.Height;
         if (Math.Abs(above) * StrongestCurvature > NearBy)
         {
-            // |∇d| ≥ 1/√(1 + slope²) along the vertical
+            // Lower bound: the vertical distance divided by √(1 + slope²).
             Vector3d up = patch.Normal;
             return new ShapePoint(above / Math.Sqrt(1.0 + (SteepestSlope * SteepestSlope)), in up, SymmetricMatrix3d.Zero);
         }
 
-        // The nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0, by Newton's method.
+        // Newton's method for the nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0.
         for (int i = 0; i < MostIterations; i++)
         {
-            // f and g are the two conditions; their Jacobian is symmetric.
+            // f and g are the two residuals; their Jacobian is symmetric.
             double up = patch.Height - point.Y;
             double f = (x - point.X) + (up * patch.SlopeX);
             double g = (z - point.Z) + (up * patch.SlopeZ);
@@ -160,7 +161,7 @@ public sealed class HeightField : IShape
 
         Vector3d normal = patch.Normal;
 
-        // Signed: the normal points upwards, out of the ground.
+        // The sign is right because the normal points out of the ground.
         double distance = Vector3d.Dot(point - new Vector3d(x, patch.Height, z), in normal);
         return new ShapePoint(distance, in normal, patch.CurvatureAt(distance));
     }
@@ -170,7 +171,7 @@ public sealed class HeightField : IShape
         double slope = 0;
         double curvature = 0;
 
-        // Beyond the border too: there the ground still bends.
+        // Include the cells beyond the border: the surface still curves there.
         for (int i = -SamplesOfCell; i <= (_rows + 1) * SamplesOfCell; i++)
         {
             for (int j = -SamplesOfCell; j <= (_columns + 1) * SamplesOfCell; j++)
@@ -184,23 +185,23 @@ public sealed class HeightField : IShape
         return (slope, curvature);
     }
 
-    /// <summary>Height and derivatives at a place.</summary>
+    /// <summary>Returns the height and its derivatives at a point.</summary>
     private Patch Sample(double x, double z)
     {
         double u = (x - OriginX) / Spacing;
         double w = (z - OriginZ) / Spacing;
 
-        // The cell, and where in it.
+        // The cell, and the position in the cell.
         double floorU = Math.Floor(u);
         double floorW = Math.Floor(w);
         var alongX = new Basis(u - floorU);
         var alongZ = new Basis(w - floorW);
 
-        // Far outside all is the border; kept near it before the conversion, for an int holds no 1e300.
+        // Clamp before the conversion: an int cannot hold 1e300.
         int i = (int)Math.Min(Math.Max(floorU, -4), _rows + 4);
         int j = (int)Math.Min(Math.Max(floorW, -4), _columns + 4);
 
-        // Sixteen values; beyond the border each is that of the border.
+        // Sixteen values; indices beyond the border are clamped to it.
         int column0 = Math.Min(Math.Max(j - 1, 0), _columns - 1);
         int column1 = Math.Min(Math.Max(j, 0), _columns - 1);
         int column2 = Math.Min(Math.Max(j + 1, 0), _columns - 1);
@@ -214,7 +215,7 @@ public sealed class HeightField : IShape
             double c2 = _values[row + column2];
             double c3 = _values[row + column3];
 
-            // Along z first, value, slope and bend; along x these are then weighted.
+            // First along z: value, slope and second derivative. The weights along x follow.
             double value = (alongZ.Value0 * c0) + (alongZ.Value1 * c1) + (alongZ.Value2 * c2) + (alongZ.Value3 * c3);
             double slope = (alongZ.Slope0 * c0) + (alongZ.Slope1 * c1) + (alongZ.Slope2 * c2) + (alongZ.Slope3 * c3);
             double bend = (alongZ.Bend0 * c0) + (alongZ.Bend1 * c1) + (alongZ.Bend2 * c2) + (alongZ.Bend3 * c3);
@@ -226,7 +227,7 @@ public sealed class HeightField : IShape
             sum.ZZ += alongX.Value(k) * bend;
         }
 
-        // From derivatives by fractions of a cell to those by metres.
+        // Convert derivatives from cells to metres.
         double per = 1.0 / Spacing;
         sum.SlopeX *= per;
         sum.SlopeZ *= per;
@@ -236,7 +237,7 @@ public sealed class HeightField : IShape
         return sum;
     }
 
-    /// <summary>The four cubic B-splines at a fraction of a cell, with their derivatives by it.</summary>
+    /// <summary>The four cubic B-splines at a position in the cell, with their first and second derivatives.</summary>
     private readonly struct Basis
     {
         public readonly double Value0;
@@ -254,7 +255,7 @@ public sealed class HeightField : IShape
 
         public Basis(double u)
         {
-            // Written by u and by 1 − u, so that the four are symmetric to the last bit.
+            // Use both u and 1 − u, so that the four are exactly symmetric.
             double v = 1.0 - u;
             Value0 = v * v * v / 6.0;
             Value1 = ((((3.0 * u) - 6.0) * u * u) + 4.0) / 6.0;
@@ -277,7 +278,7 @@ public sealed class HeightField : IShape
         public double Bend(int k) => k == 0 ? Bend0 : k == 1 ? Bend1 : k == 2 ? Bend2 : Bend3;
     }
 
-    /// <summary>The surface at a point: y = h(x, z) with its derivatives.</summary>
+    /// <summary>The surface y = h(x, z) at a point, with its derivatives.</summary>
     private struct Patch
     {
         public double Height;
@@ -296,12 +297,12 @@ public sealed class HeightField : IShape
             }
         }
 
-        /// <summary>The larger of the principal curvatures, from mean M and Gaussian K: |M| + √(M² − K).</summary>
+        /// <summary>The larger principal curvature, |M| + √(M² − K), from the mean curvature M and the Gaussian curvature K.</summary>
         public readonly double StrongestCurvature
         {
             get
             {
-                // First fundamental form (e, f, g); the second is (h_xx, h_xz, h_zz)/√(e g − f²).
+                // (e, f, g) is the first fundamental form; the second is (h_xx, h_xz, h_zz)/√(e g − f²).
                 double e = 1.0 + (SlopeX * SlopeX);
                 double f = SlopeX * SlopeZ;
                 double g = 1.0 + (SlopeZ * SlopeZ);
@@ -313,7 +314,8 @@ public sealed class HeightField : IShape
             }
         }
 
-        /// <summary>How the normal turns at a distance d off the surface: −J I⁻¹ II (I − d II)⁻¹ Jᵀ, J = (S_x, S_z), I and II the fundamental forms.</summary>
+        /// <summary>Returns the Hessian of the distance at a distance d: −J I⁻¹ II (I − d II)⁻¹ Jᵀ, where J = (S_x, S_z).</summary>
+        /// <remarks>I and II are the fundamental forms.</remarks>
         public readonly SymmetricMatrix3d CurvatureAt(double distance)
         {
             double e = 1.0 + (SlopeX * SlopeX);

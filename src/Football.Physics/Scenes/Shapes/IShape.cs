@@ -1,19 +1,19 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>The shape of a thing that can be hit: a function of a point. A game's own shape is one such function.</summary>
-/// <remarks>It is asked several times a step where the ball is near, so it should be a pure function that allocates nothing.</remarks>
+/// <summary>A shape that the ball can hit, given by a signed distance function.</summary>
+/// <remarks>
+/// You can implement your own. The simulator calls it several times per step when the ball is near, so keep it pure and allocation-free.
+/// </remarks>
 public interface IShape
 {
-    /// <summary>
-    /// The strongest curvature of a hollow of the shape, 1/m; 0 where it is convex. At most half of that of the ball, 1/(2r). The search for contact
-    /// relies on it: nothing that bends more can be promised not to be passed through.
-    /// </summary>
+    /// <summary>The strongest concave curvature of the surface, in 1/m; 0 if the shape is convex.</summary>
+    /// <remarks>At most half that of the ball, 1/(2r). The contact search relies on it: the ball could pass through a sharper hollow.</remarks>
     double MaximumConcaveCurvature { get; }
 
-    /// <summary>A box around the shape; infinite where the shape is unbounded.</summary>
+    /// <summary>A bounding box of the shape; infinite if the shape is unbounded.</summary>
     Bounds3d Bounds { get; }
 
-    /// <summary>Signed distance, outward normal and curvature at a point.</summary>
-    /// <param name="point">A point, m.</param>
+    /// <summary>Returns the signed distance, outward normal and curvature at a point.</summary>
+    /// <param name="point">The point, in m.</param>
     ShapePoint At(in Vector3d point);
 }

@@ -1,13 +1,13 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>A half-space: a wall, a board, a tilted pitch.</summary>
+/// <summary>A half-space bounded by a plane: a wall, a board, a tilted pitch.</summary>
 public sealed class PlaneShape : IShape
 {
     private readonly double _offset;
 
-    /// <summary>Makes a plane.</summary>
-    /// <param name="point">A point on it, m; components within ±1e6.</param>
-    /// <param name="normal">Its normal, towards the side where the ball may be; any length but 0.</param>
+    /// <summary>Creates a half-space.</summary>
+    /// <param name="point">A point of the plane, in m; components within ±1e6.</param>
+    /// <param name="normal">The normal, towards the side of the ball; any length except 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public PlaneShape(Vector3d point, Vector3d normal)
     {
@@ -17,10 +17,10 @@ public sealed class PlaneShape : IShape
         _offset = Vector3d.Dot(in point, Normal);
     }
 
-    /// <summary>A point on it, m.</summary>
+    /// <summary>A point of the plane, in m.</summary>
     public Vector3d Point { get; }
 
-    /// <summary>Its normal, of length 1.</summary>
+    /// <summary>The unit normal.</summary>
     public Vector3d Normal { get; }
 
     /// <inheritdoc/>
@@ -34,6 +34,6 @@ public sealed class PlaneShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point) => new(DistanceTo(in point), Normal, SymmetricMatrix3d.Zero);
 
-    /// <summary>Signed distance of a point, m.</summary>
+    /// <summary>Returns the signed distance of a point, in m.</summary>
     internal double DistanceTo(in Vector3d point) => Vector3d.Dot(in point, Normal) - _offset;
 }

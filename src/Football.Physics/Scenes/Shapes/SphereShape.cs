@@ -3,9 +3,9 @@ namespace FootballPhysics.Shapes;
 /// <summary>A sphere: a head, a fist.</summary>
 public sealed class SphereShape : IShape
 {
-    /// <summary>Makes a sphere.</summary>
-    /// <param name="center">Its centre, m; components within ±1e6.</param>
-    /// <param name="radius">Its radius, m; above 0, at most 1e6.</param>
+    /// <summary>Creates a sphere.</summary>
+    /// <param name="center">The centre, in m; components within ±1e6.</param>
+    /// <param name="radius">The radius, in m; above 0, at most 1e6.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public SphereShape(Vector3d center, double radius)
     {
@@ -15,10 +15,10 @@ public sealed class SphereShape : IShape
         Radius = radius;
     }
 
-    /// <summary>Its centre, m.</summary>
+    /// <summary>The centre, in m.</summary>
     public Vector3d Center { get; }
 
-    /// <summary>Its radius, m.</summary>
+    /// <summary>The radius, in m.</summary>
     public double Radius { get; }
 
     /// <inheritdoc/>
@@ -30,7 +30,7 @@ public sealed class SphereShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // At the centre itself every direction is outward: up is taken.
+        // At the centre every direction points outwards: use up.
         Vector3d from = point - Center;
         double l = from.Length;
         Vector3d normal = l > 0 ? from / l : Vector3d.Up;

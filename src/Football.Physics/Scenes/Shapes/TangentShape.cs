@@ -1,6 +1,6 @@
 namespace FootballPhysics.Shapes;
 
-/// <summary>Approximation of a surface near a point of it, the origin: a plane, or a sphere of its curvature.</summary>
+/// <summary>An approximation of a surface near its origin: a plane, or a sphere with the same curvature.</summary>
 internal sealed class TangentShape : IShape
 {
     private Vector3d _normal = Vector3d.Up;
@@ -12,9 +12,9 @@ internal sealed class TangentShape : IShape
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Everywhere;
 
-    /// <summary>Says how it is there.</summary>
-    /// <param name="normal">Outward normal, of length 1.</param>
-    /// <param name="curvature">Curvature, 1/m; not negative.</param>
+    /// <summary>Sets the normal and curvature.</summary>
+    /// <param name="normal">The outward unit normal.</param>
+    /// <param name="curvature">The curvature, in 1/m; at least 0.</param>
     public void Set(in Vector3d normal, double curvature)
     {
         _normal = normal;
@@ -30,7 +30,7 @@ internal sealed class TangentShape : IShape
             return new ShapePoint(above, in _normal, SymmetricMatrix3d.Zero);
         }
 
-        // d = |p + n/κ| − 1/κ = (2 p·n + κ p²)/(1 + √(1 + κ (2 p·n + κ p²))), without cancellation where it is nearly flat.
+        // d = |p + n/κ| − 1/κ = (2 p·n + κ p²)/(1 + √(1 + κ (2 p·n + κ p²))): no cancellation if κ is small.
         double inner = (2.0 * above) + (_curvature * point.LengthSquared);
         double ratio = Math.Sqrt(Math.Max(0, 1.0 + (_curvature * inner)));
         double distance = inner / (1.0 + ratio);

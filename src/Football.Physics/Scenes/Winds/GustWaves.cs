@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>Twelve sines a component with a Dryden spectrum: the gusts as a function of the distance along the wind.</summary>
+/// <summary>The gusts as a function of the distance along the wind: twelve sines per component with a Dryden spectrum.</summary>
 internal sealed class GustWaves
 {
     private const int Bands = 12;
     private const int Components = 3;
 
-    /// <summary>q = 400^(1/12): the bands reach from 0.05/L to 20/L.</summary>
+    /// <summary>q = 400^(1/12): the bands cover wave numbers from 0.05/L to 20/L.</summary>
     private static readonly double BandRatio = Elementary.Pow(400.0, 1.0 / Bands);
 
     private static readonly double[] ShareOfComponent = [1.0, 0.8, 0.5];
@@ -16,10 +16,10 @@ internal sealed class GustWaves
     private readonly FourWaves[] _waves = new FourWaves[Bands / 4];
 
     /// <param name="gusts">The gusts.</param>
-    /// <param name="speed">Speed of the wind at the reference height, m/s.</param>
+    /// <param name="speed">The wind speed at the reference height, in m/s.</param>
     public GustWaves(Gusts gusts, double speed)
     {
-        // Wave numbers, one drawn in each band, and the share of the variance that its band has.
+        // One random wave number per band, and the band's share of the variance.
         double q = BandRatio;
         double low = 0.05;
         Span<double> turnsPerMetre = stackalloc double[Bands];
@@ -34,7 +34,7 @@ internal sealed class GustWaves
             double x = Math.Sqrt(low * high) * (1.0 + (0.3 * (SplitMix64.At(gusts.Seed, 100 + i) - 0.5) * (q - 1.0)));
             turnsPerMetre[i] = x / gusts.Length / (2.0 * Math.PI);
 
-            // Share of the variance: along (2/π)(atan hi − atan lo), across and up F(hi) − F(lo)
+            // Share of the variance: along (2/π)(atan hi − atan lo); across and up F(hi) − F(lo).
             along[i] = 2.0 / Math.PI * (Atan(high) - Atan(low));
             across[i] = AcrossUpTo(high) - AcrossUpTo(low);
             sumAlong += along[i];
@@ -42,7 +42,7 @@ internal sealed class GustWaves
             low = high;
         }
 
-        // Amplitudes, so that the variances sum to that of the component, and phases that are drawn.
+        // Amplitudes whose variances sum to that of the component, and random phases.
         double deviation = gusts.Intensity * speed;
         Span<double> sines = stackalloc double[Bands];
         Span<double> cosines = stackalloc double[Bands];
@@ -61,7 +61,7 @@ internal sealed class GustWaves
                 largest += amplitude;
             }
 
-            // All waves at their crests at once.
+            // The bound: all waves at their crests at once.
             Largest += largest * Unit(component);
             for (int block = 0; block < _waves.Length; block++)
             {
@@ -75,11 +75,11 @@ internal sealed class GustWaves
         }
     }
 
-    /// <summary>The largest that each of g₀, g₁, g₂ can be, m/s.</summary>
+    /// <summary>The maximum of each of g₀, g₁, g₂, in m/s.</summary>
     public Vector3d Largest { get; }
 
-    /// <summary>g₀, g₁, g₂, m/s, as x, y and z: along, across and up, each Σ a sin(k ξ + φ).</summary>
-    /// <param name="distance">ξ, m.</param>
+    /// <summary>Returns g₀, g₁, g₂ (along, across and up) as x, y and z, in m/s; each is Σ a sin(k ξ + φ).</summary>
+    /// <param name="distance">The distance ξ, in m.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3d At(double distance)
     {
@@ -89,7 +89,7 @@ internal sealed class GustWaves
         var far = Quad.Of(distance);
         foreach (ref readonly FourWaves waves in _waves.AsSpan())
         {
-            // Four waves at a time; in turns, so that whole ones are taken off exactly.
+            // Four waves at a time, measured in turns, so that removing full turns is exact.
             QuadSine.SinCos(waves.TurnsPerMetre * far, out Quad sin, out Quad cos);
             along += (waves.AlongSin * sin) + (waves.AlongCos * cos);
             across += (waves.AcrossSin * sin) + (waves.AcrossCos * cos);

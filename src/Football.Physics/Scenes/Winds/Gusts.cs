@@ -1,18 +1,17 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>Gusts of a wind: turbulence of a Dryden spectrum, drifting with the mean wind; a pure function of seed, place and time.</summary>
+/// <summary>The gusts of a wind: turbulence with a Dryden spectrum that drifts with the mean wind.</summary>
+/// <remarks>A pure function of seed, position and time.</remarks>
 public sealed record Gusts
 {
-    /// <summary>The seed: another one, other gusts of the same strength. Any; default 0.</summary>
+    /// <summary>The seed: each value gives other gusts of the same strength. Default 0.</summary>
     public long Seed { get; init; }
 
-    /// <summary>
-    /// Standard deviation along the wind over the wind at the reference height; across it 0.8 of that, upwards 0.5. 0 … 1; default 0.18 (guess: open
-    /// grassland at 10 m).
-    /// </summary>
+    /// <summary>The standard deviation of the gusts along the wind, relative to the wind speed. 0 … 1; default 0.18.</summary>
+    /// <remarks>The wind speed is that at the reference height. The deviation is 0.8 of this value across the wind and 0.5 upwards. Guess: open grassland at 10 m.</remarks>
     public double Intensity { get; init; } = 0.18;
 
-    /// <summary>Length L of the largest gusts, m. 1 … 1000; default 40 (guess).</summary>
+    /// <summary>The length L of the largest gusts, in m. 1 … 1000; default 40 (guess).</summary>
     public double Length { get; init; } = 40;
 
     internal void Validate()

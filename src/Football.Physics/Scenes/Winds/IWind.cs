@@ -1,17 +1,17 @@
 namespace FootballPhysics.Laws;
 
-/// <summary>Wind by place and time.</summary>
+/// <summary>A wind that varies with position and time.</summary>
 /// <remarks>
-/// A smooth function of its arguments alone, and finite: it is asked several times a step, at points between frames, and must answer the
-/// same whenever it is asked the same, or rollback and look-ahead part from the game.
+/// The result must be finite and a smooth function of the arguments alone. The simulator calls it several times per step, at times between frames.
+/// If equal arguments give different results, rollbacks and look-aheads diverge from the game.
 /// </remarks>
 public interface IWind
 {
-    /// <summary>A speed, m/s, that this wind nowhere and never exceeds; at most 1000.</summary>
+    /// <summary>The maximum wind speed anywhere, at any time, in m/s; at most 1000.</summary>
     double MaximumSpeed { get; }
 
-    /// <summary>Velocity of the air, m/s.</summary>
-    /// <param name="time">Time since the launch, s.</param>
-    /// <param name="position">The place, m.</param>
+    /// <summary>Returns the velocity of the air, in m/s.</summary>
+    /// <param name="time">The time since the launch, in s.</param>
+    /// <param name="position">The position, in m.</param>
     Vector3d At(double time, in Vector3d position);
 }

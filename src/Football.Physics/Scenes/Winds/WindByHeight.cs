@@ -2,10 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>
-/// Wind that grows with the height over the ground, u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀), with or without gusts: a pure
-/// function of place, time and the gusts' seed. Inside the bowl of a stadium only a rough default.
-/// </summary>
+/// <summary>A wind that grows with the height above the ground, with or without gusts.</summary>
+/// <remarks>
+/// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀): a pure function of position, time and the seed of the gusts. Inside a stadium bowl it is only
+/// a rough default.
+/// </remarks>
 public sealed class WindByHeight : IWind
 {
     private readonly double _perLogarithm; // u_ref/ln((z_ref + z₀)/z₀), m/s
@@ -15,14 +16,14 @@ public sealed class WindByHeight : IWind
     private readonly double _perSpeed; // 1/u_ref
     private readonly GustWaves? _gusts;
 
-    /// <summary>A wind of a speed and a direction.</summary>
-    /// <param name="speed">Speed u_ref at the reference height, m/s. Not negative, at most 200.</param>
-    /// <param name="directionX">x of where it blows to; only the ratio to z counts, and not both are 0.</param>
-    /// <param name="directionZ">z of where it blows to.</param>
-    /// <param name="referenceHeight">z_ref, m. 0.1 … 1000; default 10 (law: where meteorology measures wind).</param>
-    /// <param name="roughness">z₀, m. 1e-4 … 2; default 0.03 (measured: short grass).</param>
+    /// <summary>Creates a wind with a speed and a direction.</summary>
+    /// <param name="speed">The speed u_ref at the reference height, in m/s. 0 … 200.</param>
+    /// <param name="directionX">The x component of the direction that the wind blows towards; its length does not matter, but must not be 0.</param>
+    /// <param name="directionZ">The z component of the direction.</param>
+    /// <param name="referenceHeight">The height z_ref, in m. 0.1 … 1000; default 10 (law: the height of meteorological wind measurements).</param>
+    /// <param name="roughness">The roughness length z₀, in m. 1e-4 … 2; default 0.03 (measured: short grass).</param>
     /// <param name="gusts">The gusts; default none.</param>
-    /// <param name="groundHeight">Height of the ground, m. Within ±1e6; default 0.</param>
+    /// <param name="groundHeight">The height of the ground, in m. Within ±1e6; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public WindByHeight(
         double speed,
@@ -43,10 +44,10 @@ public sealed class WindByHeight : IWind
             throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
         }
 
-        // A direction that has length 1 to rounding stays as it is: what was read from here makes the same wind.
+        // Keep a direction that is a unit vector up to rounding, so that a saved wind loads bit-identical.
         size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
 
-        // Unlike other parts of a scene it is checked where it is made: a scene sees only an IWind.
+        // Check the gusts here: a scene sees only an IWind and cannot.
         gusts?.Validate();
         Speed = speed;
         Direction = new Vector3d(directionX / size, 0, directionZ / size);
@@ -57,34 +58,34 @@ public sealed class WindByHeight : IWind
         _alongX = Direction.X;
         _alongZ = Direction.Z;
 
-        // What each step needs, without a division.
+        // Precompute the divisions for the steps.
         _perRoughness = 1.0 / roughness;
         _perLogarithm = speed / Elementary.Log((referenceHeight + roughness) / roughness);
         _perSpeed = speed > 0 ? 1.0 / speed : 0;
         _gusts = gusts is { Intensity: > 0 } && speed > 0 ? new GustWaves(gusts, speed) : null;
 
-        // The mean far above any place, with all gusts at their largest: a bound that flights rely on.
+        // The mean wind far above any valid position plus all gusts at their maximum: a bound that flights rely on.
         Vector3d largest = new Vector3d(speed, 0, 0) + (_gusts?.Largest ?? Vector3d.Zero);
         MaximumSpeed = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
         Check.Within("air.wind.speed (with its gusts, at any height)", MaximumSpeed, 0, Limits.Speed);
     }
 
-    /// <summary>Speed at the reference height, m/s.</summary>
+    /// <summary>The speed at the reference height, in m/s.</summary>
     public double Speed { get; }
 
-    /// <summary>Where it blows to; a horizontal unit vector.</summary>
+    /// <summary>The direction that the wind blows towards; a horizontal unit vector.</summary>
     public Vector3d Direction { get; }
 
-    /// <summary>The height that the speed is given at, m.</summary>
+    /// <summary>The height at which <see cref="Speed"/> applies, in m.</summary>
     public double ReferenceHeight { get; }
 
-    /// <summary>Roughness of the ground z₀, m.</summary>
+    /// <summary>The roughness length of the ground z₀, in m.</summary>
     public double Roughness { get; }
 
-    /// <summary>The gusts, or none.</summary>
+    /// <summary>The gusts; null if there are none.</summary>
     public Gusts? Gusts { get; }
 
-    /// <summary>Height of the ground, m.</summary>
+    /// <summary>The height of the ground, in m.</summary>
     public double GroundHeight { get; }
 
     /// <inheritdoc/>
@@ -93,11 +94,11 @@ public sealed class WindByHeight : IWind
     /// <inheritdoc/>
     public Vector3d At(double time, in Vector3d position) => At(time, position.X, position.Y, position.Z);
 
-    /// <summary>Wind at a place that is given by its coordinates, m/s.</summary>
+    /// <summary>Returns the wind at a position given by its coordinates, in m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {
-        // Below the ground as on it: the logarithm ends there.
+        // Below the ground the wind is that on it, because the logarithm is not defined there.
         double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);
@@ -117,7 +118,7 @@ public sealed class WindByHeight : IWind
             (along * _alongZ) + (across * _alongX));
     }
 
-    /// <summary>u(y), m/s.</summary>
+    /// <summary>Returns u(y), in m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double MeanAt(double height) => _perLogarithm * LogarithmTable.Of((height * _perRoughness) + 1.0);
 }
