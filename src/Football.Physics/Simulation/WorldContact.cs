@@ -110,7 +110,7 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        // In a crowded step only count slow impacts: a ball that trembles in a corner would report each of them.
+        // In a crowded step only count slow impacts: a ball that trembles in a corner would cause many events.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
             run.Log.UnreportedImpacts++;

@@ -36,7 +36,7 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // Take the first collider in scene order, whatever the order of the walk. For internal faces of bodies, the normals decide.
+            // Take the first collider in scene order, whatever the order of the walk. Between two bodies, the contact normals decide.
             bool byside = first != int.MaxValue && _world.IsByside(i, first);
             if (i == carrier || (i > first && !byside))
             {
