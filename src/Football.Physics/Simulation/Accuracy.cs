@@ -1,9 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>How close to the exact solution of its laws a flight is to be, from the kick to the impact.</summary>
+/// <summary>Accuracy of a flight from the kick to the impact, relative to the exact solution of its laws.</summary>
 /// <remarks>
-/// What <see cref="SolverSettings.For"/>, and <c>BatchSettings.For</c>, pick for it holds for footballers' shots: up to 40 m/s and 80 rad/s with
-/// a football, in any wind and with any of the published laws. A ball of a quarter of the mass bends more, and a game's own force may be anything.
+/// The settings that <see cref="SolverSettings.For"/> and <c>BatchSettings.For</c> choose meet it for footballers' shots: a football at up
+/// to 40 m/s
+/// and 80 rad/s, in any wind, with any of the published laws. A ball of a quarter of the mass curves more, and custom forces are not
+/// covered.
 /// </remarks>
 public enum Accuracy
 {

@@ -1,9 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>The thesis' search for the time of impact with the level ground (2.4.4).</summary>
+/// <summary>Finds the time of impact with level ground by the thesis' bisection (2.4.4).</summary>
 internal static class Bisection
 {
-    /// <summary>Shortens a step that ends below contact: halve, forwards or back, until the halving is no longer than the tolerance.</summary>
+    /// <summary>Shortens a step that ends below contact height: halves forwards or backwards until the halved length is within the
+    /// tolerance.</summary>
     public static void End<TSweep>(ref TSweep sweep, double tolerance, double contact)
         where TSweep : struct, ISweep
     {
@@ -15,7 +16,7 @@ internal static class Bisection
             half *= 0.5;
             double next = below ? tau - half : tau + half;
 
-            // Below the last bit of τ there is nothing left to halve.
+            // Stop when a halving no longer changes τ in double precision.
             if (next == tau)
             {
                 break;

@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// What the game has done to a ball by moving its bodies between two steps: one that was put over the ball pushes it out, one that was taken away from
-/// under it lets it go. Its velocity stays: what a body gives to the ball it gives by hitting it.
-/// </summary>
+/// <summary>Handles bodies that the game has moved between two steps: a body put over the ball pushes it out, and a carrier that was taken
+/// away releases it.</summary>
+/// <remarks>The velocity does not change: a body only accelerates the ball by an impact.</remarks>
 internal sealed class BodyPush
 {
-    /// <summary>How often the ball is pushed, from one body onto the next, at most: between two that close in on it there is no place.</summary>
+    /// <summary>Maximum number of pushes from one body to the next.</summary>
+    /// <remarks>Between two bodies that close on the ball there is no free position.</remarks>
     private const int MostPushes = 16;
 
-    /// <summary>Steps of Newton's method at most.</summary>
+    /// <summary>Maximum number of Newton iterations.</summary>
     private const int MostSteps = 20;
 
     private readonly World _world;
@@ -23,7 +23,7 @@ internal sealed class BodyPush
         _displacement = displacement;
     }
 
-    /// <summary>Before the pieces of a step.</summary>
+    /// <summary>Resolves the overlaps before the pieces of a step.</summary>
     public void Apply(ref BallState s, ref StepRun run)
     {
         _world.Engine?.Forget();
@@ -32,12 +32,12 @@ internal sealed class BodyPush
             return;
         }
 
-        // First what carried it: the game may have taken it away from under the ball.
+        // Check the carrier first: the game may have moved it away from the ball.
         LetGo(ref s, ref run);
         CrossSeam(ref s, ref run);
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
-        // What overlaps a thing that stands still alone is not the game's doing: that is an impact.
+        // An overlap with stationary objects only is not caused by the game. It is handled as an impact.
         Vector3d from = s.Position;
         int pressing = Math.Max(deepest, 0);
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
@@ -48,16 +48,17 @@ internal sealed class BodyPush
 
         if (overlapsBody && (deepest >= 0 || IsBarred(in s, in from)))
         {
-            // There is no place for it, or no way there.
+            // No free position was found, or an object blocks the path to it: the ball is squeezed.
             s.Position = from;
             _contact.BeginSqueeze(ref s, pressing, ref run);
         }
 
-        // It meets nets, and comes through goals, on the way out too.
+        // The ball may pass through nets and goals while it is pushed out.
         _displacement.Follow(ref s, in from, ref run);
     }
 
-    /// <summary>A step may begin just beyond the edge of a flush body that is higher by next to nothing: that body carries the ball, and pushes it nowhere.</summary>
+    /// <summary>Hands the ball over to a flush body if a step starts just beyond a seam.</summary>
+    /// <remarks>A minimal height difference then causes no push.</remarks>
     private void CrossSeam(ref BallState s, ref StepRun run)
     {
         if (s.Motion is not (MotionState.Rolling or MotionState.Sliding))
@@ -72,7 +73,7 @@ internal sealed class BodyPush
         }
     }
 
-    /// <summary>Out of one thing: Newton on the gap, along the way that is open to the ball.</summary>
+    /// <summary>Pushes the ball out of one object: Newton iteration on the gap, along the direction that is open to the ball.</summary>
     private void PushOut(ref BallState s, Collider collider)
     {
         for (int i = 0; i < MostSteps; i++)
@@ -89,20 +90,20 @@ internal sealed class BodyPush
         }
     }
 
-    /// <summary>True when something stands in the way of a push, as a thin board does.</summary>
+    /// <summary>True if a stationary object, such as a thin board, blocks the path of a push.</summary>
     private bool IsBarred(in BallState s, in Vector3d from)
     {
         BallState pushed = s;
         pushed.Position = from;
 
-        // The push as a straight path in next to no time: nothing that stands still may be met on it.
+        // Search the push as a straight path of nearly zero duration for a stationary object.
         var path = PathCubic.Line(in from, (s.Position - from) / Displacement.AtOnce, Displacement.AtOnce);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= Displacement.AtOnce
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 
-    /// <summary>A body that carried the ball and is no longer where it was expected carries it no more.</summary>
+    /// <summary>Releases the ball if its carrier is a body that is no longer at its expected position.</summary>
     private void LetGo(ref BallState s, ref StepRun run)
     {
         if (s.Motion == MotionState.Airborne || !_world.CarrierOf(in s).IsBody)
@@ -112,7 +113,7 @@ internal sealed class BodyPush
 
         Collider carrier = _world.CarrierOf(in s);
 
-        // An engine may not have the collider any more.
+        // The engine may have removed the collider.
         if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
         {
             engine.LookAt(s.Position, s.Time, ContactSearch.Touching);
@@ -123,7 +124,7 @@ internal sealed class BodyPush
             }
         }
 
-        // Let go where a gap has opened, or where the carrier no longer moves along with the ball.
+        // Release the ball if a gap has opened, or if the carrier no longer moves along with it.
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.ShapeVelocity(s.Position, s.Time), at.Normal);
         if (carrier.IsWithdrawn || Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
@@ -132,7 +133,7 @@ internal sealed class BodyPush
         }
     }
 
-    /// <summary>The way out along a normal; for a ball that something carries, along that surface.</summary>
+    /// <summary>Returns the push direction: the normal, or its projection on the carrier for a supported ball.</summary>
     private Vector3d Way(in BallState s, in Vector3d normal)
     {
         if (s.Motion == MotionState.Airborne)
@@ -142,15 +143,15 @@ internal sealed class BodyPush
 
         Vector3d up = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
 
-        // n_t/|n_t|²: so far along the carrier that the gap closes.
+        // n_t/|n_t|²: the displacement along the carrier that closes a unit gap.
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 
-        // Trodden on from straight above, it slips out somewhere: forward.
+        // A body exactly above the ball leaves no direction, so push it out in an arbitrary one.
         return share > 1e-12 ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
     }
 
-    /// <summary>Back onto what carries it, which may be curved.</summary>
+    /// <summary>Moves the ball back onto its carrier, which may be curved.</summary>
     private void StayOnCarrier(ref BallState s)
     {
         if (s.Motion != MotionState.Airborne)

@@ -2,13 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A straight tube along the way of a ball in which no body was found, for some time. Until a ball leaves it, or bodies have strayed by its width from
-/// where they were expected, none of them need be asked. Kept beside the bodies, not with the ball: it changes nothing but what is looked at.
-/// </summary>
+/// <summary>A straight tube along the ball's path that contains no body for some time.</summary>
+/// <remarks>
+/// No query is needed until the ball leaves it, or until bodies have strayed by its width from their expected positions. It is stored with
+/// the bodies, not with the ball: it only saves queries.
+/// </remarks>
 internal sealed class BodyTube
 {
-    /// <summary>Its least width, m: what bodies that do not go quite straight may stray.</summary>
+    /// <summary>Minimum width, m: the distance that bodies may stray from a straight path.</summary>
     private const double LeastWidth = 0.1;
 
     private readonly KinematicBodies _bodies;
@@ -29,10 +30,10 @@ internal sealed class BodyTube
         _ballRadius = ballRadius;
     }
 
-    /// <summary>How wide a tube is in which a ball may go so far from a straight line, m.</summary>
+    /// <summary>Returns the width of a tube for a given deviation of the ball from a straight line, m.</summary>
     public static double Width(double bend) => LeastWidth + (0.5 * bend);
 
-    /// <summary>True when a ball stays in it during a step.</summary>
+    /// <summary>True if a ball stays in the tube during a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="airSpeedSquared">|u|², m²/s².</param>
@@ -46,24 +47,25 @@ internal sealed class BodyTube
             return false;
         }
 
-        // Where it is at the start of the step, and how far its velocity there takes it off until the end: how it bends in between is allowed for.
+        // The offset at the start, plus the drift of the velocity until the end. The bend within the step is included in the tube's radius.
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
         return x + y + z + (_bodies.Strayed - _strayed) <= _width;
     }
 
-    /// <summary>Looks for a new one.</summary>
+    /// <summary>Searches for a new tube.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="spinRate">Its spin, rad/s.</param>
     /// <param name="dt">Length of its step, s.</param>
-    /// <param name="longest">Length of the longest step that it is good for, s.</param>
-    /// <param name="ahead">How far to look, s.</param>
-    /// <param name="spare">What is free around it besides, m: as much as a look at one step alone asks for; 0 for that look, which is good for no other step.</param>
-    /// <param name="airSpeed">The air speed up to which the ball goes no farther from a straight line than that, m/s.</param>
-    /// <param name="bendOfStep">How far the ball may go from a straight line in the longest step, m.</param>
-    /// <param name="bend">How far in all the time ahead, m; half of that is the more usual.</param>
-    /// <returns>Whether it is long enough for the step.</returns>
+    /// <param name="longest">Longest step for which the tube is valid, s.</param>
+    /// <param name="ahead">Time to search ahead, s.</param>
+    /// <param name="spare">Extra free margin, m: as much as a query for one step needs; 0 for such a query, whose result is valid for one
+    /// step only.</param>
+    /// <param name="airSpeed">Air speed up to which the deviations below hold, m/s.</param>
+    /// <param name="bendOfStep">Maximum deviation from a straight line in the longest step, m.</param>
+    /// <param name="bend">Maximum deviation over the whole time ahead, m; typically half of it is reached.</param>
+    /// <returns>True if it covers the step.</returns>
     public bool Renew(in BallState s, double spinRate, double dt, double longest, double ahead, double spare, double airSpeed, double bendOfStep, double bend)
     {
         _width = Width(bend);
@@ -77,7 +79,7 @@ internal sealed class BodyTube
         _strayed = _bodies.Strayed;
         double free = _bodies.FreeFor(in way);
 
-        // Without room to spare the answer is for this step, and no tube is kept.
+        // Without a spare margin the result is valid for this step only, so keep no tube.
         _duration = spare > 0 ? free : -1;
         return dt <= free;
     }

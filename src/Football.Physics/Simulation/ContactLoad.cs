@@ -1,12 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>What presses a ball on a surface that it touches: whether it stays there after an impact, whether friction can hold it, whether it is carried at all.</summary>
+/// <summary>Computes the load of a ball on a surface: whether it stays after an impact, whether friction holds it, whether the surface
+/// supports it.</summary>
 internal sealed class ContactLoad
 {
-    /// <summary>A ball that something other than its weight presses stays on a surface where it would be back within this, s.</summary>
+    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would be back within this, s.</summary>
     private const double ShortestPressedHop = 1e-3;
 
-    /// <summary>Forces that leave no more than this, m/s², are in balance: a thousandth of the weight, and 10 µm in a net.</summary>
+    /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
     private const double InBalance = 0.01;
     private readonly Surroundings _around;
     private readonly World _world;
@@ -21,16 +22,18 @@ internal sealed class ContactLoad
         _weight = around.Weight.Length;
     }
 
-    /// <summary>True when a ball that leaves a surface with a speed stays on it: something presses it back at once (world.md, After the impact).</summary>
+    /// <summary>True if a ball that leaves a surface after an impact stays on it, because a force presses it back at once (world.md, After
+    /// the impact).</summary>
     /// <param name="s">The ball before.</param>
     /// <param name="off">w, m/s.</param>
     /// <param name="velocity">Its velocity along the surface, m/s.</param>
     /// <param name="spin">Its spin after, rad/s.</param>
     /// <param name="collider">The surface.</param>
-    /// <param name="at">Its place, normal and curvature under the ball.</param>
+    /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // a_b·n ≤ −|a_b|/2: its weight presses it on a surface up to 60° steep. Anything else presses it only if it would be back within a millisecond.
+        // a_b·n ≤ −|a_b|/2: the weight presses the ball on surfaces up to 60° steep. For other forces the ball must be back within a
+        // millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
         if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
@@ -40,7 +43,7 @@ internal sealed class ContactLoad
 
         if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
         {
-            // Few are: what the air can do at most says so without asking it.
+            // Most impacts are rejected here: bounds of the forces show that the ball flies, without evaluating the air.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
             double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
@@ -51,18 +54,19 @@ internal sealed class ContactLoad
             }
         }
 
-        // A hop lasts 2 w/(N/m): below the shortest hop it is none.
+        // A hop lasts 2 w/(N/m). Below the shortest hop the ball stays.
         double load = Load(in s, in velocity, in spin, collider, in at);
         return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
     }
 
-    /// <summary>By how much explicit Euler comes down faster from a hop than it went up, m/s, where the hop has too few steps for its bounces to become lower; else 0.</summary>
+    /// <summary>Returns the speed that explicit Euler gains in a hop that has too few steps for its bounces to decay, m/s; otherwise
+    /// 0.</summary>
     /// <param name="s">The ball before.</param>
     /// <param name="off">w, m/s.</param>
     /// <param name="velocity">Its velocity along the surface, m/s.</param>
     /// <param name="spin">Its spin after, rad/s.</param>
     /// <param name="collider">The surface.</param>
-    /// <param name="at">Its place, normal and curvature under the ball.</param>
+    /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     /// <param name="h">Length of a step, s.</param>
     public double GainOfHop(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at, double h)
     {
@@ -75,7 +79,8 @@ internal sealed class ContactLoad
     private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
         s.Motion is MotionState.Rolling or MotionState.Sliding && _world.CarrierOf(in s) != collider;
 
-    /// <summary>N/m, m/s², of a ball that keeps its carrier, whose friction may press it against what it has hit: a foot that pushes it along.</summary>
+    /// <summary>Returns the load N/m of a ball that keeps its carrier, m/s².</summary>
+    /// <remarks>The carrier's friction may press it against the other object, such as a foot.</remarks>
     private double CarriedLoad(in BallState s, in Vector3d velocity, in Vector3d spin, Collider hit, in ShapePoint at)
     {
         Collider carrier = _world.CarrierOf(in s);
@@ -92,14 +97,14 @@ internal sealed class ContactLoad
         return -Vector3d.Dot(in acceleration, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
     }
 
-    /// <summary>The most that |A_s·n| may be on a carrier that rotates, m/s².</summary>
+    /// <summary>Returns the upper bound of |A_s·n| on a rotating carrier, m/s².</summary>
     private static double MostOfRotation(Collider collider, in BallState s, in Vector3d along)
     {
         double spin = collider.Spin.Length;
         return spin * (((collider.MaterialVelocity(s.Position, s.Time) - collider.Velocity).Length) + (2.0 * along.Length));
     }
 
-    /// <summary>True when all that acts on a ball that hangs in a net is in balance.</summary>
+    /// <summary>True if all forces on a ball in a net balance.</summary>
     public bool HangsStill(in BallState s)
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -108,7 +113,7 @@ internal sealed class ContactLoad
         return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
     }
 
-    /// <summary>True when a collider would carry a ball that touches it, and would not let it go at once.</summary>
+    /// <summary>True if a collider would support a ball that touches it.</summary>
     public bool IsPressed(in BallState s, int collider)
     {
         Collider on = _world.Colliders[collider];
@@ -116,7 +121,7 @@ internal sealed class ContactLoad
         return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
     }
 
-    /// <summary>True when friction can hold a ball without slip.</summary>
+    /// <summary>True if friction can hold a ball without slip.</summary>
     public bool Grips(in BallState s, Collider carrier, ref StepRun run)
     {
         SurfaceSystem system = System(in s, carrier);
@@ -125,10 +130,10 @@ internal sealed class ContactLoad
         return system.Grips(in on);
     }
 
-    /// <summary>N/m, m/s², were the ball to follow the surface.</summary>
+    /// <summary>Returns the load N/m if the ball followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // Where the air does not count, a load by weight alone says enough.
+        // If the air does not add to the load, the load by weight suffices.
         Vector3d along = velocity - collider.Velocity;
         double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;

@@ -2,28 +2,29 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A ball that moving objects squeeze: they leave it no room, and it goes as far as it can in parts of a step.</summary>
+/// <summary>Steps a ball that moving objects squeeze: they leave it no room, and each part of a step moves it as far as possible.</summary>
 internal sealed partial class ContactSetParts
 {
-    /// <summary>Rounds of the solver where the ball may have no room.</summary>
+    /// <summary>Number of solver iterations for a ball that may have no room.</summary>
     private const int SqueezedRounds = 20;
 
-    /// <summary>A ball that was squeezed more often in a step stays squeezed up to the next one.</summary>
+    /// <summary>A ball that is squeezed more often than this in one step stays squeezed until the next step.</summary>
     private const int MostSqueezes = 1;
 
-    /// <summary>The greatest speed at which an overlap with moving objects is resolved, m/s.</summary>
+    /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
-    /// <summary>Below this gap, m, the displayed path of a squeezed ball follows a stationary surface.</summary>
+    /// <summary>Below this gap, the displayed path of a squeezed ball follows a stationary surface, m.</summary>
     private const double AllButTouching = 1e-4;
 
-    /// <summary>A direction that leaves all contacts has at least this component along each normal.</summary>
+    /// <summary>A direction leads off all contacts if its component along every normal is at least this.</summary>
     private const double Room = 0.1;
 
-    /// <summary>
-    /// Takes the rest of a step for a squeezed ball. The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, and nothing
-    /// bounces. The ball is free when no moving object presses it any longer, or when some direction leads off all contacts.
-    /// </summary>
+    /// <summary>Takes the rest of a step for a squeezed ball.</summary>
+    /// <remarks>
+    /// The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, without restitution.
+    /// The squeeze ends when no moving object pushes the ball any longer, or when some direction leads off all contacts.
+    /// </remarks>
     [SkipLocalsInit]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
@@ -35,26 +36,27 @@ internal sealed partial class ContactSetParts
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             run.Parts++;
 
-            // The velocity and spin under the forces alone: v + h a, ω + h ω̇.
+            // Velocity and spin from the forces alone: v + h a, ω + h ω̇.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates free = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * free.Acceleration);
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
 
-            // Its speed is bounded by its own speed plus the work of the forces, or by the speed of the objects that press it.
+            // The allowed speed is the ball's own speed plus the work of the forces, or the speed of the objects that push it.
             double came = from.Velocity.Length;
             s.SqueezeSpeed = came;
 
-            // The reach of this part: the ball's own path, the path of a mover and of a ball that it hits at twice its speed, and the resolved overlap.
+            // The search radius covers the ball's own path, the path of a mover or a struck ball at twice its speed, and the resolved
+            // overlap.
             double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
-            // Contact impulses as far as a few rounds find them: without room there need be no answer.
+            // Approximate the contact impulses in a few iterations: without room there may be no exact solution.
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
             LeaveOut(ref set, run.Log);
 
-            // Friction must not hold the ball in the path of a moving object; and the ball must not enter a stationary one.
+            // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.
             KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
             Vector3d kept = v;
@@ -64,7 +66,7 @@ internal sealed partial class ContactSetParts
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
             double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
 
-            // The speed is cut to that. Stationary objects come last, so that the ball does not enter them.
+            // Limit the speed to that. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -78,7 +80,8 @@ internal sealed partial class ContactSetParts
                 _guard.Meet(ref s, in passed, ref run);
             }
 
-            // Overlaps with moving objects end at a bounded speed, those with stationary objects at once. The ball meets nets and goals on that path too.
+            // Resolve overlaps with moving objects at a bounded speed, and with stationary ones at once. That motion may enter nets and
+            // goals.
             Vector3d moved = s.Position;
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             _displacement.Follow(ref s, in moved, ref run);
@@ -87,7 +90,8 @@ internal sealed partial class ContactSetParts
             ShowSqueezed(in before, in s, set, ref run);
         }
 
-        // It is free if no mover pressed it in the last part, or if some direction leads off all contacts. In a group, a step takes this several times.
+        // End the squeeze if no mover pushed the ball in the last part, or if it has room. In a group, a step calls this method several
+        // times.
         if (run.Squeezes <= MostSqueezes && (isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
@@ -114,7 +118,8 @@ internal sealed partial class ContactSetParts
         s.SetGroundSpin(Vector3d.Zero);
     }
 
-    /// <summary>Shows a piece of a squeezed ball to the observer: a straight path, except next to stationary surfaces such as a post, which the path must not enter.</summary>
+    /// <summary>Reports a piece of a squeezed ball to the observer: a straight path, bent next to stationary surfaces so that it does not
+    /// enter them.</summary>
     private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
     {
         double h = after.Time - before.Time;
@@ -141,7 +146,7 @@ internal sealed partial class ContactSetParts
         _shown.Show(in before, in after, in v, in w, set, ref run);
     }
 
-    /// <summary>The speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
+    /// <summary>Returns the speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
     private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
     {
         ShapePoint at = collider.At(place, time);
@@ -149,7 +154,8 @@ internal sealed partial class ContactSetParts
         return at.Distance - _around.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
     }
 
-    /// <summary>A velocity for which no impulses were found: along all contacts, and no faster than before them.</summary>
+    /// <summary>Corrects a velocity for which the solver found no impulses: it closes on no contact and is not faster than
+    /// before.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="h">The time, s.</param>
     /// <param name="most">The speed without contacts, m/s.</param>
@@ -161,7 +167,7 @@ internal sealed partial class ContactSetParts
         KeepOff(set, h, movers: true, ref v);
     }
 
-    /// <summary>Removes the closing components of a velocity at stationary contacts, and on request at moving ones.</summary>
+    /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones.</summary>
     private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
     {
         bool closes = true;
@@ -170,7 +176,8 @@ internal sealed partial class ContactSetParts
             closes = false;
             foreach (ref readonly Contact contact in set)
             {
-                // With (v − V)·n + gap/h < 0 the ball would overlap the collider within the part. The excess is projected out, contact by contact.
+                // If (v − V)·n + gap/h < 0, the ball would overlap the collider within the part. Project out the excess, contact by
+                // contact.
                 double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
                 if ((movers || !contact.Moves) && closing < 0)
                 {
@@ -197,7 +204,7 @@ internal sealed partial class ContactSetParts
         return !overlaps && (!pushed || pressing < 2);
     }
 
-    /// <summary>True if the ball overlaps nothing and some direction d leads off all contacts: d·n > 0 for each.</summary>
+    /// <summary>True if the ball overlaps no object and some direction d leads off all contacts: d·n > 0 for each.</summary>
     [SkipLocalsInit]
     private bool HasRoom(in BallState s)
     {
@@ -225,7 +232,7 @@ internal sealed partial class ContactSetParts
                 return true;
             }
 
-            // Perceptron: turn the direction towards the normal along which it leads off least.
+            // Perceptron: turn the direction towards the normal with the smallest component.
             way += set[nearest].Normal;
             way = 1.0 / Math.Max(1.0, way.Length) * way;
         }
@@ -233,7 +240,7 @@ internal sealed partial class ContactSetParts
         return false;
     }
 
-    /// <summary>True if the ball overlaps any object that stands still.</summary>
+    /// <summary>True if the ball overlaps a stationary object.</summary>
     private bool IsInside(in BallState s)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
@@ -248,7 +255,9 @@ internal sealed partial class ContactSetParts
         return false;
     }
 
-    /// <summary>Resolves overlaps of a squeezed ball: with moving objects up to a distance, then with stationary ones completely. If that is impossible, the ball goes back.</summary>
+    /// <summary>Resolves the overlaps of a squeezed ball.</summary>
+    /// <remarks>Moving objects push it up to a maximum distance, then stationary ones push it out completely. If that fails, the ball
+    /// returns to its old position.</remarks>
     private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
         Vector3d from = s.Position;
@@ -259,12 +268,12 @@ internal sealed partial class ContactSetParts
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
-        // All movers together displace the ball no farther than one may: beyond that distance the set does not contain the stationary surfaces.
+        // Limit the total displacement by all movers: beyond this distance the set does not contain all stationary surfaces.
         Vector3d pushed = s.Position - from;
         double length = pushed.Length;
         s.Position = length > most ? from + (most / length * pushed) : s.Position;
 
-        // Every position near overlaps a stationary object: the ball returns to its old position, without speed.
+        // No free position was found: return the ball to its old position, with zero velocity.
         if (!ContactSet.KeepOut(_world, ref s, set) || IsInside(in s))
         {
             s.Position = back;

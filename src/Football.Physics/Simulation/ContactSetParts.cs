@@ -2,26 +2,28 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball that several contacts carry, guide or press at once, in short parts of a step: forces at both ends, impulses by <see cref="ContactSolver"/>, the
-/// place by the mean velocity. Exact where the forces are constant and every contact keeps gripping, or slipping one way; where one of them begins to
-/// grip, as good as the part is short.
-/// </summary>
+/// <summary>Steps a ball on several surfaces in short parts with velocity-level impulses.</summary>
+/// <remarks>
+/// It is the fallback of <see cref="ContactSetPhase{TIntegrator}"/>. Each part evaluates the forces at both ends, computes the impulses
+/// with <see cref="ContactSolver"/>, and moves the ball at the mean velocity. This is exact if the forces are constant and no contact
+/// changes its mode. At a change of mode, the error depends on the length of the part.
+/// </remarks>
 internal sealed partial class ContactSetParts
 {
-    /// <summary>Length of a part, s: a slip that ends within one moves the ball by less than 1e-6 m from where it would be.</summary>
+    /// <summary>Length of a part, s. A slip that ends within one displaces the ball by less than 1e-6 m.</summary>
     private const double Part = 0.5e-3;
 
-    /// <summary>Parts of a step at most, all calls together: in long ones they are longer.</summary>
+    /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
     private const int MostParts = 16;
 
-    /// <summary>A ball that rolls is told to slide from this slip on, m/s: less may be over in the next part.</summary>
+    /// <summary>A rolling ball is reported as sliding above this slip, m/s. A smaller slip may end in the next part.</summary>
     private const double Slips = 1e-3;
 
-    /// <summary>How often a step tells so: a ball that what pushes it makes slip and grip in turn does it at every part.</summary>
+    /// <summary>Maximum number of slide and roll events per step.</summary>
+    /// <remarks>A ball that alternately slips and grips would report one in every part.</remarks>
     private const int MostNames = 2;
 
-    /// <summary>A ball that is so slow, m/s and rad/s times its radius, stands still.</summary>
+    /// <summary>A ball below this speed is at a standstill, m/s, and rad/s times its radius.</summary>
     private const double Still = 1e-12;
 
     private readonly Surroundings _around;
@@ -47,8 +49,9 @@ internal sealed partial class ContactSetParts
         _shown = new ShownPath(_world);
     }
 
-    /// <summary>Takes what is left of a step, or up to what ends it, where several contacts bear the ball; hands it to the one that does where that is another.</summary>
-    /// <returns>False where the ball's carrier alone bears it, or nothing does.</returns>
+    /// <summary>Takes the rest of a step, or the part up to an event, if several contacts are active.</summary>
+    /// <remarks>If one other contact is, it becomes the carrier.</remarks>
+    /// <returns>False if only the carrier, or no contact, has a load.</returns>
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
@@ -61,19 +64,19 @@ internal sealed partial class ContactSetParts
         int named = 0;
         while (run.Left > 0 && !run.Log.Halted)
         {
-            // What touches the ball, and what of that would bear it.
+            // Find the touched surfaces; the solver then determines which of them have a load.
             Span<Contact> set = ContactSet.Touching(_world, in s, room, _more);
             if (set.Length < 2)
             {
                 return taken;
             }
 
-            // Warm start: a contact that was there in the part before begins with its impulses.
+            // Warm start: a contact of the previous part starts with its impulses.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);
 
-            // Predict: v + h a with the forces at the start. These impulses only say where the forces at the end are asked for.
+            // Predict v + h a from the forces at the start. These impulses only locate the evaluation at the end.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
@@ -82,13 +85,13 @@ internal sealed partial class ContactSetParts
             run.Log.Evaluations++;
             LeaveOut(ref set, run.Log);
 
-            // One contact alone bears it and nothing there moves, or none does: the phase of a single surface takes the ball on.
+            // At most one contact has a load and none of the loaded surfaces moves: leave the ball to the phase of a single surface.
             if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // There is no room if no impulses satisfy all contacts, or if they would give the ball more than its allowed speed. Only objects that move squeeze.
+            // The ball has no room if no impulses satisfy all contacts, or if they exceed its allowed speed. Only moving objects squeeze.
             if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
@@ -104,12 +107,12 @@ internal sealed partial class ContactSetParts
             bool stays = v.Length + (_around.Radius * w.Length) <= Still && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= Still;
             if (stays)
             {
-                // Nothing changes until something comes.
+                // The ball is at a standstill and no force moves it: take the rest of the step at once.
                 h = run.Left;
             }
             else
             {
-                // Once more, with the mean of the forces.
+                // Correct with the mean of the forces at both ends.
                 var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
                 MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
@@ -123,19 +126,19 @@ internal sealed partial class ContactSetParts
                 run.Log.Evaluations++;
             }
 
-            // Along the way, to its end or to what is met on it.
+            // Search the path up to the end of the part or the first contact.
             Vector3d mean = 0.5 * (from.Velocity + v);
             var path = PathCubic.Line(s.Position, in mean, h);
             double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, set, out Separation met);
             bool meets = at <= h;
             double length = meets ? at : h;
 
-            // An impact that cuts a part short is counted as an impact, and a turn as a turn: the parts that remain must cover the rest of the step.
+            // A part cut short by an impact or a turning normal does not count as a part: the parts left must cover the rest of the step.
             run.Parts += meets || turns ? 0 : 1;
             run.Turns += turns ? 1 : 0;
             double share = length / h;
 
-            // v and ω are linear in a part, so also where it is cut short.
+            // v and ω are linear in time within a part, so a shortened part is interpolated.
             BallState at0 = s;
             v = from.Velocity + (share * (v - from.Velocity));
             w = from.Spin + (share * (w - from.Spin));
@@ -147,7 +150,8 @@ internal sealed partial class ContactSetParts
                 _guard.Meet(ref s, in met, ref run);
             }
 
-            // Back onto the contacts that bear it: on a curved one the straight way leads off. Nets and goals are met on that way too.
+            // Project the ball back onto its contacts, because a straight path leaves a curved surface. That motion may also enter nets and
+            // goals.
             Vector3d moved = s.Position;
             Hold(ref s, set);
             _displacement.Follow(ref s, in moved, ref run);
@@ -157,7 +161,7 @@ internal sealed partial class ContactSetParts
             set.CopyTo(last);
             before = set.Length;
 
-            // What is met on the way, or closes where the ball is, ends this phase: what becomes of the ball decides which one goes on.
+            // A contact on the path, or one that closes at the end, ends this phase. The new state decides which phase continues.
             if (meets && !run.Log.Halted)
             {
                 if (!passes)
@@ -177,21 +181,22 @@ internal sealed partial class ContactSetParts
         return true;
     }
 
-    /// <summary>The rest of a step in parts of equal length, s. If the step has few parts left, they are longer.</summary>
+    /// <summary>Returns the length of equal parts for the rest of a step, s.</summary>
+    /// <remarks>If few parts are left, they are longer.</remarks>
     private static double LengthOfPart(in StepRun run, double asked) =>
         run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
 
-    /// <summary>What acts on the ball without its contacts, for a part of a step.</summary>
+    /// <summary>Computes the forces on the ball without contact forces, for one part of a step.</summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
-        // The drag law is locked to the branch at the start of the part: its jump is not located here.
+        // Lock the drag law to the branch at the start of the part: its jump is not located here.
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
         MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
         Vector3d acceleration = rates.Acceleration;
         Vector3d spinAcceleration = rates.SpinAcceleration;
         if (!_world.SharesAir)
         {
-            // Of the air no more counts than on one surface: nothing, or what it does along the carrier.
+            // Count only the share of the air that acts on one surface: none, or the part along the carrier.
             Collider carrier = _world.CarrierOf(in s);
             var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
             SurfaceForces on = surface.ForcesOn(time, in at);
@@ -202,10 +207,11 @@ internal sealed partial class ContactSetParts
         return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, rates.AirSpeed), h);
     }
 
-    /// <summary>The acceleration without what is along ω × u, the Magnus force: it turns with the velocity and does no work, where that turns at once as where it turns slowly.</summary>
+    /// <summary>Returns the acceleration without its component along ω × u (the Magnus force).</summary>
+    /// <remarks>The Magnus force turns with the velocity and does no work, however fast the velocity turns.</remarks>
     private Vector3d Working(in MotionRates free, in Motion at)
     {
-        // a − (a·m) m/|m|², m = ω × u; where all of the air counts the weight is left out of this.
+        // a − (a·m) m/|m|² with m = ω × u. If all of the air counts, the projection excludes the weight.
         Vector3d weight = _world.SharesAir ? _around.Weight : Vector3d.Zero;
         Vector3d other = free.Acceleration - weight;
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
@@ -213,7 +219,7 @@ internal sealed partial class ContactSetParts
         return square > 0 && square < double.MaxValue ? weight + other - (Vector3d.Dot(in other, in magnus) / square * magnus) : free.Acceleration;
     }
 
-    /// <summary>How many contacts bear the ball, and which of them most, or alone.</summary>
+    /// <summary>Counts the contacts with a load, and finds the one with the greatest load.</summary>
     private static int Bearers(Span<Contact> set, double h, out int bearer)
     {
         int count = 0;
@@ -226,7 +232,7 @@ internal sealed partial class ContactSetParts
         return count;
     }
 
-    /// <summary>Another contact than the one that carried the ball bears it alone: that carries it now.</summary>
+    /// <summary>Makes the only contact with a load the carrier, if it is not already.</summary>
     private bool HandOver(ref BallState s, int collider, ref StepRun run)
     {
         if (collider + _world.FirstCollider == s.Carrier)
@@ -238,7 +244,8 @@ internal sealed partial class ContactSetParts
         return true;
     }
 
-    /// <summary>A ball with no more energy than one at rest rests, if all that touches it stands still, or moves along with its carrier, and holds it.</summary>
+    /// <summary>Stops a ball with no more than the rest energy if its contacts hold it and are stationary, or move along with its
+    /// carrier.</summary>
     [SkipLocalsInit]
     private bool Rests(ref BallState s, scoped Span<Contact> set, int bearer, in MotionRates free, ref StepRun run)
     {
@@ -263,7 +270,7 @@ internal sealed partial class ContactSetParts
         return rests;
     }
 
-    /// <summary>Moves the ball, and the clock.</summary>
+    /// <summary>Moves the ball and advances the clock.</summary>
     private static void Move(ref BallState s, double h, in Vector3d mean, in Vector3d v, in Vector3d w, in MotionRates free, ref StepRun run)
     {
         s.BaseOrientation = s.BaseOrientation.Turned((0.5 * h) * (s.Spin + w));
@@ -275,7 +282,11 @@ internal sealed partial class ContactSetParts
         s.Time = run.Left > 0 ? s.Time : run.End;
     }
 
-    /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
+    /// <summary>Updates the carrier and the motion state.</summary>
+    /// <remarks>
+    /// The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
+    /// The ball slides if the carrier slips; otherwise it rolls.
+    /// </remarks>
     private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
     {
         int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);
@@ -293,7 +304,7 @@ internal sealed partial class ContactSetParts
             return;
         }
 
-        // A slip ends below one threshold and begins above a higher one: between them it may be over in the next part.
+        // Hysteresis: a slip starts above a higher threshold than it ends, because a small slip may end in the next part.
         if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
         {
             told++;
@@ -306,7 +317,7 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>Puts a ball onto the contacts that bear it; what moves among them puts it into nothing else that stands still.</summary>
+    /// <summary>Projects a ball onto its contacts. Moving contacts must not push it into stationary objects.</summary>
     public void Hold(ref BallState s, scoped Span<Contact> set)
     {
         ContactSet.Hold(_world, ref s, set);
@@ -316,7 +327,7 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>Leaves moving contacts without a load out of a set that has too many, and counts them.</summary>
+    /// <summary>Drops moving contacts without load from a set that is too large, and counts them.</summary>
     private static void LeaveOut(ref Span<Contact> set, StepLog log)
     {
         int before = set.Length;
@@ -324,7 +335,7 @@ internal sealed partial class ContactSetParts
         log.LeftOut += before - set.Length;
     }
 
-    /// <summary>True if any of the surfaces moves now.</summary>
+    /// <summary>True if a contact surface is in motion.</summary>
     private static bool Moves(Span<Contact> set)
     {
         foreach (ref readonly Contact contact in set)

@@ -2,40 +2,46 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball on several surfaces at once, in whole steps of the method: the contacts and their modes are locked for a piece (<see cref="ContactSystem"/>), and the piece
-/// ends where a load, a friction cone, a slip or a gap ends, where the ball comes to rest, or where it meets something (contacts.md, A step). Where no modes hold,
-/// or a step has changed them too often, <see cref="ContactSetParts"/> takes the rest.
-/// </summary>
+/// <summary>Steps a ball on several surfaces at once with the chosen integrator.</summary>
+/// <remarks>
+/// Contacts and modes are locked for a piece (<see cref="ContactSystem"/>). A piece ends at the first event: a load, friction cone, slip or
+/// gap reaches its limit, the ball comes to rest, or it hits another object. If no modes are consistent, or the set changes too often in a
+/// step, <see cref="ContactSetParts"/> takes the rest.
+/// </remarks>
 internal sealed unsafe class ContactSetPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Changes of the set in a step, while several contacts bear; after them the rest of it is taken in parts.</summary>
+    /// <summary>Maximum number of set changes per step while several contacts are active.</summary>
+    /// <remarks>After that the rest of the step is taken in parts.</remarks>
     private const int MostChanges = 8;
 
-    /// <summary>Pieces in a step in which several contacts bear; after them the rest of it is taken in parts: a slip that turns would need ever more of them.</summary>
+    /// <summary>Maximum number of pieces per step with several active contacts.</summary>
+    /// <remarks>
+    /// After that the rest of the step is taken in parts: a turning slip would need ever more pieces.
+    /// </remarks>
     private const int MostPieces = 160;
 
-    /// <summary>A slip of less than this, m/s, has ended.</summary>
+    /// <summary>A slip below this has ended, m/s.</summary>
     private const double Sticking = 1e-7;
 
-    /// <summary>A state that changes by less than this, m/s, keeps the rates that were found for it.</summary>
+    /// <summary>If the velocity changes by less than this, the computed rates stay valid, m/s.</summary>
     private const double Unmoved = 1e-12;
 
-    /// <summary>A step with many pieces follows a slip that turns no further than to this, m/s.</summary>
+    /// <summary>After many pieces, a turning slip ends at this larger value, m/s.</summary>
     private const double StickingOfMany = 1e-6;
     private const int ManyPieces = 24;
 
-    /// <summary>A normal turns by no more than this in a piece, rad.</summary>
+    /// <summary>Maximum rotation of a normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
-    /// <summary>How often a step reports that the ball slides or rolls.</summary>
+    /// <summary>Maximum number of slide and roll events per step.</summary>
     private const int MostNames = 2;
 
-    /// <summary>How often a step checks whether friction holds a ball that rolling resistance does not hold.</summary>
+    /// <summary>Maximum number of checks per step whether friction holds a ball that rolling resistance does not hold.</summary>
     private const int MostGrips = 4;
 
-    /// <summary>Rounds in which slips and speeds off contacts are ended, one contact after the other; more are taken only while they change the velocity by more than this, m/s.</summary>
+    /// <summary>Iterations that remove slips and normal speeds, one contact after the other.</summary>
+    /// <remarks>Further ones run only if the velocity still changes by this, m/s.</remarks>
     private const int FewStickRounds = 4;
     private const int MostStickRounds = 128;
     private const double Corrected = 1e-9;
@@ -61,8 +67,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         _parts = parts;
     }
 
-    /// <summary>Takes the next piece where several contacts bear the ball; hands it to the one that does where that is another than its carrier.</summary>
-    /// <returns>False where the ball's carrier alone bears it, or nothing does.</returns>
+    /// <summary>Takes the next piece if several contacts are active. If another single contact is active, it becomes the carrier.</summary>
+    /// <returns>False if only the carrier, or no contact, has a load.</returns>
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
     {
@@ -78,7 +84,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return _parts.Take(ref s, ref run);
         }
 
-        // The modes at the start.
+        // Determine the contact modes at the start.
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
         for (int i = 0; i < set.Length; i++)
         {
@@ -105,7 +111,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return _parts.Take(ref s, ref run);
         }
 
-        // One contact alone bears it, or none does: the phase of a single surface takes the ball on.
+        // At most one contact has a load: leave the ball to the phase of a single surface.
         int bearing = 0;
         int last = -1;
         for (int i = 0; i < system.Count; i++)
@@ -145,7 +151,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return true;
     }
 
-    /// <summary>True when a ball of no more energy than one at rest is held by contacts that stand still, or move along together.</summary>
+    /// <summary>True if a ball below the rest energy is held by contacts that are stationary or move together.</summary>
     private bool Rests(ref BallState s, in ContactSystem system, in Motion from, ref StepRun run)
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
@@ -175,7 +181,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return holds;
     }
 
-    /// <summary>Ends what is left of a slip at contacts that stick, and of a speed off contacts that bear: below what the modes are told by.</summary>
+    /// <summary>Removes the remaining slip of sticking contacts, and the remaining normal speed of loaded ones.</summary>
+    /// <remarks>Both are below the thresholds of the modes.</remarks>
     private void Stick(in ContactSystem system, ref BallState s)
     {
         double r = _world.Ball.Radius;
@@ -191,7 +198,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 ref readonly SetContact contact = ref system.Contacts[i];
                 if (!contact.Bears)
                 {
-                    // What the others change must not lead into a stationary surface.
+                    // Changes for the other contacts must not push the ball into a stationary surface.
                     double closing = Vector3d.Dot(in v, contact.Normal);
                     bool enters = closing < -ContactSearch.Approaching && !_world.Colliders[contact.Collider].Moves;
                     v -= enters ? closing * contact.Normal : Vector3d.Zero;
@@ -199,7 +206,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                     continue;
                 }
 
-                // A push F along the surface turns the ball by −n × F/(α r), and takes (1 + α)/α of itself from the slip.
+                // A force F along the surface changes the spin by −n × F/(α r), so removing the slip takes α/(1 + α) of it.
                 Vector3d n = contact.Normal;
                 Collider collider = _world.Colliders[contact.Collider];
                 double off = Vector3d.Dot(v - collider.ShapeVelocity(s.Position - (r * n), s.Time), in n);
@@ -217,7 +224,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         }
 
-        // Moving objects may leave no such velocity. Then the ball does not enter stationary ones.
+        // Moving objects may leave no consistent velocity. In that case only keep the ball out of stationary objects.
         for (int i = 0; i < system.Count && change > Corrected; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
@@ -236,7 +243,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         if (system.Pinned)
         {
-            // What was left of its speed is none: it does not creep.
+            // Remove the remaining velocity, so that a pinned ball does not creep.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
             Vector3d material = _world.Colliders[bearer.Collider].MaterialVelocity(s.Position, s.Time);
             double about = Vector3d.Dot(s.SpinAxis, bearer.Normal);
@@ -262,7 +269,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
     }
 
-    /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
+    /// <summary>Takes a piece, ends it at the first event within it, and moves the ball.</summary>
     [SkipLocalsInit]
     private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
         where TMethod : struct, IIntegrator
@@ -275,7 +282,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         sweep.Step(h);
         double whole = sweep.Length;
 
-        // What may end it: an edge under the ball, the drag law's jump, loads, cones, slips and rest, a border, a net's kink, what is met.
+        // Shorten the piece to the first event: an edge, the jump of the drag law, loads, cones, slips, rest, a border, a net's kink, a
+        // contact.
         for (int i = 0; i < system.Count; i++)
         {
             Collider collider = _world.Colliders[system.Contacts[i].Collider];
@@ -301,7 +309,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         run.SetPieces++;
         run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
 
-        // Move, and put the ball back onto what bears it: curved surfaces drift.
+        // Move the ball, then project it onto its contacts: it drifts off curved surfaces.
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);
@@ -321,7 +329,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
     }
 
-    /// <summary>The longest piece that stability, nets, slips that turn and normals that turn allow, s.</summary>
+    /// <summary>Returns the longest piece that stability, nets, turning slips and turning normals allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in ContactSystem system, ref StepRun run)
     {
         double asked = run.Next;
@@ -344,7 +352,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return ShortenForSlips(in system, in from, h, run.Length);
     }
 
-    /// <summary>A piece takes no more of a slip that turns than the method can follow.</summary>
+    /// <summary>Shortens a piece so that the integrator can follow every turning slip.</summary>
     private double ShortenForSlips(in ContactSystem system, in Motion from, double h, double step)
     {
         for (int i = 0; i < system.Count; i++)
@@ -361,7 +369,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         return h;
     }
 
-    /// <summary>The contact that bears most names the carrier; the one before does as long as it bears about as much. Whether that slips says whether the ball slides or rolls.</summary>
+    /// <summary>Updates the carrier and the motion state.</summary>
+    /// <remarks>
+    /// The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
+    /// The ball slides if the carrier slips; otherwise it rolls.
+    /// </remarks>
     private void Name(ref BallState s, Span<Contact> set, in ContactSystem system, ref StepRun run)
     {
         int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);

@@ -1,14 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball that is pushed from place to place, by what it overlaps: it meets nets, and comes through goals, on that way too.
-/// </summary>
+/// <summary>Follows a ball that is displaced out of an overlap: it may enter nets and pass through goals on that path.</summary>
 internal sealed class Displacement
 {
-    /// <summary>A displacement takes no time; to be looked along, it takes this, s.</summary>
+    /// <summary>Duration assigned to a displacement for the path search, s. The displacement itself takes no time.</summary>
     public const double AtOnce = 1e-6;
 
-    /// <summary>Passages on one way at most: more than there can be at one place.</summary>
+    /// <summary>Maximum number of passages on one path: more than can exist at one position.</summary>
     private const int MostPassages = 32;
 
     private readonly World _world;
@@ -20,9 +18,9 @@ internal sealed class Displacement
         _guard = guard;
     }
 
-    /// <summary>Takes all that the ball passes on the straight way to where it is, in order.</summary>
-    /// <param name="s">The ball, where it was moved to.</param>
-    /// <param name="from">Where it was before, m.</param>
+    /// <summary>Handles all nets and goals on the straight path to the ball's position, in order.</summary>
+    /// <param name="s">The ball, at its new position.</param>
+    /// <param name="from">Its old position, m.</param>
     /// <param name="run">The step.</param>
     public void Follow(ref BallState s, in Vector3d from, ref StepRun run)
     {
@@ -44,7 +42,7 @@ internal sealed class Displacement
                 break;
             }
 
-            // It is told where the ball passes, at the time of the displacement.
+            // Report the position of the passage, at the time of the displacement.
             s.Position = path.At(at);
             left -= at;
             _guard.Meet(ref s, in met, ref run);

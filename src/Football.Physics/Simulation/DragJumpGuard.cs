@@ -1,18 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Watches the surfaces at which the published drag law jumps. A piece of motion is locked to one branch of the law; where it crosses a
-/// surface it ends there, and the branch that leads away from the surface holds from then on (Filippov).
-/// </summary>
+/// <summary>Locates the jumps of the published drag law.</summary>
+/// <remarks>
+/// A piece is locked to one branch of the law and ends when it crosses a surface of the jump. From there, the branch that leads away from
+/// the surface holds (Filippov).
+/// </remarks>
 internal sealed class DragJumpGuard
 {
-    /// <summary>A rate across a surface is not known to more than this share of the products that it is summed of.</summary>
+    /// <summary>Relative rounding error of a rate across a surface, as a share of its summands.</summary>
     private const double Rounding = 1e-14;
 
-    /// <summary>A ball nearer to a surface than this, by its functions, is on it but for rounding, m²/s².</summary>
+    /// <summary>A ball counts as on a surface if the surface's function is below this, m²/s².</summary>
     private const double OnIt = 1e-6;
 
-    /// <summary>A crossing within this share of a piece is the one that it starts at.</summary>
+    /// <summary>A crossing within this share of a piece is the crossing at its start.</summary>
     private const double AtStart = 1e-6;
 
     private readonly FlightSystem _flight;
@@ -23,15 +24,15 @@ internal sealed class DragJumpGuard
         Acts = around.Air.Jumps && locates;
     }
 
-    /// <summary>True when pieces end at the jump. Where they do not, each takes the branch that holds at its start.</summary>
+    /// <summary>True if pieces end at the jump. If not, each piece uses the branch at its start.</summary>
     public bool Acts { get; }
 
-    /// <summary>Ends a piece of flight at its first crossing, and says which branch holds from there.</summary>
+    /// <summary>Ends a piece of flight at its first crossing, and returns the branch that holds from there.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
     /// <param name="run">The step.</param>
     /// <param name="next">The branch that holds at its end.</param>
-    /// <returns>False where the piece must be taken again, from its start, on that branch.</returns>
+    /// <returns>False if the piece must be repeated from its start on that branch.</returns>
     public bool EndAtCrossing<TSweep>(ref TSweep sweep, in BallState s, ref StepRun run, out DragBranch next)
         where TSweep : struct, IFlightSweep
     {
@@ -42,7 +43,7 @@ internal sealed class DragJumpGuard
         DragJump startRate = sweep.StartJumpRate;
         DragJump end = sweep.EndJump;
 
-        // No crossing in sight; or the step chatters between the branches and has had its splits.
+        // No crossing is possible, or the step chatters between the branches and has used all its splits.
         if (run.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
         {
             return true;
@@ -51,7 +52,7 @@ internal sealed class DragJumpGuard
         run.Splits++;
         if (start.Branch != branch)
         {
-            // On the surface to rounding. The branch of the step leads away from it only if the end is on that branch too.
+            // The ball is on the surface to within rounding. Keep the branch only if it leads away from the surface.
             next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), in s, ref run);
             if (next != branch)
             {
@@ -59,7 +60,7 @@ internal sealed class DragJumpGuard
             }
         }
 
-        // Where the interpolant crosses nothing after all, the whole piece stands.
+        // If the interpolant crosses no surface after all, keep the whole piece.
         TSweep whole = sweep;
         if (!JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
         {
@@ -68,12 +69,13 @@ internal sealed class DragJumpGuard
             return true;
         }
 
-        // What holds from the crossing on: the other branch, or a slide along the surface.
+        // From the crossing, the other branch holds, or a sliding mode along the surface.
         next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
 
-    /// <summary>Ends a piece of flight along a surface where one branch alone leads off it, or where the other surface is met.</summary>
+    /// <summary>Ends a piece that slides along a surface of the jump when one branch leads off it, or when it reaches the other
+    /// surface.</summary>
     public DragBranch EndAlongSurface<TIntegrator>(
         ref MotionSweep<FlightSystem, TIntegrator> sweep, double time, in Motion from, ref StepRun run)
         where TIntegrator : struct, IIntegrator
@@ -85,7 +87,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
-        // The other surface is met: the sliding mode ends where its function reaches zero, by the secant.
+        // The sliding mode ends at the other surface, when its function reaches zero: use the secant.
         DragJump end = sweep.EndJump;
         double other = along == DragBranch.AlongCriticalSpeed ? end.Spin : end.Speed;
         if (other <= 0)
@@ -96,7 +98,7 @@ internal sealed class DragJumpGuard
             return DragBranch.NoSpin;
         }
 
-        // The mode lasts as long as the share of the law with spin is between 0 and 1.
+        // The sliding mode lasts while the share of the spinning branch is between 0 and 1.
         double share = sweep.System.SpinningShare(time + h, in sweep.Taken.End, out _, out _);
         run.Log.Evaluations += 2;
         if (share is >= 0 and <= 1)
@@ -104,7 +106,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
-        // Beyond that one law alone leads off the surface: from where the share reaches its limit, by the secant.
+        // Beyond that range one branch leads off the surface. Find the time when the share reaches its limit by the secant.
         double startShare = sweep.System.SpinningShare(time, in from, out _, out _);
         run.Log.Evaluations += 2;
         run.Splits++;
@@ -114,9 +116,9 @@ internal sealed class DragJumpGuard
         return share > 1 ? DragBranch.Spinning : DragBranch.NoSpin;
     }
 
-    /// <summary>Ends a piece on the ground at its crossing; the other branch holds from there.</summary>
+    /// <summary>Ends a piece on the ground at its crossing. From there, the other branch holds.</summary>
     /// <param name="sweep">The piece.</param>
-    /// <param name="branch">The branch that it is locked to; then the one that holds at its end.</param>
+    /// <param name="branch">The branch of the piece; on return, the branch at its end.</param>
     /// <param name="run">The step.</param>
     public void EndAtCrossingOnGround<TSweep>(ref TSweep sweep, ref DragBranch branch, ref StepRun run)
         where TSweep : struct, IFlowSweep
@@ -135,8 +137,9 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: from the crossing on the other branch holds. A piece that starts on a surface, but for rounding, has that crossing
-        // behind it, and may meet the other surface.
+        // On the ground no sliding mode is followed: the other branch holds from the crossing on. A piece that starts on a surface has
+        // already
+        // passed that crossing, and may reach the other surface.
         run.Splits++;
         TSweep whole = sweep;
         if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))
@@ -150,10 +153,8 @@ internal sealed class DragJumpGuard
         branch = end.Branch;
     }
 
-    /// <summary>
-    /// The branch that a piece on a surface is locked to: the one that holds at its start; on a surface of the jump the last one, unless that is not known or leads
-    /// along the surface.
-    /// </summary>
+    /// <summary>Returns the branch for a piece on a surface: the one that holds at its start.</summary>
+    /// <remarks>Exactly on the jump it is the previous branch, unless that is unknown or a sliding mode.</remarks>
     public DragBranch OnSurface(DragBranch last, in Motion from)
     {
         if (!_flight.Around.Air.Jumps)
@@ -161,16 +162,16 @@ internal sealed class DragJumpGuard
             return last;
         }
 
-        // Only there does the last piece know better; elsewhere a spin that became that of a roll may have left it behind.
+        // Use the previous branch only on the jump: elsewhere a change of spin, such as the start of a roll, may have outdated it.
         DragJump here = DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius);
         bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning) && Math.Abs(here.Least) < OnIt;
         return known ? last : here.Branch;
     }
 
-    /// <summary>Which branch of the drag law holds from a point on its jump on.</summary>
-    /// <param name="time">When, s.</param>
+    /// <summary>Returns the branch of the drag law that holds from a point on its jump.</summary>
+    /// <param name="time">The time, s.</param>
     /// <param name="at">The point.</param>
-    /// <param name="s">The ball before, with its branch and the nets that it is in.</param>
+    /// <param name="s">The ball before, with its branch and its nets.</param>
     /// <param name="run">The step.</param>
     private DragBranch Resolve(double time, in Motion at, in BallState s, ref StepRun run)
     {
@@ -178,7 +179,7 @@ internal sealed class DragJumpGuard
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
 
-        // Of the two surfaces the one that the ball is nearer to.
+        // Take the nearer of the two surfaces.
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;
         system.Branch = along;
@@ -189,11 +190,11 @@ internal sealed class DragJumpGuard
         double a = here.NearerToSpeed ? inside.Speed : inside.Spin;
         double b = here.NearerToSpeed ? outside.Speed : outside.Spin;
 
-        // a: how the law with spin moves across the surface towards its own side; b: how the law without does. A ball whose speed nothing
-        // changes (lift alone, no drag, no gravity) moves neither way: rates of rounding are no reason to follow the surface.
+        // a and b: rates across the surface under the spinning and the non-spinning branch. If no force changes the speed (lift alone),
+        // both are only rounding, which must not start a sliding mode.
         double rounding = Rounding * system.JumpRateScale(in at, in spinning);
 
-        // Filippov: where both laws push back onto the surface, along it; where both lead to one side, the law of that side; else the other than before.
+        // Filippov: slide if both branches lead back to the surface; if both lead to one side, take that branch; otherwise switch branches.
         return a < -rounding && b > rounding && share > 0 && share < 1 ? along
             : a > 0 && b > 0 ? DragBranch.Spinning
             : a < 0 && b < 0 ? DragBranch.NoSpin

@@ -1,24 +1,26 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a piece of a slide or a roll where the flat face under the ball ends: at the edge of a box, where another tile may carry the ball on.</summary>
+/// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as that of a box.</summary>
+/// <remarks>Another tile may support the ball beyond it.</remarks>
 internal static class FaceBorder
 {
-    /// <summary>The piece ends so far beyond the edge, as a share of its length, and at least this far, m: the next one finds the ball beyond it.</summary>
+    /// <summary>The piece ends this share of its length beyond the edge, and at least this distance, m.</summary>
+    /// <remarks>The next piece then starts beyond it.</remarks>
     private const double Beyond = 1e-9;
     private const double LeastBeyond = 1e-12;
 
-    /// <summary>A ball that is slower than this, m/s, is taken for so fast.</summary>
+    /// <summary>Minimum speed used to convert a distance to a time, m/s.</summary>
     private const double Slowest = 1e-6;
 
-    /// <summary>The edge is known to this, as a share of the piece.</summary>
+    /// <summary>Tolerance of the edge, as a share of the piece.</summary>
     private const double Width = 1e-13;
 
     private const int MostSteps = 60;
 
-    /// <summary>Shortens a piece that ends beyond the edge of the face that it began on, to just beyond the edge.</summary>
+    /// <summary>Shortens a piece that ends beyond the edge of its face, so that it ends just beyond the edge.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="carrier">What carries the ball.</param>
+    /// <param name="carrier">The carrier of the ball.</param>
     public static void EndBeyond<TSweep>(ref TSweep sweep, in BallState s, Collider carrier)
         where TSweep : struct, ISweep
     {
@@ -29,7 +31,7 @@ internal static class FaceBorder
             return;
         }
 
-        // The margin is all but linear along the piece.
+        // The margin is almost linear along the piece.
         double length = sweep.Length;
         var margin = new Margin<TSweep>(in sweep, carrier, s.Time);
         double x = start > LeastBeyond ? Roots.Illinois(ref margin, 0, start, length, end, Width * length, MostSteps) : 0;
@@ -37,11 +39,11 @@ internal static class FaceBorder
         sweep.Step(Math.Min(length, x + Math.Max(Beyond * length, LeastBeyond / Math.Max(Slowest, sweep.Velocity.Length))));
     }
 
-    /// <summary>How far the ball is inside the border of the face.</summary>
+    /// <summary>Distance of the ball inside the border of the face.</summary>
     private struct Margin<TSweep>(in TSweep sweep, Collider carrier, double time) : IFunction
         where TSweep : struct, ISweep
     {
-        /// <summary>The piece, with what it has evaluated.</summary>
+        /// <summary>The piece, with its count of evaluations.</summary>
         public TSweep Sweep = sweep;
 
         public bool Evaluate(double x, out double value)

@@ -1,13 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>Whole steps on flat ground, whatever the laws of the air.</summary>
+/// <summary>Whole steps on flat ground, for any laws of the air.</summary>
 internal abstract class FlatSurfaceStep
 {
-    /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <summary>Tries a whole step, and completes it if no event is possible.</summary>
     /// <param name="s">The ball, on the ground.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="end">When it ends, s.</param>
-    /// <param name="log">Where counts are added.</param>
-    /// <returns>False where something may happen; then nothing is done.</returns>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="end">End time, s.</param>
+    /// <param name="log">Receives the counts.</param>
+    /// <returns>False if an event is possible; the ball is then unchanged.</returns>
     public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
 }

@@ -3,28 +3,34 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// Whole steps of sliding and rolling on flat ground with nothing else near: nearly every step that a ball takes on the ground. The motion has two components
-/// along the plane and three of spin, in the plane's own axes; the load needs no curvature, and nothing is searched for.
-/// <see cref="TryWhole"/> proposes the step, takes it, asks whether anything may have happened in it, and moves the ball. Where something may, nothing is done
-/// and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces, by the same equations on any surface.
+/// Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.
+/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
+/// search is made.
+/// <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes nothing,
+/// and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
 /// </summary>
 /// <remarks>
-/// With a_b gravity and buoyancy, a_air the air's push, T its torque per moment of inertia and N the load per mass:
-/// sliding a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T; rolling a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ where the air is shared
-/// with the spin, else a_b/(1 + α) + a_air − …; about the normal −(c_ω/I) ω_n − sign(ω_n) b μ_s N m/I.
+/// Symbols: a_b gravity and buoyancy, a_air the acceleration by the air, T its torque per moment of inertia, N the load per mass.
+/// Sliding: a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T.
+/// Rolling: a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ if the spin shares the air's force; otherwise a_b/(1 + α) + a_air −
+/// ….
+/// About the normal: −(c_ω/I) ω_n − sign(ω_n) b μ_s N m/I.
 /// </remarks>
-/// <typeparam name="TAir">The laws of the air; where they vary, <see cref="FieldAir{TLaw}"/> or <see cref="SceneAir"/>, which has any mixture of laws too.</typeparam>
+/// <typeparam name="TAir">The laws of the air. If they vary: <see cref="FieldAir{TLaw}"/>, or <see cref="SceneAir"/>, which supports any
+/// mixture.</typeparam>
 internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>Where the axis of the spin turns so little in a step that h² |ω(h) × ω(0)| is below this, two terms of Magnus' series do: they leave out some thousandths of it (WholeRun).</summary>
+    /// <summary>If h² |ω(h) × ω(0)| is below this, two terms of the Magnus series suffice: the axis turns little (tested in
+    /// WholeRun).</summary>
     private const double LittleTurn = 1e-3;
 
-    /// <summary>A rolling ball that needs more than this share of the friction that it has, or a load that has less than this of the weight left, is looked at closely.</summary>
+    /// <summary>If a roll needs more than this share of the available friction, or keeps less than this share of its weight as load, the
+    /// pieces take the step.</summary>
     private const double Ample = 0.9;
     private const double Slight = 0.05;
 
-    /// <summary>A slip or a roll that friction alone would end in this share of a step is taken in pieces without asking.</summary>
+    /// <summary>If friction alone would end the slip or the roll within this share of a step, the pieces take the step.</summary>
     private const double SoonOver = 0.5;
 
     private readonly Surroundings _around;
@@ -69,12 +75,12 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Prepares the steps of a scene.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="settings">The method.</param>
-    /// <param name="around">What acts on the ball.</param>
+    /// <param name="settings">The integrator.</param>
+    /// <param name="around">The forces on the ball.</param>
     /// <param name="air">The laws of the air.</param>
-    /// <param name="limit">How long a step may be.</param>
-    /// <param name="clear">Finds out whether anything is near; null where there is nothing but the ground.</param>
-    /// <param name="locatesJump">Whether steps end at the drag law's jump.</param>
+    /// <param name="limit">The stability limit of a step.</param>
+    /// <param name="clear">Checks whether an object is near; null if the scene has only the ground.</param>
+    /// <param name="locatesJump">Whether steps end at the jump of the drag law.</param>
     public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
@@ -94,7 +100,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         };
         _semiImplicit = settings.Integrator == Integrator.SemiImplicitEuler;
 
-        // The plane's axes: on a level pitch those of the world.
+        // Axes of the plane. On a level pitch they are the world axes.
         _isLevel = scene.Ground.IsLevel;
         _normal = scene.Ground.Normal.Normalized();
         Vector3d along = Math.Abs(_normal.X) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
@@ -109,7 +115,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _bodyZ = Vector3d.Dot(in body, in _axisZ);
         _weight = -Vector3d.Dot(in body, in _normal);
 
-        // The constants of the equations in the remarks: what of the weight and of the air counts in the load, a slide, a roll and its traction.
+        // Constants of the equations in the remarks: the shares of weight and air in the load, a slide, a roll and its traction.
         BallProperties ball = scene.Ball;
         double alpha = ball.InertiaFactor;
         _radius = ball.Radius;
@@ -155,8 +161,9 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     {
         bool rolls = default(TMotion).Rolls;
 
-        // The motion in the plane's axes, number by number: what was written so in the step before is not read back as a whole without a wait.
-        // What a roll leaves of the spin is that about the normal.
+        // Copy the motion to the plane's axes component by component. The last step wrote single components, and a wide load would stall on
+        // them.
+        // A rolling ball only needs its spin about the normal.
         ref FlightMotion motion = ref s.Flight;
         PlaneMotion start;
         if (_isLevel)
@@ -172,7 +179,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             start = InPlane(in motion);
         }
 
-        // Propose: the whole step, if there is a direction of the roll or the slip, and the air is not too strong.
+        // Accept a whole step only if the direction of the roll or the slip is defined, the step is stable, and no object is near.
         double x = rolls ? start.VX : start.VX + (_radius * start.WZ);
         double z = rolls ? start.VZ : start.VZ - (_radius * start.WX);
         double size = Math.Sqrt((x * x) + (z * z));
@@ -207,7 +214,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
         on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
 
-        // The first stage tells whether the direction turns too much on the way, by size at the end: then the step is taken in pieces.
+        // Use the first stage to reject a step in which the direction of the slip or the roll turns too much.
         RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
         double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
         double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
@@ -218,7 +225,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        // Take it: the stages of the method, each from the start and the rates of the one before.
+        // Take the stages of the integrator, each from the start with the rates of the previous stage.
         double weight = _weights[0];
         double sumVX = weight * start.VX;
         double sumVZ = weight * start.VZ;
@@ -266,7 +273,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             }
         }
 
-        // A roll has the spin of its speed: ω_t = n × v / r.
+        // A rolling ball has the spin of its velocity: ω_t = n × v / r.
         PlaneMotion last;
         last.VX = start.VX + (dt * sumAX);
         last.VZ = start.VZ + (dt * sumAZ);
@@ -274,8 +281,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         last.WY = start.WY + (dt * sumBY);
         last.WZ = rolls ? -last.VX * _perRadius : start.WZ + (dt * sumBZ);
 
-        // Guards: the slip ends, the roll ends or needs more than friction gives, the load ends, the spin about the normal ends, another surface begins, the drag law jumps.
-        // The load and the traction at the end are what the stages lead to.
+        // Reject the step if the slip, roll, load, grip or spin about the normal may end, the surface changes, or the drag law jumps.
+        // The load at the end is extrapolated from the stages.
         double endX = rolls ? last.VX : last.VX + (_radius * last.WZ);
         double endZ = rolls ? last.VZ : last.VZ - (_radius * last.WX);
         double endLoad = rates.Load + Math.Min(0, rates.Load - first.Load);
@@ -298,11 +305,11 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        // Nothing happened: move the ball.
+        // No event: move the ball.
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        // The axis turns as well: ∫ω dt + h²/12 ω(h) × ω(0), Magnus' series to the fourth order; where it turns much, to the sixth.
+        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the Magnus series to fourth order; to sixth order if it turns much.
         sumWX = rolls ? sumVZ * _perRadius : sumWX;
         sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
         var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
@@ -332,7 +339,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         s.Time = end;
     }
 
-    /// <summary>Moves the ball, and shows the piece to the observer.</summary>
+    /// <summary>Moves the ball, and reports the piece to the observer.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void MoveAndShow<TMotion>(
         StepLog log,
@@ -380,10 +387,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private double Energy(in PlaneMotion at) => (_halfMass * ((at.VX * at.VX) + (at.VZ * at.VZ))) + (_halfInertia * ((at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ)));
 
-    /// <summary>The rates of change at one instant: the laws of the air at a point, and what follows from them.</summary>
+    /// <summary>Computes the rates of change at one instant: the laws of the air, then the forces that follow from them.</summary>
     /// <remarks>
-    /// What the laws give is waited for, so all that can be is summed before: a = A + lift B − drag C − decay D, with the air's share in the load, and so in
-    /// friction, in B and C.
+    /// The laws of the air have a long latency, so everything else is summed meanwhile: a = A + lift B − drag C − decay D.
+    /// B and C contain the air's share in the load, and so in friction.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
@@ -395,14 +402,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double wy = at.WY;
         double wz = at.WZ;
 
-        // The flow, and ω × u.
+        // The air-relative velocity u, and ω × u.
         double ux = vx - _windX;
         double uy = -_windUp;
         double uz = vz - _windZ;
         DragBranch branch = on.Branch;
         if (_air.HasField)
         {
-            // A force of a game's own is not here, and the knuckle force acts in flight alone: what varies is the wind.
+            // Custom forces are excluded here and the knuckle force acts only in flight, so only the wind varies.
             Vector3d wind = WindAt(in on, after, wayX, wayZ);
             ux -= wind.X;
             uy -= wind.Y;
@@ -424,7 +431,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             out double lift,
             out double decay);
 
-        // a_air = L (ω × u) − D u;  N/m = −a_b·n − a_air·n where the air loads
+        // a_air = L (ω × u) − D u; N/m = −a_b·n, and − a_air·n if the air adds to the load.
         double upByLift = _airInLoad * crossUp;
         double upByDrag = _airInLoad * uy;
         double load = _weight - ((lift * upByLift) - (drag * upByDrag));
@@ -440,7 +447,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             double fx = friction * (goesOn ? vx * perSpeed : on.X);
             double fz = friction * (goesOn ? vz * perSpeed : on.Z);
 
-            // The air's torque turns the ball by itself: r T × n, with T = −decay ω that of −decay v.
+            // The torque of the air, T = −decay ω, accelerates a rolling ball by r T × n, which equals −decay v.
             double ax = (_bodyXInRoll - (_weight * fx)) + (lift * ((_airInRoll * crossX) + (upByLift * fx)))
                 - ((drag * ((_airInRoll * ux) + (upByDrag * fx))) + (decay * (_decayInRoll * vx)));
             double az = (_bodyZInRoll - (_weight * fz)) + (lift * ((_airInRoll * crossZ) + (upByLift * fz)))
@@ -468,7 +475,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             rates.AX = (_bodyX - (_weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
             rates.AZ = (_bodyZ - (_weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
 
-            // n × ŝ; a ball without spin is held by the air as it begins to turn, and no more than that.
+            // n × ŝ. For a ball without spin, the air's torque reduces the torque of friction, but never reverses it.
             double turning = material.SlidingTorque * load;
             turning = spins ? turning : Math.Max(0, turning - decay);
             rates.BX = (turning * sz) - (slowing * wx);
@@ -478,11 +485,11 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
     }
 
-    /// <summary>The branch of a drag law that jumps, where the wind varies.</summary>
+    /// <summary>Returns the branch of the drag law in a varying wind.</summary>
     private DragBranch BranchAt(double speedSquared, double spinSquared, DragBranch branch) =>
         _around.Air.Laws.Jumps ? DragJump.At(speedSquared, _radiusSquared * spinSquared).Branch : branch;
 
-    /// <summary>The wind by place and time, in the plane's axes.</summary>
+    /// <summary>Returns the wind at a position and time, in the plane's axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Vector3d WindAt(in StepOn on, double after, double wayX, double wayZ)
     {
@@ -491,7 +498,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         return new Vector3d(Vector3d.Dot(in wind, in _axisX), Vector3d.Dot(in wind, in _normal), Vector3d.Dot(in wind, in _axisZ));
     }
 
-    /// <summary>True when the step may have crossed the drag law's jump: errs towards yes.</summary>
+    /// <summary>True if the step may have crossed the jump of the drag law (conservative).</summary>
     private bool MayCrossJump(in StepOn on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
     {
         DragJump from = JumpAt(in start);
@@ -511,16 +518,16 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             (ux * ux) + (_windUp * _windUp) + (uz * uz), _radiusSquared * ((at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ)));
     }
 
-    /// <summary>The numbers of a surface, per mass and per moment of inertia where that is so.</summary>
+    /// <summary>Constants of a material, per mass or per moment of inertia.</summary>
     private readonly struct Material(in ContactMaterial of, BallProperties ball)
     {
         /// <summary>μ_s.</summary>
         public readonly double Sliding = of.SlidingFriction;
 
-        /// <summary>μ_s/(α r), 1/m: the angular acceleration for a load per mass.</summary>
+        /// <summary>μ_s/(α r), 1/m: the angular acceleration per load and mass.</summary>
         public readonly double SlidingTorque = of.SlidingFriction / (ball.InertiaFactor * ball.Radius);
 
-        /// <summary>(1 + 1/α) μ_s: how fast friction alone ends the slip, for a load per mass.</summary>
+        /// <summary>(1 + 1/α) μ_s: the rate at which friction alone ends the slip, per load and mass.</summary>
         public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.SlidingFriction;
 
         /// <summary>c₀.</summary>
@@ -542,16 +549,16 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public Vector3d From;
         public double Time;
 
-        /// <summary>Direction of the roll or the slip at the start: what friction keeps to where a stage passes zero.</summary>
+        /// <summary>Direction of the roll or the slip at the start. Friction keeps it if a stage passes zero.</summary>
         public double X;
         public double Z;
 
-        /// <summary>Which way it spins about the normal: drilling friction keeps to it.</summary>
+        /// <summary>Sign of the spin about the normal. Drilling friction keeps it.</summary>
         public double SpinSign;
         public DragBranch Branch;
     }
 
-    /// <summary>A ball that rolls, and one that slides: the steps of each are compiled apart.</summary>
+    /// <summary>Compile-time choice between rolling and sliding.</summary>
     private interface ISurfaceMotion { bool Rolls { get; } }
 
     private readonly struct Roll : ISurfaceMotion
@@ -564,7 +571,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public bool Rolls => false;
     }
 
-    /// <summary>Velocity along the plane and spin, in the plane's axes: x and z along it, y its normal.</summary>
+    /// <summary>Velocity and spin in the plane's axes: x and z along the plane, y along its normal.</summary>
     private struct PlaneMotion
     {
         public double VX;
@@ -576,7 +583,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public readonly Vector3d Spin => new(WX, WY, WZ);
     }
 
-    /// <summary>Their rates of change, the load per mass, the square of what a roll asks of friction, per mass, and the square of how much the air slows the spin of a slide.</summary>
+    /// <summary>Rates of change of the motion, the load per mass, the squared traction of a roll per mass, and the squared braking of the
+    /// spin by the air in a slide.</summary>
     private struct PlaneRates
     {
         public double AX;

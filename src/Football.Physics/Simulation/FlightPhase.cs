@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// Flight, piece by piece. A piece is as long as stability allows; it ends early at the drag law's jump, where the spin ends, or where the
-/// ball meets something, whichever is first.
+/// Flight, piece by piece. A piece is as long as stability allows. It ends early at the first of these events: a jump of the drag law,
+/// the end of the spin, or a contact.
 /// </summary>
 internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
@@ -44,10 +44,10 @@ internal sealed class FlightPhase<TIntegrator>
         _fastestWind = around.Air.FastestWind;
     }
 
-    /// <summary>The next piece of a flight.</summary>
+    /// <summary>Takes the next piece of a flight.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // First what happens where the ball is: it hits what it touches, or hangs in a net with all forces in balance.
+        // Handle contacts at the current position first: an immediate hit, or a ball at rest in a net.
         if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
         {
             return;
@@ -55,27 +55,28 @@ internal sealed class FlightPhase<TIntegrator>
 
         Vector3d u = s.Velocity - _around.Wind;
 
-        // The branch of the drag law that this piece is locked to.
+        // Lock this piece to one branch of the drag law.
         if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
         {
             s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
         }
 
-        // With a constant axis the spin is one number; own forces, a sliding mode of the drag law and nets take the whole vector.
+        // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
+        // full vector.
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
-        // As long as stability allows: a length that is shorter than asked for is kept for the parts to come.
+        // Take the longest piece that stability allows. If that is less than requested, later parts use the same length.
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
         if (s.Nets != 0)
         {
-            // A net settles faster than a step is long: RK4 in parts.
+            // A net reacts faster than a step is long, so use RK4 substeps.
             TakeWithoutAxis<Substeps>(ref s, ref run, h);
         }
         else if (run.Spirals)
         {
-            // RK4 makes no velocity longer that turns by up to 2.8 rad.
+            // RK4 does not increase a velocity that turns by up to 2.8 rad.
             Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
         }
         else
@@ -84,12 +85,12 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>The first piece of a step, already taken as a whole step, which is found to have something in it.</summary>
+    /// <summary>Finishes the first piece of a step that was already integrated as a whole step and contains an event.</summary>
     public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
     {
         if (IsHeld(in s))
         {
-            // What keeps it there is asked first, by the next piece.
+            // The ball touches the ground: let the next piece handle that contact first.
             return;
         }
 
@@ -98,10 +99,10 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep);
     }
 
-    /// <summary>True when the ball touches level ground, and does not leave it.</summary>
+    /// <summary>True if the ball touches level ground and does not leave it.</summary>
     public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
 
-    /// <summary>A ball in a net with no more energy than one at rest rests, where all that acts on it is in balance.</summary>
+    /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
     private bool RestsInNet(ref BallState s, ref StepRun run)
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -112,7 +113,7 @@ internal sealed class FlightPhase<TIntegrator>
             return false;
         }
 
-        // Slow alone is not enough, for at a turning point it is slow too: all forces, the nets' among them, must balance.
+        // A slow ball may only be at a turning point, so also check that all forces balance, including those of the nets.
         bool rests = _contact.Load.HangsStill(in s);
         run.Log.Evaluations++;
         if (rests)
@@ -123,7 +124,8 @@ internal sealed class FlightPhase<TIntegrator>
         return rests;
     }
 
-    /// <summary>A piece by a method: along a constant axis of the spin where there is a flight along one, else with the whole spin vector.</summary>
+    /// <summary>Takes a piece with one integrator: along a constant spin axis if a flight for that is given, otherwise with the full spin
+    /// vector.</summary>
     private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
         where TMethod : struct, IIntegrator
     {
@@ -138,14 +140,14 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep);
     }
 
-    /// <summary>Ends a piece along a constant axis at the first thing that happens in it, and moves the ball there.</summary>
+    /// <summary>Ends a piece with a constant spin axis at the first event within it, and moves the ball there.</summary>
     private void Finish<TMethod>(ref BallState s, ref StepRun run, ref FlightSweep<TMethod> sweep)
         where TMethod : struct, IIntegrator
     {
         DragBranch next = s.Branch;
         bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
 
-        // Spin that ends before the jump ends the piece there, on its own branch.
+        // If the spin ends before the jump, end the piece there and keep the branch.
         if (goes && sweep.Taken.SpinRate < 0 && _around.Air.SpinDecays)
         {
             EndSpin(ref sweep, s.SpinRate);
@@ -155,7 +157,7 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes);
     }
 
-    /// <summary>A piece with the whole spin vector: with forces of the game's own, along the drag law's jump or in a net.</summary>
+    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump of the drag law, or in a net.</summary>
     private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IIntegrator
     {
@@ -172,7 +174,7 @@ internal sealed class FlightPhase<TIntegrator>
         DragBranch next = s.Branch;
         bool goes = true;
 
-        // The drag law's jump: along one of its surfaces to where the sliding mode ends, else to the first crossing.
+        // Jump of the drag law: follow its surface to the end of the sliding mode, or stop at the first crossing.
         if (_jump.Acts)
         {
             if (s.Branch >= DragBranch.AlongCriticalSpeed)
@@ -186,7 +188,7 @@ internal sealed class FlightPhase<TIntegrator>
             }
         }
 
-        // Then the kink of a net's force, where the integrator would lose its order; before the jump the branch is still the piece's.
+        // Stop at the kink of a net's force, where the integrator would lose its order. Before the jump, the branch does not change.
         if (goes && s.Nets != 0)
         {
             double length = sweep.Length;
@@ -198,24 +200,24 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep, order, next, goes);
     }
 
-    /// <summary>Ends a piece at the first thing that it meets, and moves the ball to its end.</summary>
+    /// <summary>Ends a piece at the first contact, and moves the ball to the end of the piece.</summary>
     private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, DragBranch next, bool goes)
         where TSweep : struct, IFlightSweep
     {
         if (!goes)
         {
-            // On the jump to rounding: the same piece again, on the branch that leads away from it.
+            // The ball is on the jump to within rounding: repeat the piece on the branch that leads away from it.
             run.Log.Evaluations += sweep.Evaluations;
             s.Branch = next;
             return;
         }
 
-        // The first thing that is met, if any, shortens the piece once more.
+        // The first contact, if any, shortens the piece further.
         double length = sweep.Length;
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
         if (!meets)
         {
-            // What was halved for forces that turn the ball round stays so short in this step.
+            // The search halved the piece because forces turn the ball back. Keep this length for the rest of the step.
             run.Keep(sweep.Length, length);
         }
 
@@ -226,7 +228,7 @@ internal sealed class FlightPhase<TIntegrator>
             before = s;
         }
 
-        // The ball goes to the end; if it ends before the jump, on the same branch.
+        // Move the ball to the end. If the piece ends before the jump, the branch does not change.
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
@@ -236,7 +238,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
         else
         {
-            // What it touched at the start, and was not pressed on, it may be in by now.
+            // The ball may have entered a surface that it touched at the start without load.
             ContactSet.Separate(_world, ref s);
         }
 
@@ -251,17 +253,17 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>Ends a piece where its spin reaches zero: decay never reverses a spin.</summary>
+    /// <summary>Ends a piece at the time when the spin reaches zero: decay never reverses a spin.</summary>
     private static void EndSpin<TMethod>(ref FlightSweep<TMethod> sweep, double spinRate)
         where TMethod : struct, IIntegrator
     {
-        // The secant for a first guess; then the step is taken again until the spin is zero at its end.
+        // Start from the secant, then repeat the step until the spin at its end is zero.
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
         EventLocator.Locate(ref sweep, new SpinLeft<TMethod>(spinRate), tau);
         sweep.EndSpin();
     }
 
-    /// <summary>The longest piece that stability allows, s.</summary>
+    /// <summary>Returns the longest piece that stability allows, s.</summary>
     private double Longest(in BallState s, in Vector3d u, double asked, bool isPlain, ref bool spirals)
     {
         double h = asked;
@@ -271,7 +273,7 @@ internal sealed class FlightPhase<TIntegrator>
             double spin = s.Spin.Length;
             double most = Math.Sqrt(speedSquared) + _fastestWind;
 
-            // The quick bound first; where that is not enough a closer one, in a field by the speed that the ball has in its wind.
+            // Try the cheap bound first. If it fails, use a tighter one; in a wind field, take the ball's actual air speed.
             h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
                 ? asked
                 : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
@@ -282,11 +284,11 @@ internal sealed class FlightPhase<TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
-        // Methods that come down from a hop faster than they went up take it in parts, or bounces would grow.
+        // Divide the fall for integrators that return from a hop faster than they left; otherwise bounces would grow.
         return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 
-    /// <summary>The speed relative to the air in wind by place and time, m/s.</summary>
+    /// <summary>Returns the speed relative to the air in a wind field, m/s.</summary>
     private double AirSpeed(in BallState s, in Vector3d u)
     {
         _around.Air.Evaluate(new ForceContext(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
@@ -294,23 +296,23 @@ internal sealed class FlightPhase<TIntegrator>
     }
 }
 
-/// <summary>The spin that is left at the end of a flight along a constant axis.</summary>
+/// <summary>The spin left at the end of a flight with a constant axis.</summary>
 internal readonly struct SpinLeft<TIntegrator> : IEventFunction<FlightSweep<TIntegrator>>
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A spin of less than this, rad/s, is none.</summary>
+    /// <summary>A spin below this counts as zero, rad/s.</summary>
     private const double Vanishing = 1e-300;
 
     private readonly double _start;
 
-    /// <param name="start">The spin at the start, rad/s.</param>
+    /// <param name="start">Spin at the start, rad/s.</param>
     public SpinLeft(double start) => _start = start;
 
     public bool Evaluate(ref FlightSweep<TIntegrator> sweep, double tau, out double value, out double correction)
     {
         value = sweep.Taken.SpinRate;
 
-        // The secant from the step's start: its spin falls about linearly.
+        // Secant from the start of the step: the spin falls almost linearly.
         correction = value * tau / (_start - value);
         return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
     }

@@ -3,11 +3,11 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// The hot step of flight, compiled for one air and one method: it proposes the whole step, takes it, looks whether anything happened, and moves the ball.
-/// All else is left to the pieces of <see cref="SceneStepper{TIntegrator}"/>.
+/// The hot path of flight, compiled for one air model and one integrator. It takes a whole step, checks it for events, and moves the ball.
+/// If an event may be within the step, <see cref="SceneStepper{TIntegrator}"/> takes it piece by piece.
 /// </summary>
-/// <typeparam name="TAir">The air, without own forces.</typeparam>
-/// <typeparam name="TIntegrator">The one-step method.</typeparam>
+/// <typeparam name="TAir">The air model, without custom forces.</typeparam>
+/// <typeparam name="TIntegrator">The integrator.</typeparam>
 internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>
     where TAir : struct, IFlightAir
     where TIntegrator : struct, IIntegrator
@@ -67,20 +67,20 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double y = position.Y;
         DragBranch branch = s.Branch;
 
-        // Along a surface of the jump, or going down at contact height, no step is taken whole.
+        // Leave sliding along the jump, and a descent at contact height, to the pieces.
         if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             return WholeFlight.NotTaken;
         }
 
-        // Propose: the whole step, locked to one branch of the drag law, if it is short enough for the forces here.
+        // Choose the branch of the drag law and check that the step is short enough for the forces.
         double ux = vx - _wind.X;
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double mostSquared = speedSquared;
 
-        // In a field the flow may be faster by the fastest wind.
+        // In a wind field, the air speed may be higher by the fastest wind.
         if (_air.HasField)
         {
             double most = Math.Sqrt(speedSquared) + _fastestWind;
@@ -93,7 +93,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             s.Branch = branch;
         }
 
-        // Stability, hops and the broad phase: each may ask for pieces.
+        // Stability, the hop limit or the broad phase may require pieces.
         bool covered = _air.Covers(speedSquared, spin, dt);
         if ((_air.Acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered))
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
@@ -107,7 +107,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return Fall(ref s, dt, end, log);
         }
 
-        // Take it: by the fast form of the laws where that holds, else point by point.
+        // Take the step: use the fast form of the laws if it covers this range, otherwise the full form.
         if (covered)
         {
             _integrator.Fly(ref _air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
@@ -119,7 +119,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
         log.Evaluations += _integrator.Stages;
 
-        // Guards: the ground, a dip through it, the end of the spin, the drag law's jump. Each errs towards yes.
+        // Conservative checks: ground contact, a dip below the ground, the end of the spin, the jump of the drag law.
         double height = y + (step.Path.Y + (dt * _wind.Y));
         double climb = step.AirVelocity.Y + _wind.Y;
         if (height < _contactHeight || (vy < 0 && climb > 0)
@@ -131,7 +131,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return WholeFlight.Ends;
         }
 
-        // Nothing happened: move the ball.
+        // No event: move the ball.
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
         s.Angle += step.Turn;
         if (_air.HasField)
@@ -162,11 +162,11 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
     }
 
-    /// <summary>True when a step may have crossed the drag law's jump.</summary>
+    /// <summary>True if a step may have crossed the jump of the drag law.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {
-        // G and S at both ends, and at the start their rates by 2 u·a and 2 r² |ω| d|ω|/dt.
+        // G and S at both ends, and their rates at the start: 2 u·a and 2 r² |ω| d|ω|/dt.
         var start = DragJump.At(speedSquared, _radiusSquared * spin * spin);
         var rate = DragJump.Rate(
             2.0 * ((ux * step.StartAcceleration.X) + (uy * step.StartAcceleration.Y) + (uz * step.StartAcceleration.Z)),
@@ -178,7 +178,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         return DragJump.MayCross(branch, in start, in rate, in end, h);
     }
 
-    /// <summary>A step in vacuum: what the method makes of a constant acceleration, p + h (v + c h g), v + h g.</summary>
+    /// <summary>Takes a step in a vacuum: the integrator's result for a constant acceleration, p + h (v + c h g), v + h g.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private WholeFlight Fall(ref BallState s, double h, double end, StepLog log)
     {
@@ -187,7 +187,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double climb = vy + gained;
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
 
-        // The guards of every flight; a step that is watched is left to the pieces.
+        // The same conservative checks as in air. Steps with an observer are left to the pieces.
         if (height < _contactHeight || (vy < 0 && climb > 0) || log.IsWatched)
         {
             return WholeFlight.NotTaken;

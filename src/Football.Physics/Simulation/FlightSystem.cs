@@ -1,12 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>A ball in flight with its full spin vector: for the game's own forces, and for the sliding modes of the drag law's jump.</summary>
+/// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump of the drag
+/// law.</summary>
 internal struct FlightSystem : IMotionSystem
 {
     public Surroundings Around;
     public DragBranch Branch;
 
-    /// <summary>The nets that the ball is in, and on which side of each.</summary>
+    /// <summary>The nets that the ball is in, and its side of each.</summary>
     public ulong Nets;
     public ulong NetSides;
 
@@ -18,7 +19,7 @@ internal struct FlightSystem : IMotionSystem
             return;
         }
 
-        // Filippov: on the surface the motion is the mean of both branches that stays on it.
+        // Filippov: on the surface of the jump, the motion is the weighted mean of both branches that stays on it.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         rates = new MotionRates(
@@ -36,12 +37,12 @@ internal struct FlightSystem : IMotionSystem
         s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
         s.Angle = 0;
 
-        // Decay never reverses a spin; a force of the game's own may.
+        // Decay never reverses a spin, but a custom force may.
         bool keeps = Around.Air.TurnsAxis || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
 
-    /// <summary>The rates on one branch of the drag law.</summary>
+    /// <summary>Returns the rates on one branch of the drag law.</summary>
     public readonly MotionRates On(DragBranch branch, double time, in Motion at)
     {
         Surroundings around = Around;
@@ -50,7 +51,7 @@ internal struct FlightSystem : IMotionSystem
         around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + g,  ω̇ = −decay ω
+        // a = L (ω × u) − D u + g, ω̇ = −decay ω.
         Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + around.Weight;
         Vector3d spinAcceleration = -air.Decay * at.Spin;
         if (around.Air.Varies)
@@ -69,7 +70,8 @@ internal struct FlightSystem : IMotionSystem
         return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
     }
 
-    /// <summary>The share of the branch with spin for which the surface that <see cref="Branch"/> names is not left: outside 0 … 1 it is.</summary>
+    /// <summary>Returns the share of the spinning branch that keeps the ball on the surface <see cref="Branch"/>.</summary>
+    /// <remarks>Outside 0 … 1 the ball leaves it.</remarks>
     public readonly double SpinningShare(double time, in Motion at, out MotionRates spinning, out MotionRates noSpin)
     {
         spinning = On(DragBranch.Spinning, time, in at);
@@ -80,17 +82,17 @@ internal struct FlightSystem : IMotionSystem
         double a = speed ? inside.Speed : inside.Spin;
         double b = speed ? outside.Speed : outside.Spin;
 
-        // s a + (1 − s) b = 0 at s = b/(b − a): between 0 and 1 where the two laws push towards the surface from both sides.
+        // s a + (1 − s) b = 0 at s = b/(b − a). It is between 0 and 1 if both branches lead towards the surface.
         return b > a ? b / (b - a) : a > 0 ? 2.0 : -1.0;
     }
 
-    /// <summary>The jump's functions at a state.</summary>
+    /// <summary>Returns the functions of the jump at a state.</summary>
     public readonly DragJump JumpAt(in Motion at) => DragJump.At(in at, in Around.Wind, Around.Radius);
 
-    /// <summary>Their rates of change.</summary>
+    /// <summary>Returns the rates of change of these functions.</summary>
     public readonly DragJump JumpRate(in Motion at, in MotionRates rates) => DragJump.Rate(in at, in rates, in Around.Wind, Around.Radius);
 
-    /// <summary>Scale of those rates, for velocity parallel to acceleration and spin to its change: |u| |a| and so on, in the same units.</summary>
+    /// <summary>Returns the scale of these rates, |u| |a| and so on: their values if all vectors were parallel.</summary>
     public readonly double JumpRateScale(in Motion at, in MotionRates rates) =>
         DragJump.RateScale(in at, in rates, in Around.Wind, Around.Radius);
 }

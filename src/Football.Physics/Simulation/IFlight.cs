@@ -1,13 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>Takes a step of flight along a constant axis of the spin, with the fastest form of the laws that holds.</summary>
+/// <summary>Takes a step of flight along a constant spin axis, with the fastest valid form of the laws.</summary>
 internal interface IFlight
 {
     /// <inheritdoc cref="IIntegrator.Fly"/>
     void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step);
 }
 
-/// <summary>Flight by RK4, whatever the method of the scene is.</summary>
+/// <summary>Flight by RK4, regardless of the scene's integrator.</summary>
 internal sealed class ClassicalFlight(Surroundings around) : IFlight
 {
     public void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step) =>

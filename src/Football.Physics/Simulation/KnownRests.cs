@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// The states of balls that a step has left at rest, and unchanged, while nothing in the scene moved. The next step from such a state changes only the time,
-/// until the game moves a body or an impact pushes an object.
-/// </summary>
+/// <summary>Caches the states of resting balls that a step left unchanged while no object moved.</summary>
+/// <remarks>
+/// A step from such a state only advances the time, until the game moves a body or an impact pushes an object.
+/// </remarks>
 internal sealed unsafe class KnownRests
 {
-    /// <summary>Several balls can share a stepper: each state has one of so many slots, a power of two.</summary>
+    /// <summary>Number of cache slots, a power of two. Several balls can share a stepper.</summary>
     private const int Slots = 16;
 
     private readonly World _world;
@@ -26,7 +26,7 @@ internal sealed unsafe class KnownRests
         return _versions[slot] == _world.MotionVersion && AreSame(in _states[slot], in s);
     }
 
-    /// <summary>Keeps the state of a ball that a step has left unchanged, if nothing moves.</summary>
+    /// <summary>Stores the state of a ball that a step left unchanged, if no object moves.</summary>
     /// <param name="before">The ball before the step, at rest.</param>
     /// <param name="after">The ball after the step.</param>
     public void Learn(in BallState before, in BallState after)
@@ -45,7 +45,8 @@ internal sealed unsafe class KnownRests
         return (int)(((ulong)bits * 0x9E3779B97F4A7C15UL) >> 60) & (Slots - 1);
     }
 
-    /// <summary>True if two states differ in nothing but their times. A state has no padding, and its time comes first.</summary>
+    /// <summary>True if two states differ only in their times.</summary>
+    /// <remarks>A state has no padding, and the time is its first field.</remarks>
     private static bool AreSame(in BallState a, in BallState b)
     {
         fixed (BallState* first = &a, second = &b)

@@ -1,22 +1,22 @@
 namespace FootballPhysics;
 
-/// <summary>Whole steps of a ball on several stationary surfaces, whatever the laws of the air.</summary>
+/// <summary>Whole steps of a ball on several stationary surfaces, for any laws of the air.</summary>
 internal abstract class LineStep
 {
-    /// <summary>A slip of less than this, m/s, has ended.</summary>
+    /// <summary>A slip below this has ended, m/s.</summary>
     public const double Sticking = 1e-7;
 
-    /// <summary>The motion is that of the line if no more than this, m/s, remains of it.</summary>
+    /// <summary>Maximum velocity off the line, m/s.</summary>
     public const double OnLine = 1e-12;
 
-    /// <summary>A load or a reserve must keep this share of its value in a step.</summary>
+    /// <summary>Share of its value that a load or a margin must keep in a step.</summary>
     public const double Clear = 0.25;
 
-    /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <summary>Tries a whole step, and completes it if no event is possible.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="end">When it ends, s.</param>
-    /// <param name="log">Where counts are added.</param>
-    /// <returns>False if something may happen; then nothing is done.</returns>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="end">End time, s.</param>
+    /// <param name="log">Receives the counts.</param>
+    /// <returns>False if an event is possible; the ball is then unchanged.</returns>
     public abstract bool TryWhole(ref BallState s, double dt, double end, StepLog log);
 }

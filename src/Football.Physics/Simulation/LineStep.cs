@@ -2,20 +2,23 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Whole steps of a ball that rolls between stationary surfaces, or spins on its spot there, with nothing else near: along a board, in a gutter, in a corner. The surfaces
-/// leave it one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> proposes the step, takes it, checks whether anything may have happened in it, and
-/// moves the ball. If something may, nothing is done, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step in pieces by the general law.
-/// </summary>
+/// <summary>Whole steps of a ball that rolls or spins between stationary surfaces with no other object near: along a board, in a gutter, in
+/// a corner.</summary>
+/// <remarks>
+/// The surfaces leave the ball one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> takes the step, checks it for
+/// events, and moves the ball. If an event is possible, it changes nothing, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step
+/// in pieces with the general law.
+/// </remarks>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal sealed unsafe class LineStep<TAir> : LineStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>A ball goes no farther than this share of its speed leads, and this distance, m: nothing else may be nearer.</summary>
+    /// <summary>The search radius is this multiple of the distance at the current speed, plus a margin in m.</summary>
+    /// <remarks>No other object may be nearer.</remarks>
     private const double Faster = 1.5;
     private const double LeastRoom = 5e-3;
 
-    /// <summary>A slip loses no more than this share of itself: on a surface whose normal stays the same, and on another one.</summary>
+    /// <summary>Maximum share of a slip that one step may remove: on surfaces with a constant normal, and on other surfaces.</summary>
     private const double MostOfSlip = 0.75;
     private const double MostOfSlipOnCurve = 0.125;
 
@@ -38,7 +41,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         _slide = new SlideStep<TAir>(_world, in _air, in limit, order);
     }
 
-    /// <summary>True if these steps cover a scene: all of the air counts on a surface, and its laws do not jump.</summary>
+    /// <summary>True if this class covers the scene: all air forces act on the ground, and the drag law does not jump.</summary>
     public static bool Covers(Surroundings around, int order) =>
         order > 1 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
 
@@ -51,7 +54,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // Propose: the surfaces, with nothing else within reach.
+        // Find the touched surfaces, with no other object within reach.
         double room = LeastRoom + (Faster * dt * s.Velocity.Length);
         Touched* set = stackalloc Touched[Touched.Most];
         int count = Touched.Find(_world, in s, dt, room, set);
@@ -65,7 +68,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // Take it: the stages of the method, each from the start and the rates of the one before.
+        // Take the stages of the integrator, each from the start with the rates of the previous stage.
         LineRates first = line.Rates;
         LineRates rates = first;
         double speed;
@@ -102,8 +105,8 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             endAbout = line.About + (dt * second.About);
         }
 
-        // Guards: a load, a friction cone, a slip, the roll, or the spin about the normal ends; the ball comes to rest, or is carried by another surface; another material begins.
-        // The last stage is at the end, or in the middle.
+        // Reject the step if a load, friction cone, slip, roll or spin may end, the ball may rest, or the carrier or material may change.
+        // The last stage is at the end (RK4) or in the middle (RK2) of the step.
         double share = _order == 4 ? Clear : 0.5 * (1.0 + Clear);
         if (!rates.Keeps(in first, share) || !line.Keeps(in forces, speed, about, share) || !(Math.Abs(way) <= room) || !IsCarried(in line, in rates)
             || (line.ComparesLoads && !(HeavierBy(in rates) > share * HeavierBy(in first)))
@@ -121,7 +124,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             }
         }
 
-        // Nothing happened: move the ball.
+        // No event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
         Vector3d middleSpin = SpinOf(in forces, secondSpeed, secondAbout);
@@ -139,7 +142,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return true;
     }
 
-    /// <summary>Shows the step to all that watch.</summary>
+    /// <summary>Reports the step to the observers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Show(StepLog log, in BallState before, in BallState after, in LineForces forces, in LineRates first, double way, double speed, double about)
     {
@@ -154,7 +157,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         log.Show(in before, in after, in start, last.Along * forces.Along, _order);
     }
 
-    /// <summary>Finds the modes at the start; those that need a search are left to the general law.</summary>
+    /// <summary>Determines the contact modes at the start. Modes that need a search are left to the general law.</summary>
     [SkipLocalsInit]
     private bool Proposes(in BallState s, double dt, Touched* set, int count, out Line line, out LineForces forces)
     {
@@ -189,7 +192,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // The motion must be that of the line, with no slip at the bearer.
+        // The motion must follow the line, without slip at the bearer.
         double speed = Vector3d.Dot(s.Velocity, in forces.Along);
         if (!((s.Velocity - (speed * forces.Along)).Length + (_radius * (spin - SpinOf(in forces, speed, about)).Length) <= OnLine))
         {
@@ -216,7 +219,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
         else
         {
-            // From a standstill, rolling resistance must hold the ball.
+            // At a standstill, rolling resistance must hold the ball.
             forces.Pinned = stands;
             speed = stands ? 0 : speed;
             about = forces.HoldsSpin ? 0 : about;
@@ -227,7 +230,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             }
         }
 
-        // A surface without a load stays so if the ball stays on its spot; so does the normal of a curved one.
+        // On a fixed spot, an unloaded surface stays unloaded, and the normal of a curved surface does not change.
         line.HasThird = forces.Modes == LineModes.Spot;
         bool areFixed = first.IsFixed && second.IsFixed && idle < 0;
         line.Speed = speed;
@@ -236,7 +239,10 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + 1e-12) && IsShort(in s, dt, set, count, in line, in forces, in second, areFixed);
     }
 
-    /// <summary>Chooses which of three surfaces bear: all, if each of them has a load; otherwise the one that pulls most, or that the push does not lead into, is let go.</summary>
+    /// <summary>Chooses the active contacts among three surfaces.</summary>
+    /// <remarks>
+    /// All three if each has a load. Otherwise it drops the one with the most negative load, or the one that the push does not lead into.
+    /// </remarks>
     private bool ChooseOfThree(Touched* set, in Vector3d push, in Vector3d torque, double about, int bearer, ref int other, out int idle, ref LineForces forces)
     {
         int third = 3 - bearer - other;
@@ -250,7 +256,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return PushProjection.Surround(normals) && free.Second >= 0 && free.Bears(bearer);
         }
 
-        // Both others slip, as the ball spins on its spot; which of them pulls does not depend on the resistance.
+        // A ball that spins on its spot slips at both other surfaces. The sign of their loads does not depend on rolling resistance.
         double sign = about < 0 ? -1.0 : 1.0;
         forces.SpinSign = sign;
         if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= Sticking))
@@ -272,7 +278,9 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return rates.Load > least;
     }
 
-    /// <summary>Both surfaces stick: the one with the greater load is the bearer, the carrier so far if each is the bearer by its own resistance, or the first of two equal ones.</summary>
+    /// <summary>Chooses the bearer if both surfaces stick: the one with the greater load.</summary>
+    /// <remarks>If each surface is the bearer under its own resistance, keep the current carrier. If the loads are equal, take the first
+    /// surface.</remarks>
     private bool FindBearer(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
     {
         Prepare(set, in push, in torque, speed, bearer, other, ref line, ref forces);
@@ -298,7 +306,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return forces.SpinSign != 0 || !forces.Drills;
     }
 
-    /// <summary>Forces with two sticking contacts.</summary>
+    /// <summary>Computes the forces with two sticking contacts.</summary>
     private void Prepare(Touched* set, in Vector3d push, in Vector3d torque, double speed, int bearer, int other, ref Line line, ref LineForces forces)
     {
         Vector3d along = forces.Along;
@@ -311,13 +319,13 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         forces.Evaluate(in push, in torque, line.Speed, 0, out line.Rates);
     }
 
-    /// <summary>True if the other surface is the bearer: it has the greater load, or as much and comes first.</summary>
+    /// <summary>True if the other surface is the bearer: its load is greater, or equal and it comes first.</summary>
     private static bool IsHeavier(in LineRates rates, bool otherIsFirst) =>
         otherIsFirst ? !(rates.Load > rates.Other * (1.0 + SetContact.SameLoad)) : rates.Other > rates.Load * (1.0 + SetContact.SameLoad);
 
     private static double HeavierBy(in LineRates rates) => (rates.Load * (1.0 + SetContact.SameLoad)) - rates.Other;
 
-    /// <summary>True if the carrier so far still bears enough to name it (<see cref="ContactSet.Named"/>).</summary>
+    /// <summary>True if the current carrier keeps enough load to stay the carrier (<see cref="ContactSet.Named"/>).</summary>
     private static bool IsCarried(in Line line, in LineRates rates)
     {
         double carrier = line.CarrierIsOther ? rates.Other : rates.Load;
@@ -325,7 +333,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         return carrier > ContactSet.AboutAsMuch * other && (!line.HasThird || carrier > ContactSet.AboutAsMuch * rates.Third);
     }
 
-    /// <summary>True if a step is short enough for the forces, and for the slip that it changes.</summary>
+    /// <summary>True if a step is short enough for the forces and for the change of the slip.</summary>
     private bool IsShort(in BallState s, double dt, Touched* set, int count, in Line line, in LineForces forces, in Touched other, bool areFixed)
     {
         double damping = 0;
@@ -348,7 +356,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
     private static Vector3d SpinOf(in LineForces forces, double speed, double about) => (speed * forces.SpinPerSpeed) + (about * forces.Normal);
 
-    /// <summary>The rates at a stage.</summary>
+    /// <summary>Computes the rates at a stage.</summary>
     private void RatesAt(in BallState s, in LineForces forces, double after, double way, double speed, double about, out LineRates rates)
     {
         _air.At(s.Time + after, s.Position + (way * forces.Along), speed * forces.Along, SpinOf(in forces, speed, about), out Vector3d push, out Vector3d torque);
@@ -358,25 +366,25 @@ internal sealed unsafe class LineStep<TAir> : LineStep
     /// <summary>The motion at the start of a step.</summary>
     private struct Line
     {
-        /// <summary>x, m/s, ψ, rad/s, and the energy, J.</summary>
+        /// <summary>Speed along the line, m/s; spin about the normal, rad/s; energy, J.</summary>
         public double Speed;
         public double About;
         public double Energy;
         public LineRates Rates;
 
-        /// <summary>True if there is friction at the other surface.</summary>
+        /// <summary>True if the other surface has friction.</summary>
         public bool Slips;
 
-        /// <summary>True if three surfaces bear.</summary>
+        /// <summary>True if three surfaces have a load.</summary>
         public bool HasThird;
 
-        /// <summary>True if the carrier so far bears less than the other surface.</summary>
+        /// <summary>True if the current carrier has less load than the other surface.</summary>
         public bool CarrierIsOther;
 
-        /// <summary>True if the bearer is the one with the greater load.</summary>
+        /// <summary>True if the bearer is the surface with the greater load.</summary>
         public bool ComparesLoads;
 
-        /// <summary>True if a share of the slip, the roll and the spin about the normal is still left.</summary>
+        /// <summary>True if the slip, the roll and the spin about the normal keep a share of their values.</summary>
         public readonly bool Keeps(in LineForces forces, double speed, double about, double share)
         {
             double slip = forces.Modes == LineModes.Wedge ? 0 : forces.Slip(Speed, About);

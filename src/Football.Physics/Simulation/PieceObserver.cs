@@ -1,20 +1,22 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A watcher of a simulation, piece by piece: for exact apexes, lengths, crossings, dense paths. Set as <see cref="StepLog.Observer"/>.</summary>
+/// <summary>Observes a simulation piece by piece: for exact apexes, lengths, crossings and dense paths.</summary>
+/// <remarks>Set it as <see cref="StepLog.Observer"/>.</remarks>
 public abstract class PieceObserver
 {
-    /// <summary>True when pieces need the acceleration at their end, which costs an evaluation each; without it they are cubic. Default false.</summary>
+    /// <summary>True if pieces need the acceleration at their end. Default false.</summary>
+    /// <remarks>It costs one evaluation per piece. Without it, the pieces are cubic.</remarks>
     public virtual bool WantsEndAcceleration => false;
 
     /// <summary>Called after every piece, before the event that may end it.</summary>
     /// <param name="piece">The piece of the path.</param>
-    /// <returns>True when it has seen enough: the step, and the run, end here.</returns>
+    /// <returns>True to end the step and the run here.</returns>
     public abstract bool Add(in PathSegment piece);
 
-    /// <summary>Called after every piece with the whole state at both ends, for who needs more than the path.</summary>
-    /// <param name="before">The ball at the piece's start.</param>
+    /// <summary>Called after every piece with the full state at both ends.</summary>
+    /// <param name="before">The ball at the start of the piece.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="piece">The piece.</param>
-    /// <returns>As <see cref="Add(in PathSegment)"/>, which it calls unless it is overridden.</returns>
+    /// <returns>As <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
     public virtual bool Add(in BallState before, in BallState after, in PathSegment piece) => Add(in piece);
 }

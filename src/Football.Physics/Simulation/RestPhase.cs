@@ -3,11 +3,12 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// A ball at rest: whether what touches it still holds it (world.md, Rest is a condition), and its way along with what carries it, up to the first thing that hits it.
+/// Steps a ball at rest: checks that its contacts still hold it (world.md, Rest is a condition), and moves it along with its carrier up to
+/// the first hit.
 /// </summary>
 internal sealed unsafe class RestPhase
 {
-    /// <summary>A carrier turns the ball by no more than this in a piece, rad: the path between its ends is then known.</summary>
+    /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The path then follows from its ends.</summary>
     private const double LargestTurn = 0.25;
 
     private readonly Surroundings _around;
@@ -26,22 +27,22 @@ internal sealed unsafe class RestPhase
         _contact = contact;
         _jump = jump;
 
-        // In the published profile the air wakes no ball.
+        // In the published profile, air never wakes a ball.
         _airMayWake = around.Air.HasOwnForces || (_world.SharesAir && around.Air.ChangesInTime);
         MayWake = _world.Moves || _airMayWake;
         IsWokenByMotion = MayWake && !_airMayWake && _world.Engine is null;
     }
 
-    /// <summary>True when a ball at rest may be woken without a kick: by what moves, by a force of the game's own, by wind that changes.</summary>
+    /// <summary>True if a ball at rest may wake without a kick: by moving objects, a custom force or a changing wind.</summary>
     public bool MayWake { get; }
 
     /// <summary>True if only moving bodies and pushed obstacles may wake a ball at rest.</summary>
     public bool IsWokenByMotion { get; }
 
-    /// <summary>Up to the end of the step, or to what wakes the ball.</summary>
+    /// <summary>Advances to the end of the step, or to the event that wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // Held by the ground alone, whatever the air is doing, and nothing moves: only the time goes on.
+        // The ground alone holds the ball in any air, and no object moves: only the time advances.
         if (_world.Engine is null && !_airMayWake && s.Carrier == 0 && IsHeldByGround(in s) && !(_world.FastestMover > 0))
         {
             run.Advance(ref s, run.Left);
@@ -54,7 +55,7 @@ internal sealed unsafe class RestPhase
             return;
         }
 
-        // At the start of a step things have moved, or blow otherwise: the condition is checked again; that of a ball in a pile is the group's to check.
+        // Objects or wind may have changed since the last step, so check again that the ball is held. The group checks balls in a pile.
         if (run.Left == run.Length && MayWake && !BallRests.RestsInPile(in s))
         {
             int evaluations = 0;
@@ -67,7 +68,7 @@ internal sealed unsafe class RestPhase
             }
         }
 
-        // It moves along with what carries it, up to the first thing that comes its way.
+        // Move the ball along with its carrier, up to the first hit.
         double h = run.Left;
         PathCubic path = Way(in s, ref h, out Vector3d turn);
         double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Separation met);
@@ -85,7 +86,7 @@ internal sealed unsafe class RestPhase
             s.Velocity = _world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
         }
 
-        // Waiting is no integrated piece.
+        // Waiting does not count as an integrated piece.
         run.Log.Steps--;
         if (meets)
         {
@@ -93,7 +94,7 @@ internal sealed unsafe class RestPhase
         }
     }
 
-    /// <summary>True when rolling friction of plane ground holds a ball wherever it lies: found once for a scene.</summary>
+    /// <summary>True if rolling friction holds a ball anywhere on a plane ground. Computed once per scene.</summary>
     private bool IsHeldByGround(in BallState s)
     {
         if (_isHeldByGround is null && s.Nets == 0)
@@ -106,7 +107,8 @@ internal sealed unsafe class RestPhase
         return s.Nets == 0 && _isHeldByGround!.Value;
     }
 
-    /// <summary>True when a ball without a motion of its own stays where it is, on what carries it or in a net. What forces of a game's own do the next step checks.</summary>
+    /// <summary>True if a ball with zero relative velocity stays at its position, on its carrier or in a net.</summary>
+    /// <remarks>Custom forces are not evaluated here; the next step checks them.</remarks>
     public bool Holds(in BallState s)
     {
         if (_around.Air.HasOwnForces)
@@ -114,7 +116,7 @@ internal sealed unsafe class RestPhase
             return true;
         }
 
-        // A net that a ball is put into may be another one than it came to rest in.
+        // The ball may have been moved to another net than the one in which it came to rest.
         if (_world.HangsInNet(in s))
         {
             return _contact.Load.HangsStill(in s);
@@ -125,7 +127,11 @@ internal sealed unsafe class RestPhase
         return IsHeld(ref copy, 0, ref evaluations);
     }
 
-    /// <summary>True when a ball at rest stays at rest; a carrier whose velocity has jumped takes it along, if rolling friction holds it. <paramref name="perStep"/> is 1/length of the step, or 0 for no jump.</summary>
+    /// <summary>True if a ball at rest stays at rest.</summary>
+    /// <remarks>
+    /// A carrier whose velocity jumped takes the ball along if rolling friction holds it.
+    /// <paramref name="perStep"/> is 1/length of the step, or 0 to ignore jumps.
+    /// </remarks>
     private bool IsHeld(ref BallState s, double perStep, ref int evaluations)
     {
         if (_world.HangsInNet(in s))
@@ -141,7 +147,7 @@ internal sealed unsafe class RestPhase
             return false;
         }
 
-        // Jumps of the carrier, over the step: V̇ at the ball's centre, and Ω̇.
+        // Velocity jumps of the carrier divided by the step: V̇ at the ball's centre, and Ω̇.
         Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
         Vector3d gained = perStep * (velocity - s.Velocity);
         Vector3d turned = perStep * (carrier.Spin - s.Spin);
@@ -155,7 +161,8 @@ internal sealed unsafe class RestPhase
         return true;
     }
 
-    /// <summary>True when rolling friction of the carrier alone holds the ball: |a_b,t (+ a_air,t) − A_s,t − α r Ω̇ × n|/(1 + α) ≤ c₀ N/m.</summary>
+    /// <summary>True if rolling friction of the carrier alone holds the ball: |a_b,t (+ a_air,t) − A_s,t − α r Ω̇ × n|/(1 + α) ≤ c₀
+    /// N/m.</summary>
     private bool Grips(in BallState s, Collider carrier, in Vector3d velocity, in Vector3d gained, in Vector3d turned, ref int evaluations)
     {
         var still = new Motion(s.Position, in velocity, carrier.Spin);
@@ -180,7 +187,7 @@ internal sealed unsafe class RestPhase
         return on.FreeLoad > SurfaceForces.Least && push.Length <= system.RollingFriction(in on, 0);
     }
 
-    /// <summary>True when all that the ball touches holds it together, where none of it moves otherwise than its carrier.</summary>
+    /// <summary>True if all contacts together hold the ball, and none of them moves relative to the carrier.</summary>
     [SkipLocalsInit]
     private bool IsHeldByAll(in BallState s, in Vector3d velocity, in Vector3d gained, ref int evaluations)
     {
@@ -197,7 +204,7 @@ internal sealed unsafe class RestPhase
         return ContactModes.HoldAtRest(_around, set, in moved, in still, _jump.OnSurface(DragBranch.Unknown, in still), in gained, ref evaluations);
     }
 
-    /// <summary>The ball moves again: with the velocity and the spin that it has, which what carries it may have left behind.</summary>
+    /// <summary>Wakes the ball with its current velocity and spin, which may differ from the carrier's.</summary>
     private void Wake(ref BallState s, ref StepRun run)
     {
         if (_world.HangsInNet(in s))
@@ -224,7 +231,7 @@ internal sealed unsafe class RestPhase
         }
     }
 
-    /// <summary>The way of a ball that moves along with its carrier, and the rotation on it, rad.</summary>
+    /// <summary>Returns the path of a ball that moves along with its carrier, and the rotation on it, rad.</summary>
     private PathCubic Way(in BallState s, ref double h, out Vector3d turn)
     {
         turn = default;
@@ -240,7 +247,7 @@ internal sealed unsafe class RestPhase
             return PathCubic.Line(s.Position, in velocity, h);
         }
 
-        // About the pivot: p' = o + V h + R(Ω h) (p − o).
+        // Rotate about the pivot: p' = o + V h + R(Ω h) (p − o).
         double rate = carrier.Spin.Length;
         h = Math.Min(h, LargestTurn / rate);
         turn = h * carrier.Spin;

@@ -1,9 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A hash of what decides a ball's way in a scene: its numbers, and of what is code (laws of the air, winds, shapes) the answers at some places. Scenes that are the same
-/// have the same on every machine; of two that differ in a number it differs.
-/// </summary>
+/// <summary>Hashes everything that determines the ball's path in a scene: its values, and sampled values of code (air laws, winds,
+/// shapes).</summary>
+/// <remarks>
+/// Equal scenes have the same hash on every machine. Scenes that differ in a value have different hashes.
+/// </remarks>
 internal static class SceneHash
 {
     private const int Places = 16;
@@ -26,7 +27,7 @@ internal static class SceneHash
             key.Add(net.HalfWidth);
             key.Add(net.InFrame(new Vector3d(1, 2, 3)));
 
-            // The rest of a net by how it pushes a ball in its middle, which goes on into it: the tension is positive then.
+            // Hash the response of a net to a ball moving further into its centre, where the tension is positive.
             MotionRates push = net.Push(new Motion(0.5 * (net.Bounds.Min + net.Bounds.Max), new Vector3d(1, 2, 3) - (5 * net.Normal), new Vector3d(3, 2, 1)), 1);
             key.Add(push.Acceleration);
             key.Add(push.SpinAcceleration);
@@ -40,7 +41,7 @@ internal static class SceneHash
 
         key.Add(world.Engine is null ? 0 : 1);
 
-        // Zones change no path. Two machines must report the same all the same.
+        // Zones change no path, but two machines must report the same events.
         foreach (Zone zone in scene.Zones)
         {
             AddZone(ref key, zone);
@@ -49,7 +50,7 @@ internal static class SceneHash
         return key.Value;
     }
 
-    /// <summary>A hash of what two things are to each other.</summary>
+    /// <summary>Hashes the material of a contact pair.</summary>
     public static ulong Of(SurfaceMaterial surface)
     {
         var key = new SceneKey();
@@ -76,7 +77,7 @@ internal static class SceneHash
         }
     }
 
-    /// <summary>Layers decide nothing for a ball that ignores none.</summary>
+    /// <summary>Hashes the layers. They have no effect for a ball that ignores none.</summary>
     private static void AddLayers(ref SceneKey key, Scene scene)
     {
         key.Add((double)scene.Ball.Ignores);
@@ -91,13 +92,13 @@ internal static class SceneHash
         Add(ref key, SceneFields.Air, scene.Air);
         key.Add(scene.Air.Wind);
 
-        // A wind field is code: what it answers stands for it.
+        // A wind field is code and cannot be hashed, so hash sampled values.
         for (int i = 0; i < Places && scene.Air.WindField is not null; i++)
         {
             key.Add(scene.Air.WindField.At(0.7 * i, Place(i)));
         }
 
-        // The laws by their factors at speeds and spins of a match.
+        // Hash the air laws by their factors at typical speeds and spins of a match.
         for (int i = 0; i < Places; i++)
         {
             simulator.AirFactors(2 + (2.5 * i), 6.0 * ((7 * i) % Places), out double drag, out double lift, out double decay);
@@ -106,11 +107,11 @@ internal static class SceneHash
             key.Add(decay);
         }
 
-        // No seed is told from every integer.
+        // −0.5 stands for no seed, because every seed is an integer.
         key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
         foreach (IForce force in scene.Forces.CustomForces)
         {
-            // What such a force does is its own business: it may remember what it was asked.
+            // A custom force may be stateful, so do not call it; hash the name of its type.
             foreach (char letter in force.GetType().FullName ?? "")
             {
                 key.Add(letter);
@@ -128,7 +129,7 @@ internal static class SceneHash
 
     private static void AddColliders(ref SceneKey key, World world)
     {
-        // What an engine finds comes and goes, and is no part of the scene.
+        // Engine colliders come and go, and are not part of the scene.
         foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);
@@ -138,7 +139,7 @@ internal static class SceneHash
             key.Add(in collider.Bounds);
             for (int i = 0; i < Places; i++)
             {
-                // Of a shape in its own frame, near it as well as far.
+                // Sample the shape in its own frame, both near it and far from it.
                 Vector3d place = (i % 2 == 0 ? 0.02 : 1.0) * Place(i);
                 ShapePoint at = collider.At(in place);
                 key.Add(at.Distance);
@@ -165,7 +166,7 @@ internal static class SceneHash
         }
     }
 
-    /// <summary>Adds the numbers of a part of the scene.</summary>
+    /// <summary>Hashes the values of a part of the scene.</summary>
     private static void Add<T>(ref SceneKey key, NumberField<T>[] fields, T part)
     {
         foreach (NumberField<T> field in fields)
@@ -174,11 +175,11 @@ internal static class SceneHash
         }
     }
 
-    /// <summary>A place of the pitch and above it, m.</summary>
+    /// <summary>Returns a sample position on or above the pitch, m.</summary>
     private static Vector3d Place(int i) => new(-52 + (7 * i), 0.11 + (0.9 * ((5 * i) % Places)), -33 + (4.3 * ((3 * i) % Places)));
 }
 
-/// <summary>A hash of numbers in which every bit of each reaches every bit of the value.</summary>
+/// <summary>A hash of numbers in which every input bit affects every bit of the value.</summary>
 internal struct SceneKey
 {
     private ulong _hash;
@@ -189,7 +190,7 @@ internal struct SceneKey
     /// <summary>Adds a number.</summary>
     public void Add(double value)
     {
-        // The finaliser of MurmurHash3 on each, so that numbers that differ in their last or first bits alone do not cancel.
+        // Use the finaliser of MurmurHash3 on each number, so that differences in only the first or last bits do not cancel.
         ulong h = _hash ^ (ulong)BitConverter.DoubleToInt64Bits(value) ^ 0x9E3779B97F4A7C15UL;
         h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
         h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;

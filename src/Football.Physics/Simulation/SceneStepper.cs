@@ -3,20 +3,20 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// A step of the ball in one scene with one method, as a loop over pieces, each by the phase that the ball is in. The whole step of flight in which
-/// nothing happens, which most steps are, is <see cref="FlightStepper{TAir, TIntegrator}"/>'s.
+/// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the phase that the ball is in.
+/// A whole step of flight without events, the most common case, is taken by <see cref="FlightStepper{TAir, TIntegrator}"/>.
 /// <list type="number">
-/// <item><see cref="FlightPhase{TIntegrator}"/>: to the drag law's jump, the end of the spin, what is met;</item>
-/// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of a slide, a roll on flat ground in which nothing happens;</item>
-/// <item><see cref="LineStep{TAir}"/>: the same of a roll, or a spin, between stationary surfaces;</item>
-/// <item><see cref="SurfacePhase{TIntegrator}"/>: a slide, a roll on any surface, to the jump, the end of the slip, rest, what is met;</item>
+/// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump of the drag law, the end of the spin or a contact;</item>
+/// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of sliding or rolling on flat ground without events;</item>
+/// <item><see cref="LineStep{TAir}"/>: a whole step of rolling or spinning between stationary surfaces;</item>
+/// <item><see cref="SurfacePhase{TIntegrator}"/>: sliding or rolling on any surface, up to a jump, the end of the slip, rest or a
+/// contact;</item>
 /// <item><see cref="ContactSetPhase{TIntegrator}"/>: the same on several surfaces at once;</item>
-/// <item><see cref="ContactSetParts"/>: where that has no answer, and between things that squeeze the ball;</item>
-/// <item><see cref="WorldContact"/>: an impact, and what becomes of the ball after it;</item>
-/// <item><see cref="RestPhase"/>: at rest among what moves, to the first that hits.</item>
+/// <item><see cref="ContactSetParts"/>: the fallback if the contact set has no solution, and for a squeezed ball;</item>
+/// <item><see cref="WorldContact"/>: an impact and the state of the ball after it;</item>
+/// <item><see cref="RestPhase"/>: rest among moving objects, up to the first hit.</item>
 /// </list>
 /// </summary>
-/// <typeparam name="TIntegrator">The one-step method.</typeparam>
 internal class SceneStepper<TIntegrator> : Stepper, IFlight
     where TIntegrator : struct, IIntegrator
 {
@@ -29,11 +29,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private readonly ulong _clearKey;
     private readonly SurfacePhase<TIntegrator> _surface;
     private readonly StabilityLimit _pulled;
-    private LineStep? _line; // null if they do not cover the scene
-    private FlatSurfaceStep? _flat; // null where forces turn the axis of the spin: nothing is compiled for those
+    private LineStep? _line; // null if it does not cover the scene
+    private FlatSurfaceStep? _flat; // null if forces turn the spin axis
     private readonly ContactSetParts _parts;
     private readonly RestPhase _rest;
-    private readonly KnownRests? _rests; // null if something may wake a ball although nothing moves, or if nothing wakes it
+    private readonly KnownRests? _rests; // null if a ball may wake although nothing moves, or if nothing wakes it
     private readonly WorldContact _contact;
     private readonly BodyPush? _bodies;
     private readonly Displacement _displacement;
@@ -48,21 +48,21 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _upward = around.Upward;
         Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
 
-        // A step across the jump is of first order: a method of that order gains nothing by locating it.
+        // A step across the jump is of first order. For a first-order integrator, locating the jump gains nothing.
         var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
         World world = around.World;
         double weight = around.Weight.Length;
         _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, weight), in _wind, weight, _integrator.ShareInPath);
 
-        // Where there are bodies, no answer is good for longer than a step.
+        // With bodies, a result of the broad phase is valid for one step only.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _contact = new WorldContact(around, _integrator.GainsByHops);
         var guard = new WorldGuard(world, _contact, settings);
         _displacement = new Displacement(world, guard);
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;
 
-        // Friction may speed a ball up faster than gravity does.
+        // Friction may accelerate a ball more than gravity does.
         double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
         _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
@@ -87,18 +87,19 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override PilePhase Pile { get; }
 
-    /// <summary>Forces on a ball wherever it is.</summary>
+    /// <summary>The forces that act on a ball anywhere in the scene.</summary>
     protected Surroundings Around { get; }
 
-    /// <summary>How long a piece may be.</summary>
+    /// <summary>The stability limit of a piece.</summary>
     protected StabilityLimit Limit { get; }
 
-    /// <summary>True when pieces end where the drag law jumps.</summary>
+    /// <summary>True if pieces end at the jump of the drag law.</summary>
     protected bool LocatesJump { get; }
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        // A whole step on flat ground, or on several surfaces, if nothing happens in it; otherwise piece by piece. An engine's carrier has a place among the colliders only in a step.
+        // Try a whole step on flat ground or on several surfaces; otherwise go piece by piece. An engine collider has its index only within
+        // a step.
         if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
             && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
         {
@@ -106,7 +107,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>Compiles the whole steps on flat ground for an air.</summary>
+    /// <summary>Compiles the whole-step methods on flat ground for one air model.</summary>
     protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
         where TAir : struct, IFlightAir
     {
@@ -154,12 +155,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _air.Factors(speedSquared, spinRate, speedSquared, branch, out drag, out lift, out decay);
     }
 
-    /// <summary>True when a step of flight meets nothing but level ground; |u|² may be a bound of it.</summary>
+    /// <summary>True if a step of flight reaches no object other than level ground. |u|² may be an upper bound.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
-    /// <summary>Shows a whole step of flight to all that watch: the ball is at its end, the rest is of its start.</summary>
+    /// <summary>Reports a whole step of flight to the observers. The ball is at its end; the other arguments describe its start.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {
@@ -178,24 +179,25 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
     }
 
-    /// <summary>A whole step of flight, done if nothing happens in it.</summary>
+    /// <summary>Tries a whole step of flight, and completes it if it contains no event.</summary>
     /// <param name="s">The ball, in the air.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="end">When it ends, s.</param>
-    /// <param name="log">Where counts are added.</param>
-    /// <param name="step">What was taken, where something happens in it.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="end">End time, s.</param>
+    /// <param name="log">Receives the counts.</param>
+    /// <param name="step">The step taken, if it contains an event.</param>
     protected virtual WholeFlight TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
     {
         step = default;
         return WholeFlight.NotTaken;
     }
 
-    /// <summary>A step, piece by piece. A force of the game's own may throw, or take the ball beyond what a number can hold: then nothing has happened.</summary>
+    /// <summary>Takes a step piece by piece. If a custom force throws or gives a result out of range, the state and the log are
+    /// restored.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
-    /// <param name="log">Where events and counts are added.</param>
-    /// <param name="whole">Whether the whole step has been taken as flight already, and something was found in it.</param>
-    /// <param name="taken">Then that.</param>
+    /// <param name="log">Receives events and counts.</param>
+    /// <param name="whole">Whether the whole step was already taken as flight and contains an event.</param>
+    /// <param name="taken">That step.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void TakePieces(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
     {
@@ -228,7 +230,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>A step of a ball at rest: only its time goes on if an earlier step has found that nothing changes it, and nothing has moved since.</summary>
+    /// <summary>Steps a ball at rest. Only its time advances if an earlier step found that nothing changes and no object has moved
+    /// since.</summary>
     private void TakeRest(ref BallState s, double dt, StepLog log)
     {
         if (_rests!.Has(in s))
@@ -253,13 +256,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Enter(ref s);
         var run = new StepRun(dt, s.Time, log);
 
-        // What was already taken as flight is cut at what happens in it.
+        // Shorten a step that was already taken as flight to the first event within it.
         if (whole == WholeFlight.Ends)
         {
             _flight.Finish(ref s, ref run, in taken, dt);
         }
 
-        // Depenetration: out of the ground, and out of bodies that the game has put over the ball.
+        // Depenetration: move the ball out of the ground and out of bodies that the game has put over it.
         if (!log.Halted)
         {
             s.ClearUntil = 0;
@@ -273,18 +276,18 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             log.Zones?.Moved(log, in s);
         }
 
-        // The first piece was tried as a whole step already where it is not one's end.
+        // If the whole step was not taken, it was already tried: do not try it again for the first piece.
         bool isTried = whole == WholeFlight.NotTaken;
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {
             if (!run.Begin())
             {
-                // So that every step ends: the ball stays where it is for the rest of it.
+                // The budget is used up: the ball stays at its position for the rest of the step, so that every step ends.
                 log.StalledSteps++;
                 break;
             }
 
-            // What was free ahead was so before this.
+            // The earlier result of the broad phase is no longer valid.
             s.ClearUntil = 0;
             switch (s.Motion)
             {
@@ -305,13 +308,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             isTried = false;
         }
 
-        // The clock ends where the step does; the pieces add up to that but for rounding.
+        // Set the exact end time: the lengths of the pieces add up to it only to within rounding.
         if (!log.Halted)
         {
             s.Time = run.End;
         }
 
-        // A slip that the carrier's jump began, and that lasts.
+        // Report a slip that the carrier's jump started and that outlasts the step.
         if (run.Jumped && s.Motion == MotionState.Sliding)
         {
             _contact.StartSliding(ref s, ref run);
@@ -319,11 +322,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         run.Close();
 
-        // Where events were dropped meanwhile those of the step have moved up.
+        // If the buffer dropped events, the indices of this step's events have shifted.
         Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
     }
 
-    /// <summary>Ends a step: in the state and in its events an engine's collider is called by its number.</summary>
+    /// <summary>Ends a step: the state and the events then identify an engine collider by its own number.</summary>
     private void Exit(ref BallState s, EventBuffer events, int firstEvent)
     {
         World.Exit(ref s);
@@ -337,12 +340,12 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>The next piece of a flight: what is left of the step is a whole step again, if nothing happens in it.</summary>
+    /// <summary>Takes the next piece of a flight. The rest of the step is tried as a whole step first.</summary>
     private void TakeFlight(ref BallState s, ref StepRun run, bool isTried)
     {
         FlightStep taken = default;
 
-        // Not where the step was divided, nor for a ball that level ground holds.
+        // Do not try it in a divided step, or if the ball touches level ground and does not leave it.
         WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
         switch (whole)
         {
@@ -358,7 +361,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>The next piece of a slide or a roll: on flat ground what is left of the step is a whole step again, if nothing happens in it.</summary>
+    /// <summary>Takes the next piece of a slide or a roll. On flat ground the rest of the step is tried as a whole step first.</summary>
     private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
     {
         bool mayBeWhole = !(run.Part > 0);
@@ -374,15 +377,15 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 }
 
-/// <summary>Outcomes of a step of flight that was to be taken whole.</summary>
+/// <summary>Result of trying a whole step of flight.</summary>
 internal enum WholeFlight
 {
-    /// <summary>It was not taken: it may have to be divided, or something is near.</summary>
+    /// <summary>Not taken: it may have to be divided, or an object is near.</summary>
     NotTaken,
 
-    /// <summary>It was taken, and something happens in it: the ball is where it was.</summary>
+    /// <summary>Taken, but an event is within it. The ball has not moved.</summary>
     Ends,
 
-    /// <summary>Nothing happened in it, and the ball has moved.</summary>
+    /// <summary>Taken without an event. The ball has moved.</summary>
     Done,
 }

@@ -2,12 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The accelerations of a ball on several surfaces without its contacts, if all of the air counts: g + L (ω × u) − D u, and −decay ω.</summary>
+/// <summary>The accelerations of a ball on several surfaces without contact forces, if all of the air counts: g + L (ω × u) − D u, and
+/// −decay ω.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal struct SetAir<TAir>
     where TAir : struct, IFlightAir
 {
-    /// <summary>Wind, m/s, and the most that the wind by place and time adds to it.</summary>
+    /// <summary>Wind, m/s, and the maximum that a wind field adds to it.</summary>
     public readonly Vector3d Wind;
     public readonly double FastestWind;
 
@@ -22,7 +23,7 @@ internal struct SetAir<TAir>
         _air = air;
     }
 
-    /// <summary>Accelerations at a state, m/s² and rad/s².</summary>
+    /// <summary>Returns the accelerations at a state, m/s² and rad/s².</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void At(double time, in Vector3d position, in Vector3d velocity, in Vector3d spin, out Vector3d push, out Vector3d torque)
     {

@@ -1,29 +1,30 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// What ends a piece on several surfaces: a load or the room in a friction cone ends, a slip passes zero, a contact that bears nothing is pressed, the ball comes to
-/// rest, the spin about the bearer's normal ends. Each is a number along the piece that is positive until then.
-/// </summary>
+/// <summary>Finds the end of a piece on several surfaces.</summary>
+/// <remarks>
+/// Each margin is a function along the piece that is positive until its event: a load or a friction cone reaches its limit, a slip passes
+/// zero, an unloaded contact gets a load, the ball comes to rest, or the spin about the bearer's normal ends.
+/// </remarks>
 internal unsafe struct SetMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A root is known to this share of the piece.</summary>
+    /// <summary>Tolerance of a root, as a share of the piece.</summary>
     private const double Width = 1e-12;
 
     private const int MostSteps = 40;
 
-    /// <summary>Evaluations of a piece after which no further end is searched: the next piece finds that change done.</summary>
+    /// <summary>After this many evaluations per piece no further event is searched: the next piece then starts after that change.</summary>
     private const int MostEvaluations = 2048;
 
-    /// <summary>A piece that ends at a slip or a load goes so far beyond, as a share of its length: the next one finds the change done.</summary>
+    /// <summary>A piece ends this share of its length after the event, so that the next piece starts in the new mode.</summary>
     private const double Beyond = 1e-9;
 
-    /// <summary>This share of the value at the start is far from zero.</summary>
+    /// <summary>A margin above this share of its value at the start is far from zero.</summary>
     private const double Clear = 0.25;
 
     private const int Limits = (int)Limit.HoldSpin + 1;
 
-    /// <summary>Values of a piece at most.</summary>
+    /// <summary>Maximum number of margins per piece.</summary>
     public const int Most = Limits * ContactSystem.Most;
 
     public MotionSweep<ContactSystem, TIntegrator> Sweep;
@@ -61,7 +62,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         return false;
     }
 
-    /// <summary>Values at the start of a piece, from what the modes were found by.</summary>
+    /// <summary>Computes the margins at the start of a piece from the rates that the modes were determined with.</summary>
     public static void Start(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, in Motion from, double* starts)
     {
         for (int i = 0; i < Limits * sweep.System.Count; i++)
@@ -70,23 +71,23 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         }
     }
 
-    /// <summary>Shortens a piece to the first of these ends.</summary>
+    /// <summary>Shortens a piece to its first event.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="starts">The values at its start.</param>
-    /// <returns>Whether it was shortened.</returns>
+    /// <param name="starts">The margins at its start.</param>
+    /// <returns>True if the piece was shortened.</returns>
     public static bool EndPiece(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
     {
         double length = sweep.Length;
         bool shortened = false;
 
-        // The last stage is next to the end: a value that is far from zero there is not searched for.
+        // The last stage is near the end, so a margin that is far from zero there needs no search.
         if (default(TIntegrator).LastStageAtEnd && IsClear(ref sweep, in s, starts))
         {
             return false;
         }
 
-        // Searched for is only what is positive at the start and negative at the end.
+        // Search only for margins that are positive at the start and negative at the end.
         Look(ref sweep, s.Time);
         for (int i = 0; i < Limits * sweep.System.Count; i++)
         {
@@ -107,7 +108,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         return shortened;
     }
 
-    /// <summary>True if every value keeps a good share of its value at the start.</summary>
+    /// <summary>True if every margin keeps enough of its value at the start.</summary>
     private static bool IsClear(ref MotionSweep<ContactSystem, TIntegrator> sweep, in BallState s, double* starts)
     {
         for (int i = 0; i < Limits * sweep.System.Count; i++)
@@ -121,7 +122,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         return true;
     }
 
-    /// <summary>Loads, friction and slips at the end of the piece.</summary>
+    /// <summary>Computes loads, friction and slips at the end of the piece.</summary>
     private static void Look(ref MotionSweep<ContactSystem, TIntegrator> sweep, double time)
     {
         sweep.System.Rates(time + sweep.Length, in sweep.Taken.End, out _);

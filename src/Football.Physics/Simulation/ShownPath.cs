@@ -1,21 +1,22 @@
 namespace FootballPhysics;
 
-/// <summary>The path that observers see of a ball that several contacts bear: it stays outside what stands still.</summary>
+/// <summary>Builds the path reported to observers for a ball on several surfaces, so that it never enters stationary objects.</summary>
 internal sealed class ShownPath(World world)
 {
-    /// <summary>A shown path is no deeper in what stands still than this, m.</summary>
+    /// <summary>Maximum depth of a reported path in a stationary object, m.</summary>
     private const double Entered = 1e-7;
 
-    /// <summary>A piece of the path is halved so often at most.</summary>
+    /// <summary>Maximum number of times a piece of the path is halved.</summary>
     private const int MostHalved = 8;
 
-    /// <summary>Where in a piece its depth is measured: at so many equal parts of it.</summary>
+    /// <summary>Number of equal parts at whose ends the depth of a piece is measured.</summary>
     private const int Samples = 4;
 
-    /// <summary>
-    /// Shows a piece to the observer, if there is one: from place to place with the velocities at its ends. Between two places on a curved surface that path may enter
-    /// it. Then the observer gets the piece in parts, between which the ball is on the surface.
-    /// </summary>
+    /// <summary>Reports a piece to the observer, if there is one, with the positions and velocities at its ends.</summary>
+    /// <remarks>
+    /// Between two positions on a curved surface, such a path may enter the surface. It is then reported in parts, with the ball on the
+    /// surface between them.
+    /// </remarks>
     public void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, scoped Span<Contact> set, ref StepRun run)
     {
         if (!run.Log.IsWatched || !(after.Time > before.Time))
@@ -55,13 +56,13 @@ internal sealed class ShownPath(World world)
         ContactSet.KeepOut(world, ref middle, set);
         foreach (ref readonly Contact contact in set)
         {
-            // Where the ball is on a surface the path is along it.
+            // On a surface, keep only the velocity along it.
             ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
             bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactSearch.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
         }
 
-        // Put out of a surface, it goes round that: so far, in the same time.
+        // The path around the surface is longer, so scale the speed to cover it in the same time.
         double speed = middle.Velocity.Length;
         double round = ((middle.Position - start.Position).Length + (end.Position - middle.Position).Length) / h;
         middle.Velocity = speed > 0 ? round / speed * middle.Velocity : middle.Velocity;
@@ -73,7 +74,7 @@ internal sealed class ShownPath(World world)
         }
     }
 
-    /// <summary>True if a path enters what stands still.</summary>
+    /// <summary>True if a path enters a stationary object.</summary>
     private bool Enters(in PathCubic path, scoped Span<Contact> set, double time)
     {
         foreach (ref readonly Contact contact in set)

@@ -1,33 +1,38 @@
 namespace FootballPhysics;
 
-/// <summary>A scene, checked and compiled for one integrator. Any number of balls and threads can share it; a scene with bodies, obstacles that have a mass, or an engine's colliders, one thread at a time.</summary>
+/// <summary>A scene, validated and compiled for one integrator. Use it to launch, kick and step balls.</summary>
+/// <remarks>
+/// Any number of balls and threads can share it. If the scene has bodies, obstacles with a mass or engine colliders, only one thread may
+/// use it at a time.
+/// </remarks>
 public sealed class Simulator
 {
-    /// <summary>Steps that a run may have: with more of them the clock no longer tells one from the next.</summary>
+    /// <summary>Maximum number of steps per run. With more steps, the clock could no longer resolve a single step.</summary>
     private const double MostSteps = 1e12;
 
     private readonly Stepper _stepper;
     private readonly double _contact;
     private readonly World _world;
 
-    /// <summary>How many things may carry a ball; those of an engine come and go.</summary>
+    /// <summary>True if the scene has custom forces.</summary>
 
     private readonly bool _hasOwnForces;
     private readonly bool _isPlain;
     private readonly bool _mayWake;
     private ulong? _sceneHash;
 
-    /// <summary>Checks a scene and compiles it.</summary>
+    /// <summary>Validates and compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">How to integrate it; default <see cref="SolverSettings.Default"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <param name="settings">Integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public Simulator(Scene? scene = null, SolverSettings? settings = null)
     {
         Scene = scene ?? Scene.Default;
         Settings = settings ?? SolverSettings.Default;
         if (!ReferenceEquals(Scene, Scene.Default))
         {
-            // The default is in range (ProfileTests), and a game's first ball need not wait for that.
+            // Skip validating the default scene (ProfileTests does), so that the first ball is not delayed.
             Scene.Validate();
         }
 
@@ -44,27 +49,30 @@ public sealed class Simulator
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>How it is integrated.</summary>
+    /// <summary>The integrator and solver settings.</summary>
     public SolverSettings Settings { get; }
 
-    /// <summary>Height of the centre of a ball on the ground at the origin of a level pitch, m; −∞ if the ground is <see cref="Ground.None"/>.</summary>
+    /// <summary>Height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
-    /// <summary>A ball at the start of its way, without rotation.</summary>
+    /// <summary>Launches a ball that has the identity orientation.</summary>
     /// <inheritdoc cref="Launch(Vector3d, Vector3d, Vector3d, Quaterniond)"/>
     public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin) =>
         Launch(position, velocity, spin, Quaterniond.Identity);
 
-    /// <summary>A ball at the start of its way.</summary>
+    /// <summary>Launches a ball at time 0.</summary>
     /// <remarks>
-    /// A ball in the ground is raised straight up, to the least height at which it is not in the ground. On the ground a vertical speed within ± <see cref="Ground.MinimumBounceSpeed"/>
-    /// (that bound excluded) starts a slide or a roll without an event; faster down is an impact in the first step, at time 0.
+    /// A ball below the surface of the ground is raised vertically until it touches the ground.
+    /// On the ground, a vertical speed within ± <see cref="Ground.MinimumBounceSpeed"/> (exclusive) starts a slide or a roll without an
+    /// event.
+    /// A faster downward speed causes an impact at the start of the first step.
     /// </remarks>
     /// <param name="position">Position of the centre, m; components within ±1e6.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s; at most 10 000.</param>
-    /// <param name="orientation">Orientation; normalised.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <param name="orientation">Orientation; it is normalised.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin, Quaterniond orientation)
     {
         Check.Place("launch.position", position);
@@ -74,23 +82,23 @@ public sealed class Simulator
         return Start(in position, in velocity, in spin, in orientation, 0);
     }
 
-    /// <summary>Launches at a time a ball whose numbers are known to be in range.</summary>
+    /// <summary>Launches a ball at a given time. The values are already validated.</summary>
     internal BallState LaunchAt(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time) =>
         Start(in position, in velocity, in spin, Quaterniond.Identity, time);
 
-    /// <summary>Launches a ball whose numbers are known to be in range.</summary>
+    /// <summary>Launches a ball. The values are already validated.</summary>
     private BallState Start(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
         BallState state = Flying(in position, in velocity, in spin, in orientation, time);
         Passages.PutInNets(_world, ref state);
 
-        // Carried, where it touches something slowly enough; and in a goal, where it is behind the mouth of one.
+        // A surface supports the ball if it touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
         _stepper.Settle(ref state);
         state.GoalsEntered = Passages.GoalsEnteredAt(_world, state.Position);
         return state;
     }
 
-    /// <summary>A ball in the air, out of the ground, whose nets and goals are not known.</summary>
+    /// <summary>Returns a ball in the air, raised out of the ground. Its nets and goals are not set.</summary>
     private BallState Flying(in Vector3d position, in Vector3d velocity, in Vector3d spin, in Quaterniond orientation, double time)
     {
         BallState state = default;
@@ -103,19 +111,22 @@ public sealed class Simulator
         return state;
     }
 
-    /// <summary>Names of all that an event may tell of, by <see cref="BallEvent.ColliderIndex"/>: the ground first, then obstacles, posts and bars, bodies, nets, goals, zones.</summary>
+    /// <summary>Names of all surfaces and zones, indexed by <see cref="BallEvent.ColliderIndex"/>.</summary>
+    /// <remarks>Order: the ground, obstacles, posts and bars, bodies, nets, goals, zones.</remarks>
     public IReadOnlyList<string> Names => _world.Names;
 
-    /// <summary>The name of what an event tells of: an obstacle's, a net's, "ground", "left post", "goal" …; null for none.</summary>
-    /// <param name="thing"><see cref="BallEvent.ColliderIndex"/>: an index of this scene; negative for none.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The scene has nothing of that index.</exception>
+    /// <summary>Returns the name of a surface or zone, such as "ground", "left post" or "goal"; null for a negative index.</summary>
+    /// <param name="thing"><see cref="BallEvent.ColliderIndex"/> of an event; negative for none.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The scene has no such index.</exception>
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
-    /// <summary>Refuses a state that no ball of this scene can have: for states that come from elsewhere, from C or from a file. A few nanoseconds.</summary>
+    /// <summary>Throws if no ball in this scene can have this state.</summary>
+    /// <remarks>Use it on states read from a file or passed through the C API. It takes a few nanoseconds.</remarks>
     /// <param name="state">The state.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// It was never launched, a number of it is not finite or beyond where a ball can get; or it is none of this scene: the ball lies on, or is in, what the scene does not
-    /// have, or is not where it says it is. Where bodies and an engine's colliders are is not asked.
+    /// The state was never launched, a value is not finite or is out of range, or the state does not fit this scene: its surface, net or
+    /// goal does not exist,
+    /// or the ball is not on it. The positions of bodies and engine colliders are not checked.
     /// </exception>
     public void Validate(in BallState state)
     {
@@ -125,14 +136,16 @@ public sealed class Simulator
         }
     }
 
-    /// <summary>Kicks a ball where it is: new velocity and spin, same place, time and orientation. A ball in a net stays in it, on the same side.</summary>
-    /// <param name="state">The ball; unchanged when an exception is thrown.</param>
+    /// <summary>Kicks a ball: sets its velocity and spin, and keeps its position, time and orientation.</summary>
+    /// <remarks>A ball in a net stays in the net, on the same side.</remarks>
+    /// <param name="state">The ball; unchanged if an exception is thrown.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s; at most 10 000.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
     {
-        // The place is the ball's own, wherever it has got to.
+        // The position is not validated: the ball may have moved beyond the range of a launch.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         BallState kicked = Flying(state.Position, in velocity, in spin, state.Orientation, state.Time);
@@ -142,12 +155,12 @@ public sealed class Simulator
         state = kicked;
     }
 
-    /// <summary>A ball of another scene as it goes on in this one, where it is and as it moves: in the same nets, and as far in the same goals.</summary>
+    /// <summary>Transfers a ball from another scene to this one. It keeps its position, its motion, and its nets and goals.</summary>
     /// <param name="old">The simulator of the other scene.</param>
-    /// <param name="state">The ball there.</param>
+    /// <param name="state">The ball in the other scene.</param>
     internal BallState Continue(Simulator old, in BallState state)
     {
-        // This scene decides what motion that is, and raises the ball where its ground is higher.
+        // This scene determines the motion state, and raises the ball if its ground is higher.
         BallState next = Flying(state.Position, state.Velocity, state.Spin, state.Orientation, state.Time);
         Passages.Carry(old._world, _world, in state, ref next);
         next.AirDistance = Scene.Forces.KnuckleSeed is null ? 0 : state.AirDistance;
@@ -157,7 +170,8 @@ public sealed class Simulator
         return state.Motion == MotionState.Rest ? AtRest(in next, old._world.HangsInNet(in state)) : next;
     }
 
-    /// <summary>A ball that was at rest in another scene: at rest where rolling friction, or the net that it hangs in, holds it here too.</summary>
+    /// <summary>Returns a ball that was at rest in another scene. It stays at rest if rolling friction or its net also holds it
+    /// here.</summary>
     private BallState AtRest(in BallState placed, bool hangs)
     {
         BallState still = placed;
@@ -175,21 +189,24 @@ public sealed class Simulator
         return RestsAt(in still) ? still : placed;
     }
 
-    /// <summary>Advances a ball. Events and counts are added to the log; nothing is allocated.</summary>
+    /// <summary>Advances a ball by one step. Events and counts are added to the log. Allocates nothing.</summary>
     /// <remarks>
-    /// A step in which drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (for explicit Euler; 20 ms for a beach ball at 200 m/s), is divided into
-    /// parts as equal as the changing motion allows, counted in <see cref="StepLog.Steps"/>; where Euler or RK2 would make a velocity longer
-    /// that the Magnus force turns, those parts are taken by RK4. A step that has had 8 192 parts ends where the ball is, and is counted in
-    /// <see cref="StepLog.StalledSteps"/>. Nothing is ever clamped. A ball that leaves an impact to be back within a microsecond stays down.
+    /// A step is divided into nearly equal parts if drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (explicit Euler).
+    /// For a beach ball at 200 m/s this happens at 20 ms. The parts are counted in <see cref="StepLog.Steps"/>.
+    /// If Euler or RK2 would increase a velocity that the Magnus force only turns, RK4 takes those parts.
+    /// After 8,192 parts the step ends at the current position and is counted in <see cref="StepLog.StalledSteps"/>. No value is ever
+    /// clamped.
+    /// A ball stays on the surface if it would be back within a microsecond of an impact.
     /// </remarks>
     /// <param name="state">The ball.</param>
-    /// <param name="dt">Time to advance by, s: 0 … 1e12. All of it is one step of the integrator, split only at events.</param>
-    /// <param name="log">Where events and counts are added.</param>
+    /// <param name="dt">Time to advance, s: 0 … 1e12. It is one step of the integrator, split only at events.</param>
+    /// <param name="log">Receives events and counts.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; nothing has changed.
+    /// <paramref name="dt"/> is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The ball is unchanged.
     /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">A force of the game's own is not finite; the message names it. Whatever such a force throws, nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite; the message names it. If a custom force throws, the ball
+    /// is unchanged.</exception>
     public void Step(ref BallState state, double dt, StepLog log)
     {
         if (!(dt >= 0 && dt <= Limits.Time) || log is null)
@@ -197,7 +214,7 @@ public sealed class Simulator
             RefuseStep(dt, log);
         }
 
-        // Bodies that were moved for another time refuse the step before anything changes.
+        // Check the times of the bodies first, so that the step throws before anything changes.
         _world.Bodies?.CheckTimes(state.Time);
         log!.Halted = false;
         log.StopAt = StopAt.Time;
@@ -205,10 +222,10 @@ public sealed class Simulator
         Take(ref state, dt, log);
     }
 
-    /// <summary>Takes a step. A force of the game's own may refuse it, and the ball is where it was then.</summary>
+    /// <summary>Takes a step. If a custom force throws, the ball is unchanged.</summary>
     private void Take(ref BallState state, double dt, StepLog log)
     {
-        // At rest where nothing can change a step is its time alone.
+        // A resting ball that cannot wake: only its time advances.
         if (state.Motion == MotionState.Rest && !_mayWake)
         {
             state.Time += dt;
@@ -225,7 +242,7 @@ public sealed class Simulator
         }
     }
 
-    /// <summary>Takes a step on a copy, for a custom force may throw within it; and watched by zones.</summary>
+    /// <summary>Takes a step on a copy, because a custom force may throw, and reports zone events.</summary>
     private void TakeCopy(ref BallState state, double dt, StepLog log)
     {
         ZoneWatch? outer = log.Zones;
@@ -259,29 +276,36 @@ public sealed class Simulator
         throw new ArgumentNullException(nameof(log));
     }
 
-    /// <summary>Advances a ball in equal steps until an event or a time.</summary>
-    /// <param name="state">The ball. After an early end it is as it was just after the event.</param>
+    /// <summary>Advances a ball in equal steps until an event or for a given time.</summary>
+    /// <param name="state">The ball. If an event ends the run, this is its state just after the event.</param>
     /// <param name="timeStep">
-    /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and more than the rounding of the ball's clock. The last one is shortened.
+    /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and greater than the rounding of the ball's clock. The
+    /// last step is shortened.
     /// </param>
-    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
-    /// <param name="log">Where events and counts are added.</param>
-    /// <returns>True when the event ended the run, false when its time did.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the message names field, value and range.</exception>
+    /// <param name="log">Receives events and counts.</param>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A value is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The message names the field, the
+    /// value and the range.
+    /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log) =>
         Run(ref state, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Steps until an event or a time, and shows the ball after every step.</summary>
+    /// <summary>Advances a ball until an event or for a given time, and calls back after every step.</summary>
     /// <param name="state">The ball, as in the other overload.</param>
     /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
-    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
-    /// <param name="log">Where events and counts are added.</param>
-    /// <param name="afterStep">Called with the ball after every step; null: nobody is.</param>
-    /// <returns>True when the event ended the run, false when its time did.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's; the message names field, value and range.</exception>
+    /// <param name="log">Receives events and counts.</param>
+    /// <param name="afterStep">Called with the ball after every step; null for no callback.</param>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A value is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The message names the field, the
+    /// value and the range.
+    /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, Action<BallState>? afterStep)
     {
@@ -296,13 +320,14 @@ public sealed class Simulator
         return RunChecked(ref state, timeStep, duration, stopAt, log, afterStep is null ? null : Shown(afterStep));
     }
 
-    /// <summary>All that can be met.</summary>
+    /// <summary>All colliders, nets and goals of the scene.</summary>
     internal World World => _world;
 
-    /// <summary>The zones that watch the ball; null if there are none.</summary>
+    /// <summary>The zones of the scene; null if there are none.</summary>
     internal ZoneWatch? Zones { get; }
 
-    /// <summary>The centre of a ball that lies on the ground, m: where a ball is put if nobody names a place. At height 0 if there is no ground.</summary>
+    /// <summary>Returns the centre of a ball on the ground, m, for callers that give no position. Without ground, the height is
+    /// 0.</summary>
     internal Vector3d OnGround(double x, double z) => GroundPlace.At(_world, x, z);
 
     /// <inheritdoc cref="Stepper.Pile"/>
@@ -320,7 +345,7 @@ public sealed class Simulator
     internal void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay) =>
         _stepper.AirFactors(speed, spinRate, out drag, out lift, out decay);
 
-    /// <summary>Refuses a run whose numbers are out of range.</summary>
+    /// <summary>Throws if an argument of a run is out of range.</summary>
     internal static void CheckRun(in BallState state, double timeStep, double duration, StopAt stopAt)
     {
         Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
@@ -330,14 +355,14 @@ public sealed class Simulator
         Check.Advances("timeStep", timeStep, state.Time + duration);
     }
 
-    /// <summary>A run whose numbers have been checked.</summary>
+    /// <summary>Runs with arguments that are already validated.</summary>
     internal bool RunChecked(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, StepCallback? afterStep)
     {
         log.Halted = false;
         log.StopAt = stopAt;
         double end = state.Time + duration;
 
-        // A remainder of less than a billionth of a step is the clock's rounding.
+        // A remainder below a billionth of a step is only rounding of the clock.
         double last = end - (1e-9 * timeStep);
         while (state.Time < last)
         {
@@ -353,15 +378,15 @@ public sealed class Simulator
         return false;
     }
 
-    /// <summary>True when a ball is at rest and nothing that is known now will wake it: no force that changes, and nothing that moves.</summary>
+    /// <summary>True if a ball is at rest and no current force or moving object can wake it.</summary>
     internal bool StaysAtRest(in BallState state) =>
         state.Motion == MotionState.Rest && !(_mayWake && (_world.FastestMover > 0 || _hasOwnForces || Scene.Air.WindField is not null));
 
     /// <inheritdoc cref="Stepper.RestsAt"/>
     internal bool RestsAt(in BallState state) => _stepper.RestsAt(in state);
 
-    /// <summary>Takes one step, or part of it up to the first impact.</summary>
-    /// <returns>True when an impact ended it.</returns>
+    /// <summary>Takes one step, or the part of it up to the first impact.</summary>
+    /// <returns>True if an impact ended it.</returns>
     internal bool StepToImpact(ref BallState state, double dt, StepLog log)
     {
         log.Halted = false;
@@ -370,7 +395,7 @@ public sealed class Simulator
         return log.Halted;
     }
 
-    /// <summary>Advances a ball by one step that its log may end early.</summary>
+    /// <summary>Advances a ball by one step, which the log may end early.</summary>
     internal void Advance(ref BallState state, double dt, StepLog log) => Take(ref state, dt, log);
 
     /// <inheritdoc cref="Stepper.Struck"/>
@@ -380,11 +405,13 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Displaced"/>
     internal void Displaced(ref BallState s, in Vector3d from, StepLog log) => _stepper.Displaced(ref s, in from, log);
 
-    /// <summary>
-    /// A hash of what decides a ball's way: the scene's numbers, the answers of what is code at some places, and the settings. Two machines with the same have the same
-    /// scene; of two scenes that differ in a number it differs. Forces of a game's own count by the names of their types alone.
-    /// </summary>
-    /// <exception cref="InvalidOperationException">A wind of the game's own is not finite.</exception>
+    /// <summary>A hash of everything that determines the ball's path in this scene. Compare it between machines.</summary>
+    /// <remarks>
+    /// It covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in a value have
+    /// different hashes.
+    /// Custom forces count only by their type names.
+    /// </remarks>
+    /// <exception cref="InvalidOperationException">A custom wind field is not finite.</exception>
     public ulong SceneHash
     {
         get
@@ -394,12 +421,12 @@ public sealed class Simulator
         }
     }
 
-    /// <summary>Puts obstacles that have a mass (<see cref="Obstacle.Mass"/>), and that the ball has moved, back to where the scene has them at time 0.</summary>
+    /// <summary>Moves obstacles with a mass (<see cref="Obstacle.Mass"/>) back to their positions at time 0.</summary>
     public void ResetObstacles() => _world.Obstacles.Reset();
 
-    /// <summary>Sees the state after every step of a run.</summary>
+    /// <summary>Receives the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);
 
-    // A method of its own: a lambda here would allocate its closure in runs that show nothing too.
+    // Keep this in its own method: a lambda in Run would allocate its closure even without a callback.
     private static StepCallback Shown(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 }

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Whole steps of a ball that slips on two stationary surfaces at once (<see cref="SlideForces"/>), by the same rules as those of <see cref="LineStep{TAir}"/>.</summary>
+/// <summary>Whole steps of a ball that slips on two stationary surfaces at once (<see cref="SlideForces"/>), with the rules of <see cref="LineStep{TAir}"/>.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal sealed class SlideStep<TAir>
     where TAir : struct, IFlightAir
@@ -24,15 +24,15 @@ internal sealed class SlideStep<TAir>
         _air = air;
     }
 
-    /// <summary>A whole step, done if nothing happens in it.</summary>
+    /// <summary>Tries a whole step, and completes it if no event is possible.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="end">When it ends, s.</param>
-    /// <param name="room">The ball goes no farther than this, m.</param>
-    /// <param name="one">One surface.</param>
-    /// <param name="two">The other.</param>
-    /// <param name="log">Where counts are added.</param>
-    /// <returns>False if something may happen; then nothing is done.</returns>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="end">End time, s.</param>
+    /// <param name="room">Maximum distance the ball may travel, m.</param>
+    /// <param name="one">The first surface.</param>
+    /// <param name="two">The second surface.</param>
+    /// <param name="log">Receives the counts.</param>
+    /// <returns>False if an event is possible; the ball is then unchanged.</returns>
     [SkipLocalsInit]
     public bool TryWhole(ref BallState s, double dt, double end, double room, in Touched one, in Touched two, StepLog log)
     {
@@ -41,7 +41,7 @@ internal sealed class SlideStep<TAir>
             return false;
         }
 
-        // Take it: the stages of the method, each from the start and the rates of the one before.
+        // Take the stages of the integrator, each from the start with the rates of the previous stage.
         double half = 0.5 * dt;
         Slide second = from.After(half, in first);
         RatesAt(in s, in forces, half, half * from.Speed, in second, out SlideRates rates);
@@ -71,7 +71,7 @@ internal sealed class SlideStep<TAir>
             fastest = Math.Max(fastest, Math.Abs(final.Speed));
         }
 
-        // Guards, as those of a line. The last stage is at the end, or in the middle.
+        // The same conservative checks as for a line. The last stage is at the end (RK4) or in the middle (RK2) of the step.
         double share = _order == 4 ? LineStep.Clear : 0.5 * (1.0 + LineStep.Clear);
         Vector3d position = s.Position + (way * forces.Along);
         if (!(dt * fastest <= room) || !Keeps(in forces, in from, in first, in last, in rates, share, one.Collider + _world.FirstCollider == s.Carrier)
@@ -80,7 +80,7 @@ internal sealed class SlideStep<TAir>
             return false;
         }
 
-        // Nothing happened: move the ball.
+        // No event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
         Vector3d turn = _order == 4 ? RotationVector.Of(in from.Spin, in middle.Spin, in final.Spin, dt) : dt * middle.Spin;
@@ -96,7 +96,7 @@ internal sealed class SlideStep<TAir>
         return true;
     }
 
-    /// <summary>Finds the forces at the start.</summary>
+    /// <summary>Computes the forces at the start, and checks that a whole step is possible.</summary>
     private bool Proposes(in BallState s, double dt, in Touched one, in Touched two, out SlideForces forces, out Slide from, out SlideRates rates)
     {
         Unsafe.SkipInit(out forces);
@@ -108,7 +108,7 @@ internal sealed class SlideStep<TAir>
             return false;
         }
 
-        // The velocity must be along the line, with a slip at both surfaces.
+        // Require a velocity along the line, with slip at both surfaces.
         from.Speed = Vector3d.Dot(s.Velocity, in forces.Along);
         Vector3d first = forces.FirstSlip(from.Speed, in from.Spin);
         Vector3d second = forces.SecondSlip(from.Speed, in from.Spin);
@@ -124,7 +124,7 @@ internal sealed class SlideStep<TAir>
         _air.At(s.Time, s.Position, s.Velocity, in from.Spin, out Vector3d push, out Vector3d torque);
         forces.Load(in push, in forces.FirstDirection, in forces.SecondDirection, out rates.First, out rates.Second);
 
-        // The loads do not depend on which surface is the bearer.
+        // The loads do not depend on the choice of the bearer, so choose it by load.
         bool isSecond = rates.Second > rates.First * (1.0 + SetContact.SameLoad);
         forces.Bear(isSecond, isSecond ? two : one, ref from.Spin);
         forces.Evaluate(in push, in torque, from.Speed, in from.Spin, out rates);
@@ -137,11 +137,13 @@ internal sealed class SlideStep<TAir>
             && IsShort(dt, in forces.SecondDirection, secondSize, forces.SecondSlip(rates.Along, in rates.Spin), two.Sliding);
     }
 
-    /// <summary>True if a step takes no more of a slip than the method can follow.</summary>
+    /// <summary>True if the slip changes so little in the step that the integrator can follow it.</summary>
     private static bool IsShort(double dt, in Vector3d direction, double size, in Vector3d rate, double sliding) =>
         !(sliding > 0) || TurnLimit.Shorten(dt, dt, in direction, size, in rate, isFlat: true) >= dt;
 
-    /// <summary>True if everything that may end a piece keeps a share of its value: loads, slips, the bearer's lead, the spin about its normal, the energy above rest; and the carrier bears enough.</summary>
+    /// <summary>True if every quantity that could end a piece keeps a share of its value, and the carrier's load is still large
+    /// enough.</summary>
+    /// <remarks>The quantities: loads, slips, the bearer's lead in load, the spin about its normal, and the energy above rest.</remarks>
     private bool Keeps(in SlideForces forces, in Slide from, in SlideRates first, in Slide last, in SlideRates rates, double share, bool isFirstCarrier)
     {
         double carrier = isFirstCarrier ? rates.First : rates.Second;
@@ -154,21 +156,21 @@ internal sealed class SlideStep<TAir>
             && Energy(in last) - _world.RestEnergy > share * (Energy(in from) - _world.RestEnergy);
     }
 
-    /// <summary>By how much the bearer's load is greater, m/s².</summary>
+    /// <summary>Difference between the bearer's load and the other load, m/s².</summary>
     private static double Lead(in SlideForces forces, in SlideRates rates) =>
         forces.IsSecondBearer ? (rates.Second * (1.0 + SetContact.SameLoad)) - rates.First : (rates.First * (1.0 + SetContact.SameLoad)) - rates.Second;
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     private double Energy(in Slide at) => (0.5 * _ball.Mass * at.Speed * at.Speed) + (0.5 * _ball.MomentOfInertia * at.Spin.LengthSquared);
 
-    /// <summary>The rates at a stage.</summary>
+    /// <summary>Computes the rates at a stage.</summary>
     private void RatesAt(in BallState s, in SlideForces forces, double after, double way, in Slide at, out SlideRates rates)
     {
         _air.At(s.Time + after, s.Position + (way * forces.Along), at.Speed * forces.Along, in at.Spin, out Vector3d push, out Vector3d torque);
         forces.Evaluate(in push, in torque, at.Speed, in at.Spin, out rates);
     }
 
-    /// <summary>Shows the step to all that watch.</summary>
+    /// <summary>Reports the step to the observers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Show(StepLog log, in BallState before, in BallState after, in SlideForces forces, double startAlong, double way, in Slide final)
     {
@@ -183,7 +185,7 @@ internal sealed class SlideStep<TAir>
         log.Show(in before, in after, in start, last.Along * forces.Along, _order);
     }
 
-    /// <summary>The motion: x, m/s, and the spin, rad/s.</summary>
+    /// <summary>The motion: speed along the line, m/s, and spin, rad/s.</summary>
     private struct Slide
     {
         public double Speed;

@@ -1,30 +1,30 @@
 namespace FootballPhysics;
 
-/// <summary>How a scene is integrated.</summary>
+/// <summary>The integrator of a scene, and the methods that locate impacts and the end of a slide.</summary>
 public sealed record SolverSettings
 {
-    /// <summary>The one-step method. Default <see cref="Integrator.Rk4"/>.</summary>
+    /// <summary>The integrator. Default <see cref="Integrator.Rk4"/>.</summary>
     public Integrator Integrator { get; init; } = Integrator.Rk4;
 
-    /// <summary>How the instant of an impact is found. Default <see cref="CollisionTiming.Exact"/>.</summary>
+    /// <summary>The method that finds the time of impact. Default <see cref="CollisionTiming.Exact"/>.</summary>
     public CollisionTiming CollisionTiming { get; init; } = CollisionTiming.Exact;
 
-    /// <summary>Where the search of <see cref="CollisionTiming.Bisection"/> ends, s. Above 0; default 1e-6.</summary>
+    /// <summary>Tolerance of <see cref="CollisionTiming.Bisection"/>, in s; above 0. Default 1e-6.</summary>
     public double CollisionTolerance { get; init; } = 1e-6;
 
-    /// <summary>How the end of a slide is found. Default <see cref="RollingTransition.Exact"/>.</summary>
+    /// <summary>The method that finds the end of a slide. Default <see cref="RollingTransition.Exact"/>.</summary>
     public RollingTransition RollingTransition { get; init; } = RollingTransition.Exact;
 
-    /// <summary>True when steps end at the drag law's jump; off to show what that is worth.</summary>
+    /// <summary>True if steps end at the jump of the drag law. Set it to false only to measure the effect.</summary>
     internal bool LocateJump { get; init; } = true;
 
-    /// <summary>RK4, everything exact.</summary>
+    /// <summary>RK4 with exact impacts and transitions.</summary>
     public static SolverSettings Default { get; } = new();
 
-    /// <summary>The cheapest integrator and step for a wanted accuracy: RK4 with steps of 80 ms, 40 ms or 5 ms.</summary>
-    /// <param name="accuracy">How close to the exact solution a shot is to be, from the kick to the impact.</param>
-    /// <param name="timeStep">The longest step to take, s. Shorter ones are only more accurate.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is none of the enumeration.</exception>
+    /// <summary>Returns the cheapest integrator and step for an accuracy: RK4 with steps of 80 ms, 40 ms or 5 ms.</summary>
+    /// <param name="accuracy">Maximum error of a shot from the kick to the impact.</param>
+    /// <param name="timeStep">The longest step to use, s. Shorter steps are more accurate.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is not a value of the enumeration.</exception>
     public static SolverSettings For(Accuracy accuracy, out double timeStep)
     {
         Check.Defined(nameof(accuracy), accuracy, (int)accuracy, 3);
@@ -38,8 +38,9 @@ public sealed record SolverSettings
         return Default;
     }
 
-    /// <summary>Checks every setting.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
+    /// <summary>Throws if a setting is out of range.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A setting is out of range. The message names the field, the value and the
+    /// range.</exception>
     public void Validate()
     {
         Check.Defined("solver.integrator", Integrator, (int)Integrator, 4);
@@ -49,22 +50,22 @@ public sealed record SolverSettings
     }
 }
 
-/// <summary>How the instant of an impact is found inside a step.</summary>
+/// <summary>Method that finds the time of impact inside a step.</summary>
 public enum CollisionTiming
 {
-    /// <summary>The root of the step itself: closed form or one Newton correction.</summary>
+    /// <summary>Finds the root of the step itself: in closed form, or by one Newton correction.</summary>
     Exact = 0,
 
-    /// <summary>The thesis' recursive search with re-integration (2.4.4), down to <see cref="SolverSettings.CollisionTolerance"/>.</summary>
+    /// <summary>The thesis' bisection with re-integration (2.4.4), down to <see cref="SolverSettings.CollisionTolerance"/>.</summary>
     Bisection = 1,
 }
 
-/// <summary>How the end of a slide is found.</summary>
+/// <summary>Method that finds the end of a slide.</summary>
 public enum RollingTransition
 {
-    /// <summary>Where the slip reaches zero, inside the step.</summary>
+    /// <summary>Ends the slide at the instant inside the step when the slip reaches zero.</summary>
     Exact = 0,
 
-    /// <summary>The thesis' heuristic (2.27, 2.28): at the end of the step in which the slip grew, or fell below 1 mm/s.</summary>
+    /// <summary>The thesis' heuristic (2.27, 2.28): at the end of a step in which the slip grew or fell below 1 mm/s.</summary>
     Heuristic = 1,
 }

@@ -2,22 +2,24 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>How long a piece of motion may be: so short that no force changes the motion by more than itself, explicit Euler's limit of no overshoot.</summary>
+/// <summary>Limits the length of a piece so that no force changes the motion by more than itself: explicit Euler's limit without
+/// overshoot.</summary>
 internal readonly struct StabilityLimit
 {
-    /// <summary>No force may change the motion in a piece by more than this share of itself.</summary>
+    /// <summary>Maximum relative change of the motion by any force per piece.</summary>
     public const double LargestChange = 1.0;
 
-    /// <summary>A ball that would be back on the ground sooner than this, s, stays down: so an impact takes time, however strong gravity is.</summary>
+    /// <summary>A ball that would be back on the ground sooner than this stays down, s.</summary>
+    /// <remarks>It bounds the number of impacts under any gravity.</remarks>
     public const double ShortestHop = 1e-6;
 
-    /// <summary>Up to this restitution every ball comes to rest, whatever the method and its step.</summary>
+    /// <summary>Up to this restitution every ball comes to rest, with any integrator and step length.</summary>
     private const double MostElastic = 0.95;
 
-    /// <summary>Below this many pieces the simple bound is good enough.</summary>
+    /// <summary>Below this number of pieces the cheap bound is good enough.</summary>
     private const double FewPieces = 16;
 
-    /// <summary>In slower air spin decays as in this, m/s.</summary>
+    /// <summary>Below this air speed, spin decays as at this speed, m/s.</summary>
     private const double SlowestAir = 3.2e-9;
 
     /// <summary>Its square, m²/s².</summary>
@@ -26,16 +28,16 @@ internal readonly struct StabilityLimit
     private readonly RateBound _bound;
     private readonly double _upward;
 
-    /// <summary>Up to this length, s, no step that the fastest form of the laws covers must be divided.</summary>
+    /// <summary>Up to this length, the fastest form of the laws never needs a division of the step, s.</summary>
     private readonly double _wholeUpTo;
 
-    /// <summary>Into how many pieces a hop is divided at least, see <see cref="PiecesOfHop"/>.</summary>
+    /// <summary>Minimum number of pieces of a hop, see <see cref="PiecesOfHop"/>.</summary>
     private readonly double _piecesOfHop;
 
-    /// <summary>True when nothing but the Magnus force acts on a velocity that the method cannot turn without making it longer.</summary>
+    /// <summary>True if only the Magnus force acts, and the integrator increases a velocity that it turns.</summary>
     private readonly bool _spirals;
 
-    /// <summary>Order of the method.</summary>
+    /// <summary>Order of the integrator.</summary>
     private readonly int _order;
 
     private StabilityLimit(in RateBound bound, double upward, double wholeUpTo, double piecesOfHop, bool spirals, int order)
@@ -48,40 +50,42 @@ internal readonly struct StabilityLimit
         _spirals = spirals;
     }
 
-    /// <summary>How fast the air and gravity can change the motion.</summary>
+    /// <summary>Bounds how fast the air and gravity can change the motion.</summary>
     public RateBound Bound => _bound;
 
-    /// <summary>The limit of a scene for a method of an order.</summary>
+    /// <summary>Creates the limit of a scene for an integrator.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="air">Its air.</param>
-    /// <param name="wholeUpTo">Up to which length, s, no step that the fast form of the laws covers must be divided; 0 where that is not known.</param>
+    /// <param name="wholeUpTo">Length up to which the fast form of the laws never needs a division, s; 0 if unknown.</param>
     /// <param name="upward">Upward acceleration, m/s².</param>
-    /// <param name="order">Order of the method.</param>
+    /// <param name="order">Order of the integrator.</param>
     public static StabilityLimit Of(Scene scene, in SceneAir air, double wholeUpTo, double upward, int order)
     {
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // The restitution of the slowest and most oblique impacts decides; without weight there are no hops.
+        // Use the largest restitution, that of the slowest and most oblique impacts. Without weight there are no hops.
         double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
-        // Without drag nothing takes away what a method of low order adds to a velocity that it turns.
+        // Without drag, a low-order integrator adds speed whenever it turns the velocity.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, pieces, spirals, order);
     }
 
-    /// <summary>Into how many pieces a hop is divided at least by a method that gains by hops, 3e/(1 − e): then every bounce is lower than the one before.</summary>
+    /// <summary>Returns the minimum number of pieces of a hop, 3e/(1 − e), for an integrator that gains speed in hops.</summary>
+    /// <remarks>Each bounce is then lower than the previous one.</remarks>
     public static double PiecesOfHop(double restitution)
     {
         double e = Math.Min(restitution, MostElastic);
         return 3.0 * e / (1.0 - e);
     }
 
-    /// <summary>How fast the air and gravity can change the motion: a ball that falls from rest is soon as fast as drag lets it, 1/√(P a) is how soon.</summary>
+    /// <summary>Adds gravity to the bound of the air.</summary>
+    /// <remarks>A ball that falls from rest reaches terminal velocity within about 1/√(P a).</remarks>
     public static RateBound WithFall(in RateBound ofAir, double upward) =>
         new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
 
-    /// <summary>True when a step may be taken whole: a quick test that errs towards no.</summary>
+    /// <summary>True if a step may be taken whole. A fast, conservative test.</summary>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
@@ -94,37 +98,38 @@ internal readonly struct StabilityLimit
             return true;
         }
 
-        // Half of the change for each of the two parts of P |u| + Q |ω| + C, so that no root is needed.
+        // Allow half of the change for each of the two parts of P |u| + Q |ω| + C. This avoids a square root.
         double bySpeed = h * _bound.PerSpeed;
         double bySpin = h * ((_bound.PerSpin * spinRate) + _bound.Constant);
         return !(bySpeed * bySpeed * Math.Max(speedSquared, StillAir) > 0.25 * LargestChange * LargestChange || bySpin > 0.5 * LargestChange);
     }
 
-    /// <summary>A bound, 1/s, for how fast anything changes the motion.</summary>
-    /// <param name="speed">|u|, or a bound of it, m/s.</param>
+    /// <summary>Upper bound of the rate at which any force changes the motion, 1/s.</summary>
+    /// <param name="speed">|u|, or an upper bound of it, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
     public double RateAtMost(double speed, double spinRate) => _bound.At(speed, spinRate);
 
-    /// <summary>The longest of equal parts of a step for which no force overshoots.</summary>
+    /// <summary>Returns the longest of equal parts of a step in which no force overshoots, s.</summary>
     /// <param name="air">The air.</param>
     /// <param name="left">Length of the step, s.</param>
     /// <param name="speed">|u|, m/s.</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
     /// <param name="branch">Branch of the drag law.</param>
-    /// <param name="spirals">Set where the method would make a velocity longer in such parts, which the Magnus force only turns.</param>
+    /// <param name="spirals">Set to true if the integrator would increase a velocity that the Magnus force only turns.</param>
     /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
-    /// <param name="gain">By how much the friction of a surface may make the ball faster in the step, m/s.</param>
+    /// <param name="gain">Maximum speed gain by surface friction within the step, m/s.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public double PartOf(ref SceneAir air, double left, double speed, double spinRate, DragBranch branch, ref bool spirals, double damping = 0, double gain = 0)
     {
         speed = Math.Max(speed, SlowestAir);
         double fastest = speed + gain;
 
-        // How many times over the forces could change the motion in this time.
+        // The number of times the forces could completely change the motion in this time.
         double pieces = left * (RateAtMost(fastest, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
-            // The bound adds what each law could do; twice what they do here is enough, and where friction may bring the ball, and in still air what they are about to do.
+            // That bound sums the worst case of each law. Twice the actual rates suffice, at the present speed and at the speed after
+            // friction.
             double here = RateAt(ref air, speed, spinRate, branch);
             here = gain > 0 ? Math.Max(here, RateAt(ref air, fastest, spinRate, branch)) : here;
             double closer = left * ((2.0 * here) + _bound.Constant + damping);
@@ -136,23 +141,24 @@ internal readonly struct StabilityLimit
             return left;
         }
 
-        // Equal parts: none of them longer than the limit, and no sliver at the end.
+        // Use equal parts, so that none exceeds the limit and no sliver remains at the end.
         double part = left / Math.Ceiling(pieces / LargestChange);
         spirals = _spirals || SpiralsIn(ref air, part, speed, spinRate, branch);
         return part;
     }
 
-    /// <summary>How fast the laws change the motion at a speed and a spin, 1/s.</summary>
+    /// <summary>Returns how fast the laws change the motion at a speed and a spin, 1/s.</summary>
     private double RateAt(ref SceneAir air, double speed, double spinRate, DragBranch branch)
     {
         air.Factors(speed * speed, spinRate, speed * speed, branch, out double drag, out double lift, out double decay);
         return drag + Math.Abs(lift) + (spinRate > 0 ? Math.Min(decay / spinRate, (_bound.PerSpeed * speed) + (_bound.PerSpin * spinRate)) : 0);
     }
 
-    /// <summary>
-    /// True when a part of a divided step would make a velocity longer. The Magnus force turns it by Ω h, and does no work; explicit Euler makes
-    /// it longer by (Ω h)²/2, RK2 by (Ω h)⁴/8, of which drag takes D h away again.
-    /// </summary>
+    /// <summary>True if a part of a divided step would increase a velocity that only turns.</summary>
+    /// <remarks>
+    /// The Magnus force turns it by Ω h and does no work; explicit Euler increases it by (Ω h)²/2 and RK2 by (Ω h)⁴/8, while drag removes D
+    /// h.
+    /// </remarks>
     private bool SpiralsIn(ref SceneAir air, double h, double speed, double spinRate, DragBranch branch)
     {
         if (_order >= 4 || !air.Lifts || !(spinRate > 0) || branch >= DragBranch.AlongCriticalSpeed)
@@ -167,17 +173,18 @@ internal readonly struct StabilityLimit
         return longer > drag * h;
     }
 
-    /// <summary>
-    /// Explicit Euler comes down from a hop faster by g h than it went up: with that a bounce of less than e g h/(1 − e) would grow. So a
-    /// step is divided that is longer than (1 − e)/3e of a hop: then every bounce is lower than the one before, and the ball comes to rest.
-    /// </summary>
+    /// <summary>Limits a piece near the ground so that bounces do not grow.</summary>
+    /// <remarks>
+    /// Explicit Euler returns from a hop faster by g h than it left, so a bounce below e g h/(1 − e) would grow. A step longer than (1 −
+    /// e)/3e of a hop is divided; every bounce is then lower than the previous one.
+    /// </remarks>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="height">Height above contact, m.</param>
     /// <param name="climb">Vertical velocity, m/s.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double WithinHop(double h, double height, double climb)
     {
-        // A hop up to the height that the energy is enough for takes 2 √(2 g y + v²)/g.
+        // A hop to the height that the energy allows takes 2 √(2 g y + v²)/g.
         double up = (climb * climb) - (2.0 * _upward * Math.Max(0, height));
         double least = h * -_upward * _piecesOfHop;
         return least > 0 && least * least > 4.0 * up ? PartOfHop(h, least, up) : h;
@@ -186,53 +193,57 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.NoInlining)]
     private double PartOfHop(double h, double least, double up)
     {
-        // What is shorter than the shortest hop counts as staying down, and needs no pieces.
+        // A hop below the shortest counts as staying down and needs no pieces.
         double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
 }
 
-/// <summary>
-/// How far a slip or a roll may change in one piece. Its direction turns at the rate across/size, ever faster as the size falls: a piece in which it turns by θ,
-/// and changes by the share x of what is left of it, is off by some hundredths of θ x⁴ (RK4).
-/// </summary>
+/// <summary>Limits how far a slip or a roll may change in one piece.</summary>
+/// <remarks>
+/// Its direction turns at the rate across/size, ever faster as the size falls. If a piece turns it by θ and changes it by the share x of
+/// the rest, the error of RK4 is some hundredths of θ x⁴.
+/// </remarks>
 internal static class TurnLimit
 {
-    /// <summary>The largest turn θ, rad.</summary>
+    /// <summary>Maximum turn θ, rad.</summary>
     private const double LargestTurn = 0.125;
 
-    /// <summary>The largest θ x⁴: the reference cases of slides with sidespin and rolls in wind hold with it (WholeRun), and fail with a hundred times it.</summary>
+    /// <summary>Maximum of θ x⁴. The reference cases of slides with sidespin and rolls in wind pass with it (WholeRun) and fail at a
+    /// hundred times it.</summary>
     private const double LargestError = 1e-5;
 
-    /// <summary>The usual step, s.</summary>
+    /// <summary>The standard step, s.</summary>
     private const double UsualStep = 0.02;
 
-    /// <summary>A piece takes this share of a slip or a roll that turns; in long steps up to the second, where the direction hardly turns up to the third.</summary>
+    /// <summary>Share of a turning slip or roll that a piece may change; the second value in long steps, the third if the direction hardly
+    /// turns.</summary>
     private const double LeastShare = 0.125;
     private const double LeastShareOfLong = 0.4;
     private const double LargestShare = 0.75;
 
-    /// <summary>So much of the square of the rate across the direction is usual: with less of it pieces are longer.</summary>
+    /// <summary>Typical share of the squared rate across the direction. Below it, pieces may be longer.</summary>
     private const double OftenTurns = 0.01;
 
-    /// <summary>Friction that changes a slip or a roll by more than this share of it turns the direction faster than a method follows.</summary>
+    /// <summary>If friction changes a slip or a roll by more than this multiple, its direction turns faster than the integrator can
+    /// follow.</summary>
     private const double Stiff = 2.0;
 
-    /// <summary>The largest change across the direction times (λ h)⁴, m/s.</summary>
+    /// <summary>Maximum of the change across the direction times (λ h)⁴, m/s.</summary>
     private const double LargestOff = 2.5e-7;
 
-    /// <summary>A direction that turns by less than this in a piece, rad, stays as it is.</summary>
+    /// <summary>A turn below this per piece counts as zero, rad.</summary>
     private const double Straight = 1e-7;
 
-    /// <summary>
-    /// The length of a piece in which friction is strong for so slow a slip or roll: the direction is locked where it does not turn; where it does, the piece is as short
-    /// as the method can follow.
-    /// </summary>
+    /// <summary>Limits a piece in which friction is strong compared with a slow slip or roll.</summary>
+    /// <remarks>
+    /// If the direction does not turn, it is locked. If it turns, the piece becomes as short as the integrator needs.
+    /// </remarks>
     /// <param name="h">Length of the piece, s.</param>
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
-    /// <param name="friction">By how much friction changes it, m/s².</param>
+    /// <param name="friction">The part of the rate due to friction, m/s².</param>
     /// <param name="locks">Whether the direction is locked.</param>
     public static double Follow(double h, in Vector3d direction, double size, in Vector3d rate, double friction, out bool locks)
     {
@@ -248,7 +259,7 @@ internal static class TurnLimit
         return locks ? h : Stiff * size / friction;
     }
 
-    /// <summary>True when a piece may be taken.</summary>
+    /// <summary>True if a piece changes the slip or the roll little enough.</summary>
     /// <param name="size">Size at its start, m/s.</param>
     /// <param name="along">Change along its direction, m/s.</param>
     /// <param name="across">Change across it, m/s; not negative.</param>
@@ -258,44 +269,45 @@ internal static class TurnLimit
         double leftSquared = left * left;
         double changed = (along * along) + (across * across);
 
-        // θ = across/left, x² = changed/left²: θ x⁴ ≤ E, without a division.
+        // With θ = across/left and x² = changed/left², test θ x⁴ ≤ E without a division.
         return left > 0 && across <= LargestTurn * left && across * (changed * changed) <= LargestError * left * (leftSquared * leftSquared);
     }
 
-    /// <summary>
-    /// Shortens a piece in which the direction of a slip or a roll would turn too fast for a method to follow: it takes a share of the size, the more, the less
-    /// the direction turns, as the fourth root.
-    /// </summary>
+    /// <summary>Shortens a piece in which the direction of a slip or a roll would turn too fast for the integrator.</summary>
+    /// <remarks>
+    /// The piece changes a share of the size; the share grows with the fourth root as the direction turns less.
+    /// </remarks>
     /// <param name="h">Length of the piece, s.</param>
-    /// <param name="step">Length of the whole step, s: a long one takes larger shares.</param>
+    /// <param name="step">Length of the whole step, s: a long one allows larger shares.</param>
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
-    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes on the way.</param>
+    /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes along the path.</param>
     public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
     {
-        // The rate along the direction, and across it, which turns it.
+        // Split the rate into the part along the direction and the part across it, which turns the direction.
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
 
-        // The less of the rate is across, the longer the piece, as the fourth root.
+        // The smaller the part across, the longer the piece, by the fourth root.
         double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
         double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
         double share = Math.Min(LargestShare, least * straight);
         return closing * h > share * size ? share * size / closing : h;
     }
 
-    /// <summary>
-    /// Shortens a piece in which friction turns a slip or a roll back to the direction in which the push leads, faster than a method follows: at the rate λ = friction/size,
-    /// however slowly the size changes. What turns in a piece is off by (λ h)⁴/120 of itself (RK4).
-    /// </summary>
+    /// <summary>Shortens a piece in which friction turns a slip or a roll back to the direction of the push faster than the integrator can
+    /// follow.</summary>
+    /// <remarks>
+    /// The rate is λ = friction/size, however slowly the size changes. The relative error of RK4 is (λ h)⁴/120.
+    /// </remarks>
     /// <param name="h">Length of the piece, s.</param>
-    /// <param name="step">Length of the whole step, s: a long one is off by more.</param>
+    /// <param name="step">Length of the whole step, s: a long one allows a larger error.</param>
     /// <param name="direction">The direction.</param>
     /// <param name="size">Size of the slip or the roll, m/s.</param>
     /// <param name="rate">Its rate of change, m/s².</param>
-    /// <param name="friction">By how much friction changes it, m/s².</param>
+    /// <param name="friction">The part of the rate due to friction, m/s².</param>
     public static double ShortenStiff(double h, double step, in Vector3d direction, double size, in Vector3d rate, double friction)
     {
         double along = Vector3d.Dot(in rate, in direction);
@@ -307,6 +319,6 @@ internal static class TurnLimit
         return off > most ? h * Math.Sqrt(Math.Sqrt(most / off)) : h;
     }
 
-    /// <summary>How many times longer than usual a step is; 1 for shorter ones.</summary>
+    /// <summary>Ratio of a step to the standard step; 1 for shorter steps.</summary>
     public static double Coarseness(double step) => Math.Max(1.0, step / UsualStep);
 }

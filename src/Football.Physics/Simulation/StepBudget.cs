@@ -1,6 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>The counters that bound a ball's step (contacts.md, Bounds). A step that is taken in several calls carries them from one call to the next.</summary>
+/// <summary>The counters that bound the work of a ball's step (contacts.md, Bounds).</summary>
+/// <remarks>A step in several calls keeps them between the calls.</remarks>
 internal struct StepBudget
 {
     /// <summary>Pieces so far.</summary>
@@ -12,7 +13,7 @@ internal struct StepBudget
     /// <summary>Events so far.</summary>
     public int Events;
 
-    /// <summary>Splits at the drag law's jump so far.</summary>
+    /// <summary>Splits at the jump of the drag law so far.</summary>
     public int Splits;
 
     /// <summary>Impacts so far.</summary>
@@ -21,43 +22,44 @@ internal struct StepBudget
     /// <summary>Impacts since time last advanced.</summary>
     public int Impacts;
 
-    /// <summary>Impacts that were solved together and not reported one by one.</summary>
+    /// <summary>Impacts that were resolved together and not reported one by one.</summary>
     public int Untold;
 
-    /// <summary>The number of times that the contacts, or their modes, have changed while several of them bear the ball.</summary>
+    /// <summary>Number of changes of the contact set, or of its modes, while several contacts are active.</summary>
     public int SetChanges;
 
-    /// <summary>Pieces so far in which several contacts bear the ball.</summary>
+    /// <summary>Pieces so far with several active contacts.</summary>
     public int SetPieces;
 
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
-    /// <summary>Parts so far that are shorter because a normal turns.</summary>
+    /// <summary>Parts shortened because a contact normal turns.</summary>
     public int Turns;
 
-    /// <summary>The number of times that a ball on several surfaces was reported to slide or roll.</summary>
+    /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>
     public int Named;
 
-    /// <summary>The number of times that the ball has begun to slip because its carrier could not hold it.</summary>
+    /// <summary>Number of times the ball has lost grip and started to slip.</summary>
     public int Slips;
 
-    /// <summary>The number of times that moving objects have begun to squeeze the ball.</summary>
+    /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
     public int Squeezes;
 
     /// <summary>Hits by moving objects in quick succession.</summary>
     public int Hits;
 
-    /// <summary>The time of the last of them, s.</summary>
+    /// <summary>Time of the last of these hits, s.</summary>
     public double LastHit;
 
-    /// <summary>After so many events a step of up to a quarter of a second reports only rest, goals and squeezes one by one, which are few; it counts the others.</summary>
+    /// <summary>After this many events, a step of up to 0.25 s reports only rest, goals and squeezes, which are rare, and counts the
+    /// others.</summary>
     private const int MostEvents = 20;
     private const double UsualStep = 0.25;
 
-    /// <summary>True if an event is reported one by one.</summary>
+    /// <summary>True if an event is reported and not only counted.</summary>
     /// <param name="kind">The kind of the event.</param>
-    /// <param name="before">The number of events of the step before it.</param>
+    /// <param name="before">The number of earlier events of the step.</param>
     /// <param name="length">Length of the step, s.</param>
     public static bool Reports(BallEventKind kind, int before, double length) =>
         before < MostEvents * Math.Max(1.0, length / UsualStep) || kind is BallEventKind.Rest or BallEventKind.Goal or BallEventKind.Pinned;

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <content>What a log keeps of the zones that watch a step.</content>
+/// <content>The zone data of a log.</content>
 public sealed partial class StepLog
 {
     private PieceObserver? _observer;
@@ -8,10 +8,10 @@ public sealed partial class StepLog
     private ZoneCrossing[] _crossings = [];
     private int _crossingCount;
 
-    /// <summary>True if pieces are shown to anyone.</summary>
+    /// <summary>True if an observer or a zone receives the pieces.</summary>
     internal bool IsWatched { get; private set; }
 
-    /// <summary>The zones that watch the pieces; null outside steps, and in scenes without zones.</summary>
+    /// <summary>The zones that observe the pieces; null outside a step, and in scenes without zones.</summary>
     internal ZoneWatch? Zones
     {
         get => _zones;
@@ -22,20 +22,20 @@ public sealed partial class StepLog
         }
     }
 
-    /// <summary>True if zones report nothing here: for flights of which only the impacts and the end count.</summary>
+    /// <summary>True if zones report no events, as in flights of which only the impacts and the end count.</summary>
     internal bool IgnoresZones { get; init; }
 
-    /// <summary>Where the zones saw the ball last, m.</summary>
+    /// <summary>The last position of the ball that the zones have processed, m.</summary>
     internal Vector3d ZonePlace { get; set; }
 
-    /// <summary>Events of zones so far: the physics of a step does not count them.</summary>
+    /// <summary>Number of zone events so far. The physics of a step does not count them.</summary>
     internal int ZoneEvents { get; set; }
 
-    /// <summary>True if the acceleration at the end of a piece is worth an evaluation.</summary>
+    /// <summary>True if the acceleration at the end of a piece is needed.</summary>
     internal bool WantsEnd(in BallState before, in BallState after, in Vector3d startAcceleration) =>
         _observer is { WantsEndAcceleration: true } || (_zones is not null && _zones.IsNear(in before, in after, in startAcceleration));
 
-    /// <summary>Adds a crossing in its order.</summary>
+    /// <summary>Inserts a crossing in order.</summary>
     internal void AddCrossing(in ZoneCrossing crossing)
     {
         if (_crossingCount == _crossings.Length)
@@ -52,7 +52,7 @@ public sealed partial class StepLog
         _crossings[place] = crossing;
     }
 
-    /// <summary>The crossings of a piece, which are forgotten.</summary>
+    /// <summary>Returns the crossings of a piece, and clears them.</summary>
     internal Span<ZoneCrossing> TakeCrossings()
     {
         int count = _crossingCount;

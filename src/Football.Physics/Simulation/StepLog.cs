@@ -1,66 +1,71 @@
 namespace FootballPhysics;
 
-/// <summary>The log of a step or a run, beside the state: events in order, and counts. One a ball (or a thread); reused.</summary>
+/// <summary>The events and counts of a step or a run. Use one per ball or per thread, and reuse it.</summary>
 public sealed partial class StepLog
 {
-    /// <summary>Makes an empty log.</summary>
-    /// <param name="eventCapacity">Events to make room for, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
-    /// <param name="mostEvents">How many events it keeps, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <summary>Creates an empty log.</summary>
+    /// <param name="eventCapacity">Initial capacity for events, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
+    /// <param name="mostEvents">Maximum number of events kept, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public StepLog(int eventCapacity = 32, int mostEvents = EventBuffer.DefaultMost) => Events = new EventBuffer(eventCapacity, mostEvents);
 
     /// <summary>The events since the last <see cref="Clear"/>, in order.</summary>
     public EventBuffer Events { get; }
 
-    /// <summary>Integrated pieces of motion: one a step, and one more for every event or split inside it.</summary>
+    /// <summary>The number of integrated pieces: one per step, plus one for every event or split inside a step.</summary>
     public long Steps { get; internal set; }
 
-    /// <summary>Right-hand sides evaluated, those spent on locating events included.</summary>
+    /// <summary>The number of force evaluations, including those that locate events.</summary>
     public long Evaluations { get; internal set; }
 
-    /// <summary>
-    /// Calls whose step had all the pieces (8 192) or evaluations (32 768) that one may have, before its end: the ball stayed where it was for the rest.
-    /// 0 for anything like a football; where a ball is pressed from all sides time may not go on otherwise.
-    /// </summary>
+    /// <summary>The number of steps that ended early because they reached the limit of pieces or evaluations.</summary>
+    /// <remarks>
+    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball stays at its position for the rest of the step.
+    /// The count is 0 for any realistic football. It can grow if objects press the ball from all sides.
+    /// </remarks>
     public long StalledSteps { get; internal set; }
 
-    /// <summary>
-    /// Impacts that were not told one by one: where things that move press the ball, those of one instant after the tenth, of one step after its fourteenth event,
-    /// are taken together; and after that event those slower than the slowest bounce, as of a ball that trembles in a corner. While the ball is <see cref="MotionState.Pinned"/> there are none.
-    /// After the 20th event of a step (of a step longer than 0.25 s: of each 0.25 s), all kinds but rest, goals and squeezes are counted here.
-    /// </summary>
+    /// <summary>The number of impacts and other events that were counted but not reported.</summary>
+    /// <remarks>
+    /// Impacts are resolved together, and not reported, after the tenth at one instant, or after the 14th event of a step if moving objects
+    /// press the ball.
+    /// After the 14th event, impacts below the minimum bounce speed are not reported either. A <see cref="MotionState.Pinned"/> ball has no
+    /// impacts.
+    /// After the 20th event per 0.25 s of a step, only rest, goals and squeezes are reported.
+    /// </remarks>
     public long UnreportedImpacts { get; internal set; }
 
-    /// <summary>
-    /// Contacts of moving objects that were left out because more than 16 surfaces touched the ball at once, and that had no load. Stationary surfaces are never left out.
-    /// </summary>
+    /// <summary>The number of moving contacts without load that were dropped, because more than 16 surfaces touched the ball.</summary>
+    /// <remarks>Stationary surfaces are never dropped.</remarks>
     public long LeftOut { get; internal set; }
 
-    /// <summary>True when the step ended early at the event asked for.</summary>
+    /// <summary>True if the step ended early at the requested event.</summary>
     internal bool Halted { get; set; }
 
     /// <summary>The event at which steps end early.</summary>
     internal StopAt StopAt { get; set; }
 
-    /// <summary>True when what has a mass goes on with what an impact left it: in the steps of a game, not where one only looks what would come.</summary>
+    /// <summary>True if impacts push objects with a mass: in the game's own steps, but not in a look-ahead.</summary>
     internal bool Pushes { get; set; }
 
-    /// <summary>True when a step ends early after an impact that pushes something.</summary>
+    /// <summary>True if a step ends early after an impact that pushes an object.</summary>
     internal bool HaltsAtPush { get; set; }
 
     /// <summary>True after an impact has pushed an object that has a mass.</summary>
     internal bool Pushed { get; set; }
 
-    /// <summary>Keeps the motions before a push, for steps that are taken again; null if none are.</summary>
+    /// <summary>Stores the motions before a push, for steps that are repeated; null if none are.</summary>
     internal MotionsBefore? Motions { get; set; }
 
-    /// <summary>True if a call continues a step: its counters start at <see cref="Spent"/> instead of zero.</summary>
+    /// <summary>True if a call continues a step: its counters then start at <see cref="Spent"/> instead of zero.</summary>
     internal bool Continues { get; set; }
 
     /// <summary>The counters of a step that is taken in several calls.</summary>
     internal StepBudget Spent;
 
-    /// <summary>Watches every piece of motion: a step is one piece, or several where something happens in it. Default null, which costs nothing.</summary>
+    /// <summary>Receives every piece of motion. Default null, which costs nothing.</summary>
+    /// <remarks>A step is one piece, or several if it contains events.</remarks>
     public PieceObserver? Observer
     {
         get => _observer;
@@ -71,12 +76,12 @@ public sealed partial class StepLog
         }
     }
 
-    /// <summary>Shows a piece to the zones and to the observer.</summary>
-    /// <param name="before">The ball at the piece's start.</param>
+    /// <summary>Reports a piece to the zones and to the observer.</summary>
+    /// <param name="before">The ball at the start of the piece.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="startAcceleration">Acceleration at the start, m/s².</param>
-    /// <param name="endAcceleration">Acceleration at the end, m/s²; only where it is wanted.</param>
-    /// <param name="order">Order of the method that took it.</param>
+    /// <param name="endAcceleration">Acceleration at the end, m/s²; only if it is needed.</param>
+    /// <param name="order">Order of the integrator.</param>
     internal void Show(in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
     {
         _zones?.See(this, in before, in after, in startAcceleration, in endAcceleration, order);
@@ -99,10 +104,10 @@ public sealed partial class StepLog
         Halted |= observer.Add(in before, in after, in piece);
     }
 
-    /// <summary>Begins a step of a ball of a group, which is taken in several calls.</summary>
-    /// <param name="ball">The ball's number.</param>
-    /// <param name="clears">Whether the log is emptied.</param>
-    /// <param name="zones">The zones that watch it; null if there are none.</param>
+    /// <summary>Starts a step of a ball in a group, which is taken in several calls.</summary>
+    /// <param name="ball">The index of the ball.</param>
+    /// <param name="clears">Whether to clear the log.</param>
+    /// <param name="zones">The zones that observe it; null if there are none.</param>
     /// <param name="s">The ball.</param>
     internal void Begin(int ball, bool clears, ZoneWatch? zones, in BallState s)
     {
@@ -123,7 +128,7 @@ public sealed partial class StepLog
         zones?.Begin(this, in s);
     }
 
-    /// <summary>Ends a step of a ball of a group.</summary>
+    /// <summary>Ends a step of a ball in a group.</summary>
     /// <param name="s">The ball.</param>
     internal void End(in BallState s)
     {
@@ -131,14 +136,14 @@ public sealed partial class StepLog
         Abandon();
     }
 
-    /// <summary>Ends a step of a ball of a group that failed.</summary>
+    /// <summary>Ends a step of a ball in a group after an exception.</summary>
     internal void Abandon()
     {
         Continues = false;
         Zones = null;
     }
 
-    /// <summary>Reports an event of a ball between two calls of its step, or only counts it if the step has reported too many.</summary>
+    /// <summary>Reports an event between two calls of a step, or only counts it if the step has reported too many.</summary>
     internal void Report(in BallEvent item)
     {
         if (StepBudget.Reports(item.Kind, Spent.Events, 0))
@@ -167,10 +172,10 @@ public sealed partial class StepLog
         ZoneEvents += other.ZoneEvents;
     }
 
-    /// <summary>Mark of its contents now, to come back to.</summary>
+    /// <summary>Returns a mark of the current contents, for <see cref="TakeBack"/>.</summary>
     internal StepLogMark Mark() => new(Events.Count, Events.Dropped, Events.Impacts, Steps, Evaluations, StalledSteps, UnreportedImpacts, LeftOut);
 
-    /// <summary>Forgets what came after a mark.</summary>
+    /// <summary>Removes everything added after a mark.</summary>
     internal void TakeBack(in StepLogMark mark)
     {
         Events.TakeBack(mark.Events, mark.Missed, mark.Impacts);
@@ -182,7 +187,7 @@ public sealed partial class StepLog
         Halted = false;
     }
 
-    /// <summary>Forgets events and counts.</summary>
+    /// <summary>Removes all events and resets the counts.</summary>
     public void Clear()
     {
         Events.Clear();
@@ -196,13 +201,13 @@ public sealed partial class StepLog
     }
 }
 
-/// <summary>Contents of a log at one instant.</summary>
-/// <param name="Events">Events that were kept.</param>
-/// <param name="Missed">Events that were not.</param>
-/// <param name="Impacts">Impacts among both.</param>
+/// <summary>A mark of the contents of a log.</summary>
+/// <param name="Events">Number of events kept.</param>
+/// <param name="Missed">Number of events dropped.</param>
+/// <param name="Impacts">Number of impacts among both.</param>
 /// <param name="Steps">Pieces.</param>
-/// <param name="Evaluations">Right-hand sides.</param>
-/// <param name="Stalled">Steps that came to their last piece.</param>
-/// <param name="Untold">Impacts that were not told one by one.</param>
-/// <param name="LeftOut">Contacts that were left out of a set.</param>
+/// <param name="Evaluations">Force evaluations.</param>
+/// <param name="Stalled">Steps that reached their limit.</param>
+/// <param name="Untold">Events that were only counted.</param>
+/// <param name="LeftOut">Contacts dropped from a set.</param>
 internal readonly record struct StepLogMark(int Events, long Missed, long Impacts, long Steps, long Evaluations, long Stalled, long Untold, long LeftOut);

@@ -1,39 +1,39 @@
 namespace FootballPhysics;
 
-/// <summary>Rest of a step that is still to be done.</summary>
+/// <summary>The state of a step in progress: the time left and the counters that bound the work.</summary>
 internal ref struct StepRun
 {
-    /// <summary>Splits at the drag law's jump that one step may have; a chattering step goes on without more.</summary>
+    /// <summary>Maximum number of splits per step at the jump of the drag law. Further crossings are not located.</summary>
     public const int MaximumSplits = 16;
 
-    /// <summary>Impacts that one step may have. After them the ball stays on what it hits.</summary>
+    /// <summary>Maximum number of impacts per step. After that, the ball stays on the surface that it hits.</summary>
     public const int MostImpacts = 256;
 
-    /// <summary>Events of a step that make a crowd.</summary>
+    /// <summary>Number of events after which a step counts as crowded.</summary>
     private const int MostInCrowd = 14;
 
-    /// <summary>Pieces of a step, whatever asks for them.</summary>
+    /// <summary>Maximum number of pieces per step, of all kinds.</summary>
     private const int MostPieces = 1 << 13;
 
-    /// <summary>Evaluations of the forces in a step, whatever asks for them.</summary>
+    /// <summary>Maximum number of force evaluations per step, of all kinds.</summary>
     private const long MostEvaluations = 1 << 15;
 
-    /// <summary>No piece takes more than so many of them, those of a search for its end included: so many are left where a piece begins.</summary>
+    /// <summary>Evaluations reserved for one piece, including the search for its end. A piece only starts if this many are left.</summary>
     private const long MostOfPiece = 1 << 12;
 
-    /// <summary>Hits by what moves, each so soon after the one before, s, ...</summary>
+    /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
     private const double CrowdedFor = 0.01;
 
-    /// <summary>... but not at one instant, s, ...</summary>
+    /// <summary>Hits within this time count as simultaneous, s.</summary>
     private const double AtOnce = 1e-9;
 
-    /// <summary>... of which more than this make a crowd: the ball is squeezed.</summary>
+    /// <summary>The ball is squeezed if a series has more hits than this.</summary>
     private const int MostHits = 4;
 
-    /// <summary>After so many pieces the length of the parts is chosen anew: what asked for short ones may be over.</summary>
+    /// <summary>After this many pieces the part length is chosen again, because the reason for short parts may have ended.</summary>
     private const int PiecesOfOneLength = 64;
 
-    /// <summary>A jump is never divided by a shorter time, s: its square stays finite.</summary>
+    /// <summary>Minimum step length used to convert a velocity jump to an acceleration, s. It keeps the square finite.</summary>
     private const double ShortestForJumps = 1e-100;
 
     /// <summary>Time left, s.</summary>
@@ -42,16 +42,17 @@ internal ref struct StepRun
     /// <summary>Length of the whole step, s.</summary>
     public double Length;
 
-    /// <summary>When the step ends, s: the clock of its pieces never runs past it, not even by rounding.</summary>
+    /// <summary>End time of the step, s. The clock of the pieces never runs past it, not even by rounding.</summary>
     public double End;
 
-    /// <summary>Splits so far.</summary>
+    /// <summary>Splits at the jump of the drag law so far.</summary>
     public int Splits;
 
-    /// <summary>Where the step had to be divided: the length of its parts, s; else 0.</summary>
+    /// <summary>Length of the parts if the step had to be divided, s; otherwise 0.</summary>
     public double Part;
 
-    /// <summary>True when the method would make a velocity longer in such parts, which the Magnus force only turns.</summary>
+    /// <summary>True if the integrator would increase a velocity that the Magnus force only rotates, even in parts of this
+    /// length.</summary>
     public bool Spirals;
 
     /// <summary>Pieces so far.</summary>
@@ -60,49 +61,51 @@ internal ref struct StepRun
     /// <summary>Impacts so far.</summary>
     public int AllImpacts;
 
-    /// <summary>How often the contacts that bear the ball, or their modes, have changed while several did.</summary>
+    /// <summary>Number of changes of the contact set, or of its modes, while several contacts are active.</summary>
     public int SetChanges;
 
-    /// <summary>Pieces so far in which several contacts bear the ball.</summary>
+    /// <summary>Number of pieces with several active contacts so far.</summary>
     public int SetPieces;
 
     /// <summary>Parts with velocity-level impulses so far.</summary>
     public int Parts;
 
-    /// <summary>Parts so far that are shorter because a normal turns.</summary>
+    /// <summary>Number of parts shortened because a contact normal turns.</summary>
     public int Turns;
 
-    /// <summary>The number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
+    /// <summary>Number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
     public int Grips;
 
-    /// <summary>How often the step has reported that the ball on several surfaces slides or rolls.</summary>
+    /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>
     public int Named;
 
-    /// <summary>True while the ball slips because its carrier's velocity has jumped at the start of the step: a slip that ends within the step is not reported.</summary>
+    /// <summary>True while the ball slips because its carrier's velocity jumped at the start of the step. A slip that ends within the step
+    /// is not reported.</summary>
     public bool Jumped;
 
-    /// <summary>By how much that jump was, over the step, m/s².</summary>
+    /// <summary>The carrier's velocity jump divided by the step length, m/s².</summary>
     public Vector3d CarrierGain;
 
-    /// <summary>1/length, 1/s: what a jump at the start of a step is multiplied with. That of the shortest steps is bounded, so that no jump times it is no acceleration.</summary>
+    /// <summary>1/length, 1/s: converts a jump at the start of the step to an acceleration. It is bounded, so that short steps give finite
+    /// results.</summary>
     public readonly double PerStep => 1.0 / Math.Max(Length, ShortestForJumps);
 
-    /// <summary>How often the ball has begun to slip for want of grip.</summary>
+    /// <summary>Number of times the ball has lost grip and started to slip.</summary>
     public int Slips;
 
-    /// <summary>How often moving objects have begun to squeeze the ball.</summary>
+    /// <summary>Number of times moving objects have started to squeeze the ball.</summary>
     public int Squeezes;
 
-    /// <summary>Impacts since time last went on.</summary>
+    /// <summary>Impacts since time last advanced.</summary>
     public int Impacts;
 
-    /// <summary>Events that the log had before the step.</summary>
+    /// <summary>Number of events in the log before the step.</summary>
     public int FirstEvent;
 
-    /// <summary>Impacts that were taken together, and not told one by one.</summary>
+    /// <summary>Number of impacts that were merged and not reported one by one.</summary>
     public int Untold;
 
-    /// <summary>Where events and counts go.</summary>
+    /// <summary>Receives events and counts.</summary>
     public StepLog Log;
 
     private int _firstZoneEvent;
@@ -111,10 +114,10 @@ internal ref struct StepRun
     private int _hits;
     private int _eventsBefore;
 
-    /// <summary>A step.</summary>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="time">When it starts, s.</param>
-    /// <param name="log">Where events and counts go.</param>
+    /// <summary>Starts a step.</summary>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="time">Start time, s.</param>
+    /// <param name="log">Receives events and counts.</param>
     public StepRun(double dt, double time, StepLog log)
     {
         Left = dt;
@@ -131,7 +134,7 @@ internal ref struct StepRun
         }
     }
 
-    /// <summary>Ends a call: a step that continues in a later call keeps its counters.</summary>
+    /// <summary>Ends a call. If the step continues in a later call, this saves its counters.</summary>
     public readonly void Close()
     {
         if (Log.Continues)
@@ -158,17 +161,17 @@ internal ref struct StepRun
         }
     }
 
-    /// <summary>The length of the next part: what is left, or an equal share of it where the step had to be divided, s.</summary>
+    /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
     public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
 
-    /// <summary>True when the step has told so much that slow impacts are counted and told no more.</summary>
+    /// <summary>True if the step has reported so many events that slow impacts are only counted.</summary>
     public readonly bool IsCrowded => Told >= MostInCrowd;
 
-    /// <summary>Events of the step so far; those of zones change nothing.</summary>
+    /// <summary>Number of events of this step so far, without zone events.</summary>
     private readonly int Told => _eventsBefore + Log.Events.Count - FirstEvent - (Log.ZoneEvents - _firstZoneEvent);
 
     /// <summary>Counts a piece before it is taken.</summary>
-    /// <returns>False where the step has had all pieces, or all evaluations, that a step may have.</returns>
+    /// <returns>False if the step has used up its pieces or its evaluations.</returns>
     public bool Begin()
     {
         Pieces++;
@@ -180,24 +183,24 @@ internal ref struct StepRun
         return Pieces <= MostPieces && Log.Evaluations <= _lastEvaluation;
     }
 
-    /// <summary>Keeps the length of a part that is shorter than what was asked for, s.</summary>
+    /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
 
-    /// <summary>Counts an impact: after it the step is divided anew.</summary>
-    /// <returns>Whether the ball may bounce.</returns>
+    /// <summary>Counts an impact. The rest of the step is divided from scratch.</summary>
+    /// <returns>True if the ball may bounce.</returns>
     public bool Hit()
     {
         Divide();
         return AllImpacts++ < MostImpacts;
     }
 
-    /// <summary>Counts a hit by something that moves; those of one instant once.</summary>
-    /// <returns>Whether so many came so soon one after the other that the ball has no room.</returns>
+    /// <summary>Counts a hit by a moving object. Simultaneous hits count once.</summary>
+    /// <returns>True if so many hits followed each other so quickly that the ball has no room.</returns>
     public bool IsCrowdedAt(double time)
     {
         double since = time - _lastHit;
 
-        // A pause begins the count anew, and several at one instant are one.
+        // After a pause, start a new series. Simultaneous hits count as one.
         _hits = since > CrowdedFor ? 1 : since > AtOnce ? _hits + 1 : _hits;
         _lastHit = time;
         return _hits > MostHits;
@@ -216,22 +219,23 @@ internal ref struct StepRun
         }
     }
 
-    /// <summary>Counts a piece as done: the clock goes on, and the time left gets less.</summary>
+    /// <summary>Counts a finished piece: advances the clock and reduces the time left.</summary>
     public void Advance(ref BallState s, double h)
     {
         s.Time = Math.Min(s.Time + h, End);
         Left -= h;
 
-        // Impacts at one instant are counted until time goes on.
+        // Simultaneous impacts are counted until time advances.
         Impacts = h > 0 ? 0 : Impacts;
         Log.Steps++;
     }
 
-    /// <summary>Shows a piece if anyone watches; only then is the acceleration at its end worth an evaluation.</summary>
-    /// <param name="before">The ball at the piece's start.</param>
-    /// <param name="after">The ball at its end.</param>
+    /// <summary>Reports a piece to the observer, if there is one. Only an observer needs the acceleration at the end of the
+    /// piece.</summary>
+    /// <param name="before">The ball at the start of the piece.</param>
+    /// <param name="after">The ball at the end of the piece.</param>
     /// <param name="sweep">The piece.</param>
-    /// <param name="order">Order of the method that took it.</param>
+    /// <param name="order">Order of the integrator used.</param>
     public void Show<TSweep>(in BallState before, in BallState after, ref TSweep sweep, int order)
         where TSweep : struct, ISweep
     {
@@ -243,7 +247,7 @@ internal ref struct StepRun
                 end = sweep.EndAcceleration();
                 Log.Evaluations++;
 
-                // A step does the same whether it is watched or not.
+                // Do not charge this evaluation to the step: an observer must not change the result.
                 _lastEvaluation++;
             }
 
@@ -251,7 +255,7 @@ internal ref struct StepRun
         }
     }
 
-    /// <summary>Starts with the counters of the calls before.</summary>
+    /// <summary>Restores the counters of the earlier calls of this step.</summary>
     private void Continue(in StepBudget spent)
     {
         Pieces = spent.Pieces;
@@ -272,7 +276,7 @@ internal ref struct StepRun
         _lastHit = spent.LastHit;
     }
 
-    /// <summary>Forgets the parts: what is left is divided anew.</summary>
+    /// <summary>Discards the part length, so that the rest of the step is divided from scratch.</summary>
     private void Divide()
     {
         Part = 0;

@@ -1,54 +1,56 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Advances ball states in one scene with one method. Nothing of it changes, so many balls and threads can share it; but where a game moves bodies, or an engine
-/// is asked for its colliders, it keeps what it has found of those.
-/// </summary>
+/// <summary>Steps balls in one scene with one integrator.</summary>
+/// <remarks>
+/// It is immutable, so many balls and threads can share it. With moving bodies or an engine, it also caches the results of their queries,
+/// and only one thread may use it.
+/// </remarks>
 internal abstract class Stepper
 {
-    /// <summary>All that can be met where there is more than a level pitch; else null.</summary>
+    /// <summary>The colliders, nets and goals of the scene.</summary>
     public abstract World World { get; }
 
-    /// <summary>True when a ball at rest may be woken without a kick: then each of its steps checks whether it is still held.</summary>
+    /// <summary>True if a ball at rest may wake without a kick: each of its steps then checks that it is still held.</summary>
     public abstract bool MayWake { get; }
 
-    /// <summary>True when a ball without a motion of its own stays where it is.</summary>
+    /// <summary>True if a ball with zero relative velocity stays at its position.</summary>
     public abstract bool RestsAt(in BallState s);
 
-    /// <summary>What a ball of a pile does by itself.</summary>
+    /// <summary>Steps a single ball of a pile.</summary>
     public abstract PilePhase Pile { get; }
 
-    /// <summary>Advances a state by dt, events and all.</summary>
+    /// <summary>Advances a state by dt, including events.</summary>
     public abstract void Step(ref BallState state, double dt, StepLog log);
 
-    /// <summary>Sets a ball that is placed on a surface sliding or rolling, where it touches something slowly enough.</summary>
+    /// <summary>Sets a placed ball sliding or rolling if it touches a surface slowly enough.</summary>
     public abstract void Settle(ref BallState s);
 
-    /// <summary>Another ball has hit the ball, which goes on by what carries it.</summary>
+    /// <summary>Sets the state of a ball after an impact with another ball.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="velocity">Its velocity by the impact, m/s.</param>
-    /// <param name="spin">Its spin by the impact, rad/s.</param>
+    /// <param name="velocity">Its velocity after the impact, m/s.</param>
+    /// <param name="spin">Its spin after the impact, rad/s.</param>
     /// <param name="n">Normal of the contact, towards the ball.</param>
-    /// <param name="log">Where events go.</param>
+    /// <param name="log">Receives the events.</param>
     public abstract void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, StepLog log);
 
-    /// <summary>The ball was moved straight to where it is, by another one that it overlapped: it meets nets, and comes through goals, on that way too.</summary>
+    /// <summary>Follows a ball that an overlapping ball has displaced in a straight line: it may enter nets and pass through goals on that
+    /// path.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="from">Where it was, m.</param>
-    /// <param name="log">Where events go.</param>
+    /// <param name="from">Its old position, m.</param>
+    /// <param name="log">Receives the events.</param>
     public abstract void Displaced(ref BallState s, in Vector3d from, StepLog log);
 
-    /// <summary>True when a flight from one place to another can have met nothing that stands still but level ground, however it bent.</summary>
-    /// <param name="from">Where it started, m.</param>
-    /// <param name="to">Where it ended, m.</param>
-    /// <param name="duration">How long it took, s; above 0.</param>
-    /// <param name="airSpeed">Speed through the air at its start, m/s.</param>
-    /// <param name="spinRate">Spin at its start, rad/s.</param>
+    /// <summary>True if no flight between two positions, however curved, can reach a stationary object other than level ground.</summary>
+    /// <param name="from">Start position, m.</param>
+    /// <param name="to">End position, m.</param>
+    /// <param name="duration">Duration, s; above 0.</param>
+    /// <param name="airSpeed">Air speed at the start, m/s.</param>
+    /// <param name="spinRate">Spin at the start, rad/s.</param>
     public abstract bool FliesClear(in Vector3d from, in Vector3d to, double duration, double airSpeed, double spinRate);
 
-    /// <summary>True when what a state says of the way ahead of it can be so: that it meets nothing until a time.</summary>
+    /// <summary>True if the clear time stored in a state is plausible.</summary>
     public abstract bool MayBeClear(in BallState s);
 
-    /// <summary>The factors of the aerodynamic laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
+    /// <summary>Returns the factors of the air laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
     public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay);
 }

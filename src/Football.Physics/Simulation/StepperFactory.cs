@@ -1,13 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Makes the stepper of a scene. Flight is compiled for a handful of airs (published, measured, regularised, constant, none), one that asks any mixture
-/// of laws point by point, in wind by place and time too; each with every method.
-/// </summary>
+/// <summary>Creates the stepper of a scene.</summary>
+/// <remarks>
+/// Flight is compiled for each integrator with a few common air models (published, measured, regularised, constant, none), and with one
+/// that supports any mixture of laws and a varying wind.
+/// </remarks>
 internal static class StepperFactory
 {
-    /// <summary>The stepper of a scene.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law, or the settings a method, that there is not.</exception>
+    /// <summary>Creates the stepper of a scene.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene names an unknown law, or the settings an unknown integrator.</exception>
     public static Stepper Create(Scene scene, SolverSettings settings) => settings.Integrator switch
     {
         Integrator.Euler => Create<ExplicitEuler>(scene, settings),
@@ -22,7 +23,7 @@ internal static class StepperFactory
     {
         var air = SceneAir.Of(scene);
 
-        // Own forces may turn the axis of the spin: no step along a constant axis is compiled.
+        // Custom forces may turn the spin axis, so steps along a constant axis do not apply.
         if (air.TurnsAxis)
         {
             return new SceneStepper<TIntegrator>(scene, settings, in air);
@@ -31,7 +32,7 @@ internal static class StepperFactory
         ForceSet forces = scene.Forces;
         bool mixes = scene.HasOwnForces || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
 
-        // The measured law in a field, any mixture point by point, and the airs of one law each.
+        // Choose the measured law in a wind field, the general model for any mixture, or a model with a single law.
         return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch
         {
             (false, true, ForceLaw.Empirical, AerodynamicModel.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
@@ -44,7 +45,7 @@ internal static class StepperFactory
         };
     }
 
-    // Each by itself: what a scene does not need is not loaded.
+    // Use separate methods, so that the runtime only loads the generic types that a scene needs.
     private static Stepper OfTables<TLaw, TIntegrator>(Scene scene, SolverSettings settings, in SceneAir air)
         where TLaw : struct, ITableLaw
         where TIntegrator : struct, IIntegrator => Of<TableAir<TLaw>, TIntegrator>(scene, settings, in air, new TableAir<TLaw>(scene));

@@ -1,14 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>The event that ends a run before its time is up.</summary>
+/// <summary>The event that ends a run early.</summary>
 public enum StopAt
 {
-    /// <summary>Nothing: the run goes on until its time.</summary>
+    /// <summary>None: the run continues to its end time.</summary>
     Time = 0,
 
-    /// <summary>The first impact with the ground, just after the impulse.</summary>
+    /// <summary>The first impact, just after its impulse.</summary>
     Impact = 1,
 
-    /// <summary>The ball coming to rest.</summary>
+    /// <summary>The moment when the ball comes to rest.</summary>
     Rest = 2,
 }

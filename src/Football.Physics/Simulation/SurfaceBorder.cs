@@ -1,19 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a piece of a slide or a roll where the ground turns into something else.</summary>
+/// <summary>Ends a piece of a slide or a roll at the border between two materials of the ground.</summary>
 internal static class SurfaceBorder
 {
-    /// <summary>Halvings of a piece: down to the last bits of its length.</summary>
+    /// <summary>Maximum number of halvings of a piece: down to the last bits of its length.</summary>
     private const int MostHalvings = 60;
 
-    /// <summary>How far a piece may go, s: half of what is narrowest, so that nothing is stepped over.</summary>
+    /// <summary>Limits a piece to half the width of the narrowest patch, so that it steps over none, s.</summary>
     public static double LongestPiece(Collider carrier, double speed, double h)
     {
         double most = 0.5 * carrier.LeastWidth;
         return speed * h > most ? most / speed : h;
     }
 
-    /// <summary>Shortens a piece that ends on another surface than it began on, to just beyond the border.</summary>
+    /// <summary>Shortens a piece that ends on another patch than it started on, so that it ends just beyond the border.</summary>
     public static void EndBeyond<TSweep>(ref TSweep sweep, in BallState s, Collider carrier)
         where TSweep : struct, ISweep
     {
@@ -28,7 +28,7 @@ internal static class SurfaceBorder
             return;
         }
 
-        // Bisection of the piece's length: which surface is under the ball has no slope to follow.
+        // Bisect the length of the piece: the patch index has no slope to follow.
         double low = 0;
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);
@@ -37,11 +37,11 @@ internal static class SurfaceBorder
         sweep.Step(high);
     }
 
-    /// <summary>The ball is on another surface.</summary>
+    /// <summary>True once the ball is on another patch.</summary>
     private struct Beyond<TSweep> : ICondition
         where TSweep : struct, ISweep
     {
-        /// <summary>The piece, with what it has evaluated.</summary>
+        /// <summary>The piece, with its count of evaluations.</summary>
         public TSweep Sweep;
 
         private readonly Collider _carrier;

@@ -1,16 +1,17 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// What ends a piece of a slide or a roll: the load or the grip ends, a rolling ball comes to rest, or the spin about the normal reaches zero under
-/// drilling friction. Each is a number along the piece that is positive until then.
-/// </summary>
+/// <summary>Finds the end of a slide or a roll: the load or the grip ends, the ball comes to rest, or drilling friction stops the spin
+/// about the normal.</summary>
+/// <remarks>Each margin is a function along the piece that is positive until then.</remarks>
 internal struct SurfaceMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>A limit that is still this share of what it was where it ends has jumped, as the load does at an edge: the piece ends so much beyond.</summary>
+    /// <summary>If a margin keeps more than this share of its value at its sign change, it has jumped, as the load does at an
+    /// edge.</summary>
     private const double Jump = 1e-3;
 
-    /// <summary>That share of the piece; a jump is known well enough to the second.</summary>
+    /// <summary>After a jump, the piece ends this share of its length beyond it.</summary>
+    /// <remarks>The second value is the tolerance for locating a jump.</remarks>
     private const double Beyond = 1e-7;
     private const double JumpWidth = 1e-8;
 
@@ -19,7 +20,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     private readonly double _time;
     private readonly double _length;
 
-    // Where it was positive last, and where not first; more than the third so close to the change of sign is a jump.
+    // The bracket of the sign change. A value above the third number in a narrow bracket is a jump.
     private double _last;
     private double _first;
     private double _jump;
@@ -40,7 +41,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         Sweep.Step(x);
         value = Of(in Sweep.Taken.End, x);
 
-        // How narrow the bracket of the sign change is: in a narrow one a value that stays large has jumped.
+        // Track the bracket: a value that stays large in a narrow bracket has jumped.
         _last = value > 0 ? x : _last;
         _first = value > 0 ? _first : x;
         return Math.Abs(value) > _jump && _first - _last < JumpWidth * _length;
@@ -58,14 +59,14 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         return Of(in on, in at, after);
     }
 
-    /// <summary>The number where the forces are known; those of the spin are not asked for.</summary>
+    /// <summary>Returns the margin if the forces are known. The spin margin does not use them.</summary>
     private double Of(in SurfaceForces on, in Motion at, double after)
     {
         ref SurfaceSystem system = ref Sweep.System;
         switch (_what)
         {
             case SurfaceLimit.Spin:
-                // Without drilling friction nothing happens at zero.
+                // Without drilling friction, a spin of zero has no effect.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
                     ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, _time + after))
                     : 0;
@@ -76,27 +77,26 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             default:
                 bool held = system.Rests(in on);
 
-                // The root of the energy falls all but linearly.
+                // Use the square root of the energy, which falls almost linearly.
                 return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, _time + after)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
 
-    /// <summary>
-    /// Ends a piece where the load or the grip ends, where a rolling ball comes to rest, or where the spin about the normal reaches zero under drilling
-    /// friction: each is a number that is positive until then.
-    /// </summary>
+    /// <summary>Ends a piece when the load or the grip ends, a rolling ball comes to rest, or drilling friction stops the spin about the
+    /// normal.</summary>
+    /// <remarks>Each margin is positive until then.</remarks>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
     /// <param name="rolls">Whether it rolls.</param>
-    /// <param name="keepsGrip">Whether it does so whatever the grip.</param>
-    /// <returns>Whether it ends beyond a jump of one of them, as at an edge.</returns>
+    /// <param name="keepsGrip">Whether it rolls regardless of the grip.</param>
+    /// <returns>True if the piece ends beyond a jump of a margin, as at an edge.</returns>
     public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls, bool keepsGrip)
     {
-        // The same length beyond the edge for all: one of them after the other would come back before it.
+        // Use the same overshoot for all margins, or a later one would shorten the piece to before the edge.
         double beyond = Beyond * sweep.Length;
         bool jumps = false;
 
-        // One evaluation at the end for all margins; searched for is only one that is negative there.
+        // Evaluate all margins once at the end; search only for those that are negative there.
         SurfaceForces atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
         sweep.Evaluations++;
         for (var what = SurfaceLimit.Load; what <= SurfaceLimit.Spin; what++)
@@ -116,7 +116,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
             if (start > 0)
             {
-                // The first zero by the Illinois method, on the step itself; what is not small there has jumped, as at an edge.
+                // Find the first zero on the step itself by the Illinois method. A value that is not small there has jumped.
                 margin._jump = Jump * start;
                 double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
                 jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
@@ -125,7 +125,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
                     margin.Sweep.Step(Math.Min(sweep.Length, x + beyond));
                 }
 
-                // The margins that follow are asked of the shortened piece.
+                // Check the remaining margins on the shortened piece.
                 sweep = margin.Sweep;
                 atEnd = sweep.System.ForcesOn(s.Time + sweep.Length, in sweep.Taken.End);
                 sweep.Evaluations++;

@@ -1,23 +1,24 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Keeps a piece along a surface so short that its path stays on it. How far a step goes off a surface depends on how that bends where the step
-/// leads: so it is taken, looked at, and taken again where it went astray.
-/// </summary>
+/// <summary>Limits a piece along a surface so that its path stays on the surface.</summary>
+/// <remarks>
+/// The deviation depends on the curvature along the path, so the step is taken, checked, and repeated with a shorter length if it deviates
+/// too much.
+/// </remarks>
 internal static class SurfacePath
 {
-    /// <summary>A path may be so far off its surface, as a share of the ball's radius.</summary>
+    /// <summary>Maximum deviation of a path from its surface, as a share of the ball's radius.</summary>
     private const double Farthest = 0.01;
 
-    /// <summary>How often a piece is taken again at most.</summary>
+    /// <summary>Maximum number of repetitions.</summary>
     private const int MostTries = 40;
 
-    /// <summary>Shortens a piece whose path leads off what carries the ball.</summary>
+    /// <summary>Shortens a piece whose path leaves the carrier.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="carrier">What carries the ball.</param>
+    /// <param name="carrier">The carrier of the ball.</param>
     /// <param name="radius">Radius of the ball, m.</param>
-    /// <param name="order">Order of the method.</param>
+    /// <param name="order">Order of the integrator.</param>
     public static void Shorten<TSweep>(ref TSweep sweep, in BallState s, Collider carrier, double radius, int order)
         where TSweep : struct, ISweep
     {
@@ -29,7 +30,7 @@ internal static class SurfacePath
         double farthest = Farthest * radius;
         for (int i = 0; i < MostTries; i++)
         {
-            // How far the path is off its surface in the middle, and at the end.
+            // Deviation of the path from its surface, at the middle and at the end.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             double half = 0.5 * path.Length;
             double off = Math.Max(
@@ -40,7 +41,7 @@ internal static class SurfacePath
                 return;
             }
 
-            // It goes off with the square of its length, or faster: so much shorter is enough, but where it begins at an edge.
+            // The deviation grows at least with the square of the length, so this shorter length suffices, except at an edge.
             double share = Math.Sqrt(farthest / off);
             sweep.Step(Math.Max(0.1, Math.Min(0.8, share)) * path.Length);
         }

@@ -1,52 +1,55 @@
 namespace FootballPhysics;
 
 /// <summary>
-/// Sliding and rolling on any surface of the world, piece by piece: up to the drag law's jump, the first thing that is met, the end of the slip or of
-/// the grip, the place where the load ends, or rest.
+/// Sliding and rolling on any surface, piece by piece. A piece ends at the first of these events: a jump of the drag law, a contact,
+/// the end of the slip, the loss of grip, the end of the load, or rest.
 /// </summary>
 internal sealed class SurfacePhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>On a curved surface, whose push changes with the place, it is no longer than this, s.</summary>
+    /// <summary>Longest closed-form end of a slide in a net or on a curved surface, s: there the push changes with the position.</summary>
     private const double CurvedSlideEnd = 1.25e-5;
 
     /// <summary>
-    /// The last of a slide is done in closed form where the push on the slip changes so little that the end is known to this, s, in a step of 20 ms; longer
-    /// steps ask as much less as the method itself does, its order as the power.
+    /// Tolerance for the end time of a slide in closed form, s, for a step of 20 ms. The closed form is used if the push on the slip is
+    /// constant to within it.
+    /// For other steps the tolerance scales with the step length to the power of the integrator's order.
     /// </summary>
     private const double SlideEnd = 1e-10;
 
-    /// <summary>Shortest end of a slide for a method of an order below four, s.</summary>
+    /// <summary>The same tolerance for integrators of an order below four, s.</summary>
     private const double CoarseSlideEnd = 1e-7;
 
-    /// <summary>But that is never more than this share of the step.</summary>
+    /// <summary>Upper bound of this tolerance as a share of the step.</summary>
     private const double LargestSlideEnd = 1e-3;
 
-    /// <summary>A push on the slip, of which the square is less than this share of friction's, leaves it an end; one that all but outweighs friction leaves none that is sure.</summary>
+    /// <summary>The closed form requires the squared push to be below this share of the squared friction. Otherwise the slip may never
+    /// end.</summary>
     private const double LargestPush = 0.9999;
 
-    /// <summary>A slip smaller than this, m/s, is none to the thesis' heuristic (2.28).</summary>
+    /// <summary>The thesis' heuristic (2.28) treats a slip below this as zero, m/s.</summary>
     private const double HeuristicSlip = 1e-3;
 
     /// <summary>
-    /// How often a roll in a net may lose its grip in a step. One that is slack and tight in turn makes a ball on the ground grip and slip in turn, the sooner the less
-    /// it slips; after so many it grips for the rest of the step: friction does no work on what rolls.
+    /// Maximum number of times a ball in a net may lose its grip per step. A net that turns slack and taut makes the ball grip and slip in
+    /// turn,
+    /// ever faster. After this many times the ball grips for the rest of the step, which adds no energy.
     /// </summary>
     private const int MostSlips = 2;
 
-    /// <summary>After so many pieces, a step follows a slip that friction turns less closely: what pushes the ball has changed so often that no more is gained.</summary>
+    /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
     private const int ManyPieces = 32;
 
-    /// <summary>Onto what it meets a ball is put so often at most, and until it is no farther off than this, m.</summary>
+    /// <summary>Maximum number of iterations that move a ball onto a second surface, and the gap at which they stop, m.</summary>
     private const int MostPuts = 16;
     private const double Closed = 1e-12;
 
-    /// <summary>The normal turns by no more than this in a piece, rad.</summary>
+    /// <summary>Maximum rotation of the normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
     /// <summary>
-    /// A ball creeps if rolling friction changes its velocity by more than so many times itself in what is left of the step. Its direction then follows the push
-    /// within that share of the time, in which it moves by less than 1e-8 m in usual steps.
+    /// A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the step.
+    /// Its direction then turns into the push almost at once; the ball moves less than 1e-8 m meanwhile in usual steps.
     /// </summary>
     private const double Creeping = 256;
 
@@ -83,10 +86,10 @@ internal sealed class SurfacePhase<TIntegrator>
         _inertia = _world.Ball.MomentOfInertia;
     }
 
-    /// <summary>The next piece of a slide or a roll.</summary>
+    /// <summary>Takes the next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // What the ball hits where it is goes first, then a set of contacts, which has a phase of its own.
+        // Handle an immediate hit first, then a contact set, which has its own phase.
         if (!_world.IsPlaneAlone)
         {
             if (_guard.HitsAtOnce(ref s, ref run))
@@ -94,7 +97,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            // Of flush surfaces another may carry the ball from here on: only the material and the velocity of the surface change.
+            // Another flush surface may become the carrier: only the material and the surface velocity change.
             _contact.HandOver(ref s, Flush.CarrierOf(_world, in s), ref run);
             if (_set.Take(ref s, ref run))
             {
@@ -102,7 +105,7 @@ internal sealed class SurfacePhase<TIntegrator>
             }
         }
 
-        // What acts here, and what becomes of the ball at once: it leaves, rests, grips, or slips.
+        // Compute the forces at the start, then check whether the ball leaves, rests, grips or slips.
         bool rolls = s.Motion == MotionState.Rolling;
         var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         SurfaceSystem system = System(in s, in from, rolls);
@@ -121,7 +124,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d moving = rolls ? on.Rolling : system.SlipOf(in from, in on);
         double size = moving.Length;
 
-        // A roll that needs more than the friction there is begins to slip.
+        // A roll that needs more traction than friction gives starts to slide.
         if (rolls && !grips)
         {
             run.Slips++;
@@ -129,14 +132,14 @@ internal sealed class SurfacePhase<TIntegrator>
             return;
         }
 
-        // A slide without slip that friction can hold rolls.
+        // A slide without slip starts to roll if friction can hold it.
         if (!rolls && size < Slip.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
         }
 
-        // A roll rests, or is pinned where rolling friction holds it against the push; from a standstill it goes where the push leads.
+        // A roll may come to rest, or be pinned if rolling friction outweighs the push. From a standstill it moves along the push.
         if (rolls)
         {
             Vector3d drive = system.Drive(in on) - on.MaterialRate;
@@ -150,14 +153,14 @@ internal sealed class SurfacePhase<TIntegrator>
             system.Pinned = size < Slip.Rolling && held;
             if (system.Pinned)
             {
-                // What was left of its speed is none: it does not creep.
+                // Remove the remaining velocity, so that a pinned ball does not creep.
                 s.Velocity = system.Carrier.MaterialVelocity(s.Position, s.Time);
                 from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
                 on = system.ForcesOn(s.Time, in from);
                 run.Log.Evaluations++;
             }
 
-            // Friction turns a ball that creeps into the push much sooner than the step ends.
+            // Friction turns a creeping ball into the direction of the push long before the step ends.
             bool creeps = !held && run.Next * system.RollingFriction(in on, 0) > Creeping * size;
             if (creeps && size >= Slip.Rolling)
             {
@@ -175,13 +178,13 @@ internal sealed class SurfacePhase<TIntegrator>
             moving = size < Slip.Rolling ? traction : moving;
         }
 
-        // The direction of the slip or the roll: friction keeps to it where a stage passes zero.
+        // Direction of the slip or the roll. Friction keeps it if a stage of the integrator passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 
         system.LocksDirection = size < Slip.Rolling;
 
-        // How long the piece may be: first by stability, nets, borders and the turning normal, then by how fast the direction turns.
+        // Limit the piece by stability, nets, borders and the turning normal, then by the rate at which the direction turns.
         double h = LongestPiece(in s, in from, in on, ref run);
         MotionRates rates = system.RatesUnder(in on, s.Time, in from);
         if (size >= Slip.Rolling)
@@ -189,7 +192,7 @@ internal sealed class SurfacePhase<TIntegrator>
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates, in from.Spin);
 
-            // Near its end the direction of a slip turns ever faster: there it is done in closed form.
+            // Near its end the direction of a slip turns ever faster, so use the closed form there.
             if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
             {
                 return;
@@ -202,14 +205,14 @@ internal sealed class SurfacePhase<TIntegrator>
             rates = system.LocksDirection ? system.RatesUnder(in on, s.Time, in from) : rates;
         }
 
-        // Take it: in a net by RK4 in parts, for that settles faster than a step is long.
+        // Take the piece. A net reacts faster than a step is long, so use RK4 substeps in a net.
         if (s.Nets != 0)
         {
             TakePiece<Substeps>(ref s, ref run, ref system, in from, in rates, h);
         }
         else if (run.Spirals)
         {
-            // RK4 makes no velocity longer that turns by up to 2.8 rad.
+            // RK4 does not increase a velocity that turns by up to 2.8 rad.
             TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, in rates, h);
         }
         else
@@ -217,24 +220,24 @@ internal sealed class SurfacePhase<TIntegrator>
             TakePiece<TIntegrator>(ref s, ref run, ref system, in from, in rates, h);
         }
 
-        // The thesis' end of a slide is looked for at the end of a piece.
+        // The thesis' heuristic checks for the end of a slide only at the end of a piece.
         if (!_endsSlipExactly && sliding > 0 && s.Motion == MotionState.Sliding && !rolls && !run.Log.Halted)
         {
             EndSlipByHeuristic(ref s, ref run, size);
         }
     }
 
-    /// <summary>True for a ball in a net that has lost its grip too often in the step.</summary>
+    /// <summary>True for a ball in a net that has lost its grip too often in this step.</summary>
     private static bool KeepsGrip(in BallState s, in StepRun run) => s.Nets != 0 && run.Slips >= MostSlips;
 
-    /// <summary>How closely the end of a slide is known in a step of some length, s.</summary>
+    /// <summary>Returns the tolerance for the end of a slide in a step of a given length, s.</summary>
     private double SlideEndIn(double step)
     {
         double squared = TurnLimit.Coarseness(step) * TurnLimit.Coarseness(step);
         return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
     }
 
-    /// <summary>Keeps of the velocity of a ball that creeps only the part along the push.</summary>
+    /// <summary>Keeps only the velocity component of a creeping ball along the push.</summary>
     private void Creep(ref BallState s, in SurfaceForces on, in Vector3d push)
     {
         Collider carrier = _world.CarrierOf(in s);
@@ -244,7 +247,7 @@ internal sealed class SurfacePhase<TIntegrator>
         s.SpinAxis = Slip.RollingSpin(s.Velocity - surface, Vector3d.Dot(s.SpinAxis, on.Normal), in on.Normal, _around.Radius);
     }
 
-    /// <summary>The thesis' end of a slide (2.27, 2.28): the slip grew, or is small.</summary>
+    /// <summary>Ends a slide by the thesis' heuristic (2.27, 2.28): if the slip has grown or is small.</summary>
     private void EndSlipByHeuristic(ref BallState s, ref StepRun run, double before)
     {
         Collider carrier = _world.CarrierOf(in s);
@@ -256,7 +259,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>Takes a piece, ends it at the first thing that happens in it, and moves the ball.</summary>
+    /// <summary>Takes a piece, ends it at the first event within it, and moves the ball.</summary>
     private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in MotionRates start, double h)
         where TMethod : struct, IIntegrator
     {
@@ -264,7 +267,7 @@ internal sealed class SurfacePhase<TIntegrator>
         var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
 
-        // What may end it, one after the other: off a curved surface, the jump, load, grip, rest and spin, a border, a net's kink, what is met.
+        // Shorten the piece to the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.
         if (system.IsFace)
         {
             FaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
@@ -276,7 +279,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         if (_jump.Acts)
         {
-            // After a launch or an impact the branch was read from the flow: the crossing is one of that branch.
+            // After a launch or an impact, the branch was read from the flow: locate the crossing from that branch.
             s.Branch = system.Branch;
             _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         }
@@ -288,11 +291,11 @@ internal sealed class SurfacePhase<TIntegrator>
         _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
 
-        // Ended before the jump it is still on the branch that it was taken on.
+        // If the piece ends before the jump, the ball is still on the old branch.
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
 
-        // Move, and put the ball back onto its carrier, and onto what it meets.
+        // Move the ball, then project it onto its carrier and onto the surface that it hits.
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);
@@ -300,7 +303,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Hold(ref s, in system, meets && met.What == SeparationKind.Contact ? met.Index : -1);
         if (overEdge && run.Log.IsWatched)
         {
-            // What acts beyond the edge is no end of this path.
+            // Beyond the edge the forces differ, so extrapolate the acceleration at the end instead of evaluating it there.
             Vector3d end = Extrapolate.Rate(before.Velocity, s.Velocity, sweep.StartAcceleration, sweep.Length);
             run.Log.Show(in before, in s, sweep.StartAcceleration, in end, order);
         }
@@ -316,21 +319,22 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>
-    /// The end of a slide in closed form, whatever way the slip turns: near it the push and the load are all but constant, and their means of both ends are taken.
+    /// Ends a slide in closed form, which holds however the slip turns. Near the end the push and the load are almost constant, so it uses
+    /// their means.
     /// </summary>
-    /// <returns>False where it is not near, or friction cannot hold the ball then.</returns>
+    /// <returns>False if the end is not near, or if friction cannot hold the ball afterwards.</returns>
     private bool EndSlip(
         ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, in Vector3d slip, double longest)
     {
-        // With the push and the friction at the start.
+        // First estimate, with the push and the friction at the start.
         double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
         Vector3d push = system.SlipPush(in on, in from.Spin);
         double friction = perLoad * on.Load;
 
-        // In a net and on a curved surface the push changes with the place: only the very end is short enough there.
+        // In a net or on a curved surface the push changes with the position, so allow only a very short end.
         double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
 
-        // |s| < k t: it may end in this piece; |c|² < k²: friction outweighs the push, so that it does end.
+        // |s| < k t: the slide may end in this piece. |c|² < k²: friction outweighs the push, so it does end.
         if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
         {
             return false;
@@ -342,7 +346,7 @@ internal sealed class SurfacePhase<TIntegrator>
         var decay = new SlipDecay(in slip, in push, friction);
         Motion end = SlipEnd(in system, s.Time, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
 
-        // And with the means: the end is known to what they leave out.
+        // Second estimate, with the means of both ends. The error of the end time is what the means neglect.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there, in end.Spin);
@@ -350,7 +354,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double change = (endPush - push).Length * (endPush.Length + push.Length);
         double loadChange = endFriction - friction;
 
-        // Where the means still leave out too much, a piece is taken first.
+        // If the means neglect too much, take an ordinary piece first.
         if (!(decay.Time * (change + (loadChange * loadChange)) <= SlideEndIn(run.Length) * friction * friction))
         {
             return false;
@@ -369,27 +373,27 @@ internal sealed class SurfacePhase<TIntegrator>
         about += 0.5 * t * (turning + lastTurning);
         end = SlipEnd(in system, s.Time, in from, in decay, sliding, in start, in last, about, in on.Normal);
 
-        // Not where the spin about the normal ends, or another surface begins, before the slip does.
+        // Reject it if the spin about the normal ends, or if the ball reaches another surface, before the slip ends.
         if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position)
             || (system.IsFace && system.Carrier.FaceMargin(in end.Position, s.Time + t) < 0))
         {
             return false;
         }
 
-        // Nor if the drag law jumps before: a piece ends there first.
+        // Reject it if the drag law jumps first: a piece must end there.
         if (_jump.Acts && DragJump.At(in end, in _around.Wind, _around.Radius).Branch != system.Branch)
         {
             return false;
         }
 
-        // Nor where anything is met on the way.
+        // Reject it if the ball hits another object on its path.
         var path = PathCubic.Line(s.Position, (end.Position - s.Position) / t, t);
         if (new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out _) <= t)
         {
             return false;
         }
 
-        // ∫ω, and Magnus' term for its turning axis, t²/12 ω(t) × ω(0).
+        // ∫ω dt, plus the Magnus term for the turning axis, t²/12 ω(t) × ω(0).
         Vector3d torque = SurfaceSystem.Tangential(on.Torque, on.Normal) + (turning * on.Normal);
         Vector3d lastTorque = SurfaceSystem.Tangential(there.Torque, on.Normal) + (lastTurning * on.Normal);
         Vector3d turn = (t * from.Spin) + ((t * t / 6.0) * ((2.0 * torque) + lastTorque))
@@ -411,7 +415,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
-        // The slip is over: it rolls, if friction holds it there.
+        // The slip has ended: the ball rolls if friction holds it.
         if (!run.Log.Halted && (system.Grips(in there) || KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
@@ -421,7 +425,8 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>
-    /// The motion where a slip ends: v = v₀ + ∫a − μ_s N/m ∫ŝ, p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ with a linear in time, and the spin of a roll.
+    /// Returns the motion at the end of a slip: v = v₀ + ∫a − μ_s N/m ∫ŝ, p = p₀ + v₀ t + ∫∫a − μ_s N/m ∫∫ŝ, with a linear in time, and the
+    /// spin of a roll.
     /// </summary>
     private Motion SlipEnd(
         in SurfaceSystem system, double time, in Motion from, in SlipDecay decay, double sliding, in Vector3d first, in Vector3d last, double about, in Vector3d normal)
@@ -434,12 +439,12 @@ internal sealed class SurfacePhase<TIntegrator>
         return new Motion(in position, in velocity, in spin);
     }
 
-    /// <summary>ṡ = v̇_t − A_t + r (ṅ × ω)_t + r n × ω̇.</summary>
+    /// <summary>The rate of the slip: ṡ = v̇_t − A_t + r (ṅ × ω)_t + r n × ω̇.</summary>
     private Vector3d SlipRate(in SurfaceForces on, in MotionRates rates, in Vector3d spin) =>
         SurfaceSystem.Tangential(in rates.Acceleration, on.Normal)
         + (_around.Radius * (Vector3d.Cross(on.Normal, in rates.SpinAcceleration) + SurfaceSystem.SlipTurn(in on, in spin))) - on.SurfaceRate;
 
-    /// <summary>The longest piece that stability, nets and the turning of the normal allow, s.</summary>
+    /// <summary>Returns the longest piece that stability, nets, borders and the turning normal allow, s.</summary>
     private double LongestPiece(in BallState s, in Motion from, in SurfaceForces on, ref StepRun run)
     {
         double asked = run.Next;
@@ -449,7 +454,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _inertia, gain);
 
-        // |ṅ| h bounds how far the normal turns; a net and the narrowest surface bound the piece as well.
+        // |ṅ| h bounds the rotation of the normal. A net and the narrowest material border limit the piece as well.
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
@@ -458,15 +463,15 @@ internal sealed class SurfacePhase<TIntegrator>
         return h;
     }
 
-    /// <summary>Puts the ball onto all that it touches: what the integrator left of it is within its own error.</summary>
+    /// <summary>Projects the ball onto all surfaces that it touches, to remove the integrator's error.</summary>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
-        // Just beyond the edge of a flat face the ball is still on its plane.
+        // Just beyond the edge of a flat face, the ball is still on the plane of the face.
         bool beyond = system.IsFace && system.Carrier.FaceMargin(s.Position, s.Time) <= 0;
         Vector3d n = beyond ? system.FaceNormal : _world.Hold(ref s, system.Carrier);
         if (met < 0 && !_world.IsPlaneAlone)
         {
-            // Back on the surface it may be in what it was just leaving, or in what it touched and was not pressed on.
+            // The projection may have pushed the ball into a surface that it was leaving or touched without load.
             met = NearThings.Deepest(_world, in s, out _);
         }
 
@@ -479,7 +484,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double about = Vector3d.Dot(in spin, in n);
         double carried = Vector3d.Dot(system.Carrier.Spin, in n);
 
-        // Friction, damping and the air's decay end the spin about the normal, relative to the carrier, and reverse nothing.
+        // Friction, damping and decay end the spin about the normal relative to the carrier, but never reverse it.
         bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
         double kept = system.AboutCarrier(in system.StartSpin, in n) * (about - carried) < 0 && brakesAlone ? carried : about;
         Vector3d surface = _world.SurfaceVelocity(system.Carrier, s.Position, in n, s.Time);
@@ -488,15 +493,15 @@ internal sealed class SurfacePhase<TIntegrator>
     }
 
     /// <summary>
-    /// Puts the ball onto something else that it touches too, along what carries it: back and forth, where those are curved. A flush surface, sin² of the angle to which is
-    /// all but zero, carries it next instead.
+    /// Moves the ball along its carrier onto a second surface that it touches, and iterates if the surfaces are curved.
+    /// A flush surface, with a nearly equal normal, is skipped: it becomes the next carrier instead.
     /// </summary>
-    /// <returns>The carrier's normal there.</returns>
+    /// <returns>The carrier's normal at the new position.</returns>
     private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
     {
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
 
-        // Newton along the carrier, by −gap n_t/|n_t|², and back onto the carrier.
+        // Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
         for (int i = 0; i < MostPuts; i++)
         {
             ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);

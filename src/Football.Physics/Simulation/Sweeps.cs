@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A step in flight along a constant axis of the spin, to be taken with several lengths.</summary>
+/// <summary>A step of flight along a constant spin axis, which can be repeated with other lengths.</summary>
 internal struct FlightSweep<TIntegrator> : IFlightSweep
     where TIntegrator : struct, IIntegrator
 {
@@ -13,7 +13,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     private FlightStep _taken;
     private TIntegrator _integrator;
 
-    /// <summary>A step from a state of the ball.</summary>
+    /// <summary>Starts at a state of the ball.</summary>
     public FlightSweep(Surroundings around, IFlight flight, in BallState from)
     {
         _around = around;
@@ -26,7 +26,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         Evaluations = 0;
     }
 
-    /// <summary>Result of the step.</summary>
+    /// <summary>The result of the step.</summary>
     public readonly FlightStep Taken => _taken;
 
     public double Length { get; private set; }
@@ -56,7 +56,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         Length = h;
     }
 
-    /// <summary>Takes over a step that was taken, and counted, elsewhere.</summary>
+    /// <summary>Adopts a step that was taken and counted elsewhere.</summary>
     public void Take(in FlightStep taken, double length)
     {
         _taken = taken;
@@ -65,7 +65,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
 
     public void Nudge(double dt)
     {
-        // On by dt with the rates at the end, extrapolated from those of the start and the mean of the step.
+        // Extrapolate by dt with the rates at the end, which follow from the rates at the start and the mean of the step.
         Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
         double b = Extrapolate.Rate(_from.SpinRate, _taken.SpinRate, _taken.StartSpinAcceleration, Length);
         _taken.Path += dt * (_taken.AirVelocity + ((0.5 * dt) * a));
@@ -85,7 +85,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         s.AirDistance += _taken.AirDistance;
     }
 
-    /// <summary>Says that the spin has ended at the end of the step.</summary>
+    /// <summary>Sets the spin at the end of the step to zero.</summary>
     public void EndSpin() => _taken.SpinRate = 0;
 
     public DragJump EndJumpRate()
@@ -117,14 +117,14 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         DragJump.Rate(2.0 * Vector3d.Dot(in airVelocity, in acceleration), 2.0 * _around.RadiusSquared * spinRate * spinAcceleration);
 }
 
-/// <summary>A sweep of flight: along a constant axis of the spin, or of the whole motion.</summary>
+/// <summary>A sweep of flight: along a constant spin axis, or with the full spin vector.</summary>
 internal interface IFlightSweep : IFlowSweep
 {
-    /// <summary>Place, velocity and spin at the end.</summary>
+    /// <summary>Position, velocity and spin at the end.</summary>
     Motion EndMotion { get; }
 }
 
-/// <summary>A step of any motion, to be taken with several lengths.</summary>
+/// <summary>A step of any motion, which can be repeated with other lengths.</summary>
 internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     where TSystem : struct, IMotionSystem
     where TIntegrator : struct, IIntegrator
@@ -138,7 +138,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
     private readonly double _time;
     private TIntegrator _integrator;
 
-    /// <summary>A step from a state at which the rates are known: they are the first stage, whatever its length is.</summary>
+    /// <summary>Starts at a state with known rates: they are the first stage for any length.</summary>
     public MotionSweep(in TSystem system, double time, in Motion from, in MotionRates start, in Vector3d wind, double radius)
     {
         Unsafe.SkipInit(out Taken);
@@ -171,7 +171,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public readonly Motion EndMotion => Taken.End;
 
-    // Never inlined: one body for all who take the step again.
+    // Never inlined, so that all callers share one body.
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Step(double h)
     {
@@ -184,7 +184,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public void Nudge(double dt)
     {
-        // On by dt with the rates at the end, extrapolated from those of the start and the mean of the step.
+        // Extrapolate by dt with the rates at the end, which follow from the rates at the start and the mean of the step.
         Motion end = Taken.End;
         Vector3d a = Extrapolate.Rate(in _from.Velocity, in end.Velocity, in Taken.StartRates.Acceleration, Length);
         Vector3d b = Extrapolate.Rate(in _from.Spin, in end.Spin, in Taken.StartRates.SpinAcceleration, Length);
@@ -201,7 +201,7 @@ internal struct MotionSweep<TSystem, TIntegrator> : IFlightSweep
 
     public Vector3d EndAcceleration() => EndRates().Acceleration;
 
-    /// <summary>Rates at the end; one evaluation.</summary>
+    /// <summary>Returns the rates at the end; one evaluation.</summary>
     public MotionRates EndRates()
     {
         System.Rates(_time + Length, in Taken.End, out MotionRates rates);

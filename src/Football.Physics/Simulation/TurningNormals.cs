@@ -2,22 +2,23 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Keeps the parts of a step short in which the normal of a curved surface turns.</summary>
+/// <summary>Limits the parts of a step in which the normal of a curved surface turns.</summary>
 internal static class TurningNormals
 {
-    /// <summary>A normal turns by no more than this in a part, rad ...</summary>
+    /// <summary>Maximum rotation of a normal per part, rad.</summary>
     private const double LargestTurn = 0.1;
 
-    /// <summary>... as long as a step has had fewer parts that were shortened for that.</summary>
+    /// <summary>Maximum number of parts per step that are shortened for this.</summary>
     private const int MostTurns = 64;
 
-    /// <summary>Shortens a part in which a normal would turn too far: the straight way of a part leads off a curved surface.</summary>
+    /// <summary>Shortens a part in which a normal would turn too far, because the straight path of a part leaves a curved
+    /// surface.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball at the start of the part.</param>
     /// <param name="set">The contacts.</param>
     /// <param name="run">The step.</param>
-    /// <param name="h">The length of the part, s.</param>
-    /// <returns>True if it has shortened the part.</returns>
+    /// <param name="h">Length of the part, s.</param>
+    /// <returns>True if it shortened the part.</returns>
     [SkipLocalsInit]
     public static bool Shorten(World world, in BallState s, scoped Span<Contact> set, ref StepRun run, ref double h)
     {
@@ -40,7 +41,7 @@ internal static class TurningNormals
             }
         }
 
-        // If the parts that remain cannot cover the rest of the step with turns so small, they are longer.
+        // If the remaining parts cannot cover the rest of the step at this rotation, allow longer ones.
         double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Turns)));
         bool shortens = turning * h > longest;
         h = shortens ? longest / turning : h;

@@ -2,13 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Effect of touching a thing of the world: an impact, and whether it then flies, is guided, or is carried, sliding or rolling.</summary>
+/// <summary>Resolves contacts with the world: an impact, and the motion state of the ball after it.</summary>
 internal sealed class WorldContact
 {
-    /// <summary>More impacts than this at one instant, and the rest of it is without restitution, at all contacts together: two contacts, and eight.</summary>
+    /// <summary>Maximum number of impacts at one instant: two contacts plus eight. After that, all contacts are resolved together without
+    /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>More than this in a step that were taken together, and the ball has no room.</summary>
+    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
     private const int MostUntold = 3;
 
     private readonly Surroundings _around;
@@ -16,8 +17,8 @@ internal sealed class WorldContact
     private readonly ContactLoad _load;
     private readonly bool _gainsByHops;
 
-    /// <param name="around">What acts on the ball.</param>
-    /// <param name="gainsByHops">Whether the method comes down from a hop faster than it went up.</param>
+    /// <param name="around">The forces on the ball.</param>
+    /// <param name="gainsByHops">Whether the integrator returns from a hop faster than it left.</param>
     public WorldContact(Surroundings around, bool gainsByHops)
     {
         _around = around;
@@ -26,13 +27,13 @@ internal sealed class WorldContact
         _gainsByHops = gainsByHops;
     }
 
-    /// <summary>What presses the ball on what it touches.</summary>
+    /// <summary>Computes the load of the ball on a surface that it touches.</summary>
     public ContactLoad Load => _load;
 
-    /// <summary>An impact with a collider that the ball touches, and what becomes of the ball.</summary>
+    /// <summary>Resolves an impact with a collider that the ball touches, and sets the new motion state.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
-        // Neither at one instant, nor in a crowd where something that moves has touched the ball lately.
+        // Resolve all contacts together after too many impacts at one instant, or in a crowded step shortly after contact with a mover.
         if (run.Impacts++ >= MostAtOnce || (run.IsCrowded && s.Time < s.SqueezeUntil))
         {
             ImpactAtOnce(ref s, collider, ref run);
@@ -43,12 +44,13 @@ internal sealed class WorldContact
         bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
         if (!carried && _world.IsLevel && hit == _world.Ground)
         {
-            // Height and climb are known here: what was left of them is rounding, what counts as touching, or the tolerance of a bisection.
+            // Height and vertical velocity are known exactly here. The difference is rounding, the contact tolerance or that of a
+            // bisection.
             s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
-        // The impulse by Coulomb's law in the frame of the contact, relative to the surface's velocity there.
+        // Apply the impulse by Coulomb's law, relative to the surface velocity at the contact point.
         ShapePoint at = hit.At(s.Position, s.Time);
         Vector3d n = at.Normal;
         Vector3d v = s.Velocity;
@@ -61,7 +63,7 @@ internal sealed class WorldContact
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         CoulombImpact.Apply(_world.Ball, in material, in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
 
-        // Hit by movers in quick succession it is no faster than the fastest of them makes it: being batted to and fro gives no energy.
+        // After quick successive hits by movers, limit the speed to that of the fastest mover: rapid hits must not add energy.
         if (hit.Moves)
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
@@ -73,12 +75,12 @@ internal sealed class WorldContact
             }
         }
 
-        // w = (v' − V')·n, the speed off the surface, decides what becomes of the ball. What gives way goes on with V' = V − (m/M)(v' − v).
+        // The speed off the surface, w = (v' − V')·n, decides the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
         if (_gainsByHops && off > 0 && !(_world.IsLevel && hit == _world.Ground))
         {
-            // What the method would add in the hop is taken away first. On level ground the pieces of a hop are short enough.
+            // Subtract in advance the speed that the integrator adds in the hop. On level ground the pieces of a hop are short enough.
             double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
             off -= gain;
             velocity -= gain / (1.0 + way.Ratio) * n;
@@ -87,7 +89,7 @@ internal sealed class WorldContact
         bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
         if (!bounces && hit.GivesWay)
         {
-            // A ball that stays on what gives way has had an impact without restitution: momentum is conserved.
+            // A ball that stays on an object with a mass has an impact with e = 0, so that momentum is conserved.
             ContactMaterial dead = material.WithoutRestitution();
             CoulombImpact.Apply(_world.Ball, in dead, in way, in n, in surface, in v, in w, out velocity, out spin);
             off = 0;
@@ -95,11 +97,11 @@ internal sealed class WorldContact
 
         double added = bounces ? CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (way.Ratio * (velocity - v)), in n)) : 0;
 
-        // The event reports the velocity by the impulse; a ball that stays loses what is left of it off the surface.
+        // The event reports the velocity given by the impulse. A ball that stays then loses the remaining speed off the surface.
         Vector3d reported = velocity;
         velocity = bounces && off > 0 ? velocity : velocity - (off * n);
 
-        // What has a mass gets the opposite impulse, m (v − v').
+        // An object with a mass gets the opposite impulse, m (v − v').
         if (hit.GivesWay && run.Log.Pushes)
         {
             run.Log.Motions?.Read();
@@ -108,7 +110,7 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        // A ball that trembles in a corner would tell of each time that it comes back.
+        // In a crowded step only count slow impacts: a ball that trembles in a corner would cause many events.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
             run.Log.UnreportedImpacts++;
@@ -120,10 +122,10 @@ internal sealed class WorldContact
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
 
-        // The velocity has jumped: the branch of the drag law is read from the flow again.
+        // The velocity has jumped, so determine the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
 
-        // So many hits by movers in so short a time: there is no room.
+        // Movers hit the ball too often in a short time: it has no room.
         if (hit.Moves && run.IsCrowdedAt(s.Time))
         {
             s.Velocity = velocity;
@@ -132,7 +134,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // Carried by something else it keeps that, unless the impulse lifts it.
+        // A ball supported by another surface keeps its carrier unless the impulse lifts it.
         if (carried && s.Carrier != thing)
         {
             KeepCarrier(ref s, in velocity, in spin, hit.ShapeVelocity(in contact, s.Time), in n, bounces ? -1 : collider, ref run);
@@ -149,13 +151,14 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>All that the ball touches at once, without restitution: what stands still is then not come closer to; what moves may squeeze it.</summary>
+    /// <summary>Resolves all contacts at once without restitution.</summary>
+    /// <remarks>The ball then closes on no stationary object. Moving objects may squeeze it.</remarks>
     [SkipLocalsInit]
     private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
     {
         run.Log.UnreportedImpacts++;
 
-        // All contacts as one set, over no time and without restitution.
+        // Solve all contacts as one set, over zero time and with zero restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
@@ -163,7 +166,7 @@ internal sealed class WorldContact
         double most = v.Length;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
 
-        // No impulses keep all of them from closing, or it takes them again and again: squeezed. Only moving objects squeeze.
+        // No impulses stop all contacts from closing, or this happens repeatedly: the ball is squeezed. Only moving objects squeeze.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);
@@ -178,7 +181,7 @@ internal sealed class WorldContact
         s.Velocity = v;
         s.SetGroundSpin(in w);
 
-        // What bears it most carries it, if the forces press it there; else it flies.
+        // The contact with the greatest load becomes the carrier if the forces press the ball on it. Otherwise the ball flies.
         int bearer = ContactSet.Heaviest(set);
         if (bearer >= 0 && _load.IsPressed(in s, set[bearer].Collider))
         {
@@ -190,7 +193,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Begins a squeeze: moving things leave the ball no room.</summary>
+    /// <summary>Starts a squeeze: moving objects leave the ball no room.</summary>
     public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
     {
         run.Squeezes++;
@@ -203,20 +206,21 @@ internal sealed class WorldContact
         run.Report(new BallEvent(BallEventKind.Pinned, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
     }
 
-    /// <summary>The ball has room again.</summary>
+    /// <summary>Ends a squeeze: the ball has room again.</summary>
     public void EndSqueeze(ref BallState s, ref StepRun run)
     {
         run.Report(new BallEvent(BallEventKind.Pinned, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
         Fly(ref s, s.Velocity, s.Spin);
     }
 
-    /// <summary>True when things that move would make the ball faster by their contacts than the fastest of them, times 1 + e, or than it came.</summary>
+    /// <summary>True if moving objects would make the ball too fast.</summary>
+    /// <remarks>The limit is the greater of its speed on arrival and 1 + e times the speed of the fastest mover that pushes it.</remarks>
     /// <param name="s">The ball.</param>
-    /// <param name="set">The contacts, with what they gave.</param>
-    /// <param name="velocity">What became of its velocity, m/s.</param>
+    /// <param name="set">The contacts and their impulses.</param>
+    /// <param name="velocity">The resulting velocity, m/s.</param>
     public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
     {
-        // (1 + e) |V| of the fastest mover that pushes; −1 where none does.
+        // (1 + e) |V| of the fastest mover that pushes the ball; −1 if none does.
         double fastest = -1.0;
         foreach (ref readonly Contact contact in set)
         {
@@ -233,8 +237,8 @@ internal sealed class WorldContact
         return velocity.Length > s.SqueezeSpeed;
     }
 
-    /// <summary>Something that moves touches the ball, and may make it so fast, m/s.</summary>
-    /// <returns>Whether something did so lately.</returns>
+    /// <summary>Records a contact with a moving object that may accelerate the ball to a given speed, m/s.</summary>
+    /// <returns>True if another contact with a mover was recorded recently.</returns>
     private static bool Touches(ref BallState s, double fastest)
     {
         bool again = s.Time < s.SqueezeUntil;
@@ -243,10 +247,10 @@ internal sealed class WorldContact
         return again;
     }
 
-    /// <summary>A thing takes a ball that touches it, does not come closer and is pressed on it: no impact.</summary>
+    /// <summary>Makes a surface the carrier without an impact: the ball touches it, is pressed on it, and does not close on it.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
-    /// <summary>The slip is over: the ball rolls, where friction can hold it.</summary>
+    /// <summary>Ends a slip: the ball rolls if friction can hold it.</summary>
     public void EndSlip(ref BallState s, ref StepRun run)
     {
         if (_load.Grips(in s, _world.CarrierOf(in s), ref run))
@@ -255,7 +259,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>The slip is over, or was never there: the spin becomes that of pure rolling.</summary>
+    /// <summary>Starts rolling: sets the spin of pure rolling.</summary>
     public void StartRolling(ref BallState s, ref StepRun run)
     {
         Collider carrier = _world.CarrierOf(in s);
@@ -274,7 +278,8 @@ internal sealed class WorldContact
         run.Report(new BallEvent(BallEventKind.Roll, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, in before, s.Velocity, in spin));
     }
 
-    /// <summary>The velocity of the carrier may have jumped since the last step: the ball keeps its own, and slips (world.md, On a carrier).</summary>
+    /// <summary>Handles a velocity jump of the carrier since the last step: the ball keeps its velocity, and slips (world.md, On a
+    /// carrier).</summary>
     public void TakeJump(ref BallState s, ref StepRun run)
     {
         if (s.Motion != MotionState.Rolling || !_world.CarrierOf(in s).Moves)
@@ -293,7 +298,8 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>A flush surface takes over the ball. One that moves otherwise than the last makes a rolling ball slip: v and ω stay (world.md, Flush).</summary>
+    /// <summary>Hands the ball over to a flush surface.</summary>
+    /// <remarks>If its velocity differs, a rolling ball slips: v and ω stay (world.md, Flush).</remarks>
     public void HandOver(ref BallState s, int collider, ref StepRun run)
     {
         if (collider == s.Carrier - _world.FirstCollider)
@@ -315,7 +321,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>A rolling ball begins to slip.</summary>
+    /// <summary>Starts a slide of a rolling ball.</summary>
     public void StartSliding(ref BallState s, ref StepRun run)
     {
         Vector3d n = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
@@ -323,7 +329,7 @@ internal sealed class WorldContact
         run.Report(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
     }
 
-    /// <summary>The ball leaves what carries it: the step is divided anew.</summary>
+    /// <summary>Releases the ball from its carrier. The rest of the step is divided from scratch.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         run.Report(new BallEvent(BallEventKind.ContactEnd, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
@@ -331,14 +337,14 @@ internal sealed class WorldContact
         Fly(ref s, in velocity, in spin);
     }
 
-    /// <summary>The ball comes to rest on what carries it, and moves along with that.</summary>
+    /// <summary>Brings the ball to rest on its carrier; it then moves along with the carrier.</summary>
     public void Rest(ref BallState s, ref StepRun run)
     {
         Collider carrier = _world.CarrierOf(in s);
         Rest(ref s, carrier.MaterialVelocity(s.Position, s.Time), carrier.Spin, ref run);
     }
 
-    /// <summary>The ball comes to rest in a net.</summary>
+    /// <summary>Brings the ball to rest in a net.</summary>
     public void RestInNet(ref BallState s, int net, ref StepRun run)
     {
         s.Carrier = _world.ThingOfNet(net);
@@ -356,13 +362,14 @@ internal sealed class WorldContact
         s.Motion = MotionState.Rest;
     }
 
-    /// <summary>Raises a ball whose state says that it is in the ground, straight up.</summary>
+    /// <summary>Raises a ball that is below the surface of the ground vertically.</summary>
     public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
-    /// <summary>A ball that is placed: carried, where it touches something slowly enough and is pressed on it; else in the air.</summary>
+    /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it, otherwise in the
+    /// air.</summary>
     public void Settle(ref BallState s)
     {
-        // Of several things that would take it the first of the scene does.
+        // If several surfaces could support the ball, take the first one of the scene.
         int first = int.MaxValue;
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
@@ -379,7 +386,7 @@ internal sealed class WorldContact
             Vector3d n = _world.Hold(ref s, collider);
             if (collider == _world.Ground)
             {
-                // Where it was placed, to the last bit of x and z.
+                // Keep x and z exactly as given, bit for bit.
                 s.Position = GroundPlace.Onto(_world, in placed);
             }
 
@@ -391,7 +398,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>True when a collider carries a ball that is placed.</summary>
+    /// <summary>True if a collider supports a placed ball.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="index">The collider.</param>
     /// <param name="velocity">The ball's velocity along the surface, m/s.</param>
@@ -402,19 +409,21 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), at.Normal);
         velocity = s.Velocity - (off * at.Normal);
 
-        // On a level pitch that is so up to the speed of the slowest bounce; on anything else what comes closer hits.
+        // A level pitch supports a ball that closes more slowly than the minimum bounce speed. On other surfaces any closing speed is an
+        // impact.
         double slowest = _world.IsLevel && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
             && _load.Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
     }
 
-    /// <summary>A carried ball was hit by something else: it keeps its carrier unless the impulse lifts it.</summary>
-    /// <param name="s">The ball before.</param>
-    /// <param name="velocity">Its velocity after, m/s.</param>
-    /// <param name="spin">Its spin after, rad/s.</param>
-    /// <param name="hitVelocity">Velocity of what hit it, m/s.</param>
-    /// <param name="hitNormal">Normal there.</param>
-    /// <param name="pressing">The collider that it hit and stays on; −1 where it bounces off that, or another ball hit it.</param>
+    /// <summary>Sets the state of a supported ball after a hit by another object: it keeps its carrier unless the impulse lifts
+    /// it.</summary>
+    /// <param name="s">The ball before the hit.</param>
+    /// <param name="velocity">Its velocity after the hit, m/s.</param>
+    /// <param name="spin">Its spin after the hit, rad/s.</param>
+    /// <param name="hitVelocity">Velocity of the other object, m/s.</param>
+    /// <param name="hitNormal">Normal of that contact.</param>
+    /// <param name="pressing">The other collider if the ball stays on it; −1 if it bounces off or the object is a ball.</param>
     /// <param name="run">The step.</param>
     private void KeepCarrier(
         ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d hitVelocity, in Vector3d hitNormal, int pressing, ref StepRun run)
@@ -423,7 +432,7 @@ internal sealed class WorldContact
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         double off = Vector3d.Dot(velocity - carrier.ShapeVelocity(s.Position, s.Time), in n);
 
-        // w_s < 0, its speed into the carrier: an impact there at the same instant.
+        // w_s < 0: the ball moves into its carrier, so an impact with it follows at the same instant.
         if (off < -ContactSearch.Approaching)
         {
             s.Velocity = velocity;
@@ -433,7 +442,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // Lifted off the carrier and pressed on what it hit, with no speed off that: it climbs that, as a kerb.
+        // The ball is lifted off the carrier and stays on the other surface: it climbs that surface, such as a kerb.
         if (off > ContactSearch.Approaching && pressing >= 0)
         {
             Stay(ref s, pressing + _world.FirstCollider, in velocity, in spin, ref run);
@@ -451,22 +460,23 @@ internal sealed class WorldContact
         double share = along.LengthSquared;
         if (pressing >= 0 && share > 1e-12)
         {
-            // Neither off the carrier nor into what it hit.
+            // Remove the velocity into the other object, along the carrier.
             kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
         }
 
         Stay(ref s, (int)s.Carrier, in kept, in spin, ref run);
     }
 
-    /// <summary>Another ball has hit this one: it keeps its carrier unless the impulse lifts it. One that is squeezed goes on as it went, but for its speed.</summary>
+    /// <summary>Sets the state of a ball that another ball has hit: it keeps its carrier unless the impulse lifts it.</summary>
+    /// <remarks>A squeezed ball stays squeezed and only changes its speed.</remarks>
     public void Struck(ref BallState s, in Vector3d velocity, in Vector3d spin, in Vector3d n, ref StepRun run)
     {
-        // What was free ahead, and the branch of the drag law, belong to the old velocity.
+        // The clear time and the branch of the drag law belong to the old velocity.
         s.ClearUntil = 0;
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
 
-        // Thrown back by another ball it hits the next thing anew, and that is not the second of two movers that bat it to and fro.
+        // A hit by another ball breaks the series of hits by movers, so the next one does not count as the second of two.
         s.SqueezeUntil = s.Motion == MotionState.Pinned ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
@@ -480,7 +490,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // The rest of the step moves the ball out of the mover at its allowed speed. If it were put onto the mover at once, it could end inside a stationary object.
+        // Let the rest of the step move the ball out of the mover at its allowed speed. At once, it could end inside a stationary object.
         s.Velocity = velocity;
         Collider carrier = _world.CarrierOf(in s);
         if (!carrier.Moves)
@@ -489,10 +499,10 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>The ball stays on a thing, and is put onto it: it slides, or rolls.</summary>
+    /// <summary>Puts the ball onto a surface that it stays on: it slides or rolls.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        // What slid there at this instant already, before it was hit again, slides on; in a crowd what slid there at all.
+        // Report no new slide for a ball that already slid there at this instant, or, in a crowded step, at all.
         bool slidOn = (run.Impacts > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);
@@ -502,7 +512,7 @@ internal sealed class WorldContact
         Vector3d n = _world.Hold(ref s, carrier);
         if (carrier.Moves)
         {
-            // A body that overlaps the ball would put it into a stationary object.
+            // A body that overlaps the ball could push it into a stationary object.
             KeepOut(ref s);
         }
 
@@ -525,7 +535,7 @@ internal sealed class WorldContact
         ContactSet.KeepOut(_world, ref s, ContactSet.Near(_world, in s, 0, room, _world.Room));
     }
 
-    /// <summary>The ball flies on.</summary>
+    /// <summary>Sets the ball in flight.</summary>
     public static void Fly(ref BallState s, in Vector3d velocity, in Vector3d spin)
     {
         s.Velocity = velocity;

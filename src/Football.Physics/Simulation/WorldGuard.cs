@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a piece of motion at the first thing of the world that it meets, and does what that calls for.</summary>
+/// <summary>Ends a piece of motion at its first contact with the world, and handles that contact.</summary>
 internal sealed class WorldGuard
 {
-    /// <summary>Below this, m, a gap needs no correction.</summary>
+    /// <summary>A gap below this needs no correction, m.</summary>
     private const double Closed = 1e-14;
 
-    /// <summary>A piece that ends where something is grazed is at least this share of what it was.</summary>
+    /// <summary>A piece that ends at a grazing contact keeps at least this share of its length.</summary>
     private const double ShortestPiece = 1e-6;
 
-    /// <summary>How often the search is repeated on the piece that it has shortened: its path is then known better.</summary>
+    /// <summary>Maximum number of searches per piece. Each shortened piece gives a more accurate path for the next search.</summary>
     private const int MostSearches = 8;
 
     private readonly World _world;
@@ -25,8 +25,9 @@ internal sealed class WorldGuard
         _contact = contact;
     }
 
-    /// <summary>An impact with what the ball touches and comes closer to where it is, if anything; what a ball in the air is pressed on takes it even where nothing comes closer.</summary>
-    /// <returns>True when there was one, or the ground has taken the ball.</returns>
+    /// <summary>Handles an immediate hit: a touched surface that the ball closes on, or one that presses against a ball in the
+    /// air.</summary>
+    /// <returns>True if there was an impact, or a surface now supports the ball.</returns>
     public bool HitsAtOnce(ref BallState s, ref StepRun run)
     {
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - _world.FirstCollider;
@@ -35,7 +36,7 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // The first counts, in whatever order the walk comes to them: of the scene, and of bodies that on a certain side.
+            // Take the first collider in scene order, whatever the order of the walk. Between two bodies, the contact normals decide.
             bool byside = first != int.MaxValue && _world.IsByside(i, first);
             if (i == carrier || (i > first && !byside))
             {
@@ -44,7 +45,7 @@ internal sealed class WorldGuard
 
             Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
-            // Closing is an impact. Neither closing nor leaving, but pressed there, a ball in the air is taken up.
+            // A closing contact is an impact. A ball in the air that is pressed on a surface without closing or leaving is supported by it.
             bool touches = gap <= ContactSearch.Touching;
             bool hits = touches && ((rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
             bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
@@ -74,7 +75,7 @@ internal sealed class WorldGuard
 
     private Vector3d NormalOf(int collider, in BallState s) => _world.Colliders[collider].At(s.Position, s.Time).Normal;
 
-    /// <summary>True if a surface that moves while its shape stays closes on a ball that touches it.</summary>
+    /// <summary>True if the ball touches a surface that moves along its own shape, such as a drum, and the surface closes on it.</summary>
     private bool IsStruck(in BallState s, Collider collider)
     {
         if (collider.Spin == Vector3d.Zero || collider.Rotates)
@@ -82,28 +83,28 @@ internal sealed class WorldGuard
             return false;
         }
 
-        // (v − V_c)·n with V_c at the point of contact, c = p − r n.
+        // (v − V_c)·n with V_c at the contact point c = p − r n.
         Vector3d n = collider.At(s.Position, s.Time).Normal;
         Vector3d surface = collider.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
         return Vector3d.Dot(s.Velocity - surface, in n) < -ContactSearch.Approaching;
     }
 
-    /// <summary>Ends a piece at the first thing that it meets.</summary>
+    /// <summary>Ends a piece at its first contact.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="order">Order of the method.</param>
-    /// <param name="met">What it meets.</param>
-    /// <returns>True when it meets anything.</returns>
+    /// <param name="order">Order of the integrator.</param>
+    /// <param name="met">The contact.</param>
+    /// <returns>True if there is a contact.</returns>
     public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
         where TSweep : struct, ISweep => EndAtFirst(ref sweep, in s, order, default, out met);
 
-    /// <summary>Ends a piece at the first thing that it meets, but for contacts that the ball keeps.</summary>
+    /// <summary>Ends a piece at its first contact, except for the contacts that the ball keeps.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="order">Order of the method.</param>
-    /// <param name="held">Contacts that it keeps.</param>
-    /// <param name="met">What it meets.</param>
-    /// <returns>True when it meets anything.</returns>
+    /// <param name="order">Order of the integrator.</param>
+    /// <param name="held">The contacts that the ball keeps.</param>
+    /// <param name="met">The contact.</param>
+    /// <returns>True if there is a contact.</returns>
     public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, scoped Span<Contact> held, out Separation met)
         where TSweep : struct, ISweep
     {
@@ -116,18 +117,19 @@ internal sealed class WorldGuard
 
         for (int i = 0; i < MostSearches; i++)
         {
-            // Time of impact on the cubic of the piece, then on the integrator's own step; once more, for the shortened piece has another cubic.
+            // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has another
+            // cubic: repeat.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, held, out Separation found);
 
-            // Nothing before what is met already, or the same contact a rounding earlier.
+            // No earlier contact was found, or it is the same contact, earlier only by rounding.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
 
-            // At a seam another surface carries the ball on: the piece ends where the ball is over that.
+            // At a seam another surface becomes the carrier: end the piece when the ball reaches it.
             if (found.What == SeparationKind.Seam)
             {
                 sweep.Step(at);
@@ -135,7 +137,7 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // It touches and closes at the start: a piece of no length.
+            // The ball touches the surface and closes on it from the start: a piece of zero length.
             if (at == 0)
             {
                 sweep.Step(0);
@@ -143,7 +145,7 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // The thesis' search knows the level ground alone.
+            // The thesis' bisection only handles level ground.
             if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
             {
                 Bisection.End(ref sweep, _tolerance, _world.LevelContact);
@@ -153,13 +155,14 @@ internal sealed class WorldGuard
 
             if (!Locate(ref sweep, in found, s.Time, at))
             {
-                // It only grazes: the piece ends there all the same, for nothing else is met before, and the next one sees what is ahead.
+                // A grazing contact: end the piece there, because the search ahead of it is not done. The next piece searches on.
                 sweep.Step(Math.Max(at, ShortestPiece * path.Length));
                 met = default;
                 break;
             }
 
-            // On its cubic a piece may close on the surface that a seam continues, and on the step itself not: it crosses the seam, and ends where it comes to the edge.
+            // On the cubic the ball may seem to hit the surface beyond a seam. If the step itself crosses the seam, end the piece at the
+            // edge.
             if (found.What == SeparationKind.Contact && !_world.IsPlaneAlone
                 && Flush.Passage(_world, found.Index, sweep.Position, sweep.Velocity, s.Time + sweep.Length, carrier, held) > 0)
             {
@@ -170,7 +173,7 @@ internal sealed class WorldGuard
             met = found;
             if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {
-                // Nothing else can be met before.
+                // No other contact can come earlier.
                 break;
             }
         }
@@ -178,7 +181,7 @@ internal sealed class WorldGuard
         return met.What != SeparationKind.None;
     }
 
-    /// <summary>Handles the meeting with a thing where the ball is.</summary>
+    /// <summary>Handles a contact at the ball's position.</summary>
     public void Meet(ref BallState s, in Separation met, ref StepRun run)
     {
         switch (met.What)
@@ -211,7 +214,8 @@ internal sealed class WorldGuard
         }
     }
 
-    /// <summary>The end of a piece that meets level ground is on it to the last bit, and so the path there crosses a plane at that height.</summary>
+    /// <summary>Sets the exact contact height at the end of a piece that hits level ground, so that the path crosses a plane at that
+    /// height.</summary>
     public void PutOnto(ref BallState s, in Separation met)
     {
         if (IsLevelGround(in met))
@@ -225,7 +229,7 @@ internal sealed class WorldGuard
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
 
-    /// <summary>True when what is found is what the piece ends at already, which touches by so much before.</summary>
+    /// <summary>True if the contact found is the one at the end of the piece, detected slightly earlier.</summary>
     private static bool IsAgain<TSweep>(ref TSweep sweep, in Separation met, in Separation found, double time, double before)
         where TSweep : struct, ISweep
     {
@@ -234,28 +238,28 @@ internal sealed class WorldGuard
             return false;
         }
 
-        // What closes in the time between is no more than what counts as touching.
+        // The gap that closes in the time between is within the contact tolerance.
         met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
         return before * -rate <= 4.0 * ContactSearch.Touching;
     }
 
-    /// <summary>From the cubic path to the step itself: Newton on the gap, inside its bracket.</summary>
-    /// <returns>False where the gap does not close after all.</returns>
+    /// <summary>Refines a contact from the cubic to the integrator's own step: bracketed Newton iteration on the gap.</summary>
+    /// <returns>False if the gap does not close after all.</returns>
     private static bool Locate<TSweep>(ref TSweep sweep, in Separation sought, double time, double tau)
         where TSweep : struct, ISweep
     {
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
 
-        // Open at both ends the gap dips: there may be a root, or none.
+        // The gap is open at both ends, so there may or may not be a root between them.
         bool dips = atEnd > 0;
 
-        // A gap that is zero at the start has a root there, which is not the one sought.
+        // If the gap is zero at the start, reject the root there: it is the old contact.
         if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ShortestPiece * tau)
         {
             return true;
         }
 
-        // Closed all along, by less than what counts as touching: there is no root, and the ball meets it where it begins to come closer.
+        // The gap is within the contact tolerance all along, so there is no root. The contact starts when the ball begins to close.
         if (!dips && sweep.Length < ShortestPiece * tau)
         {
             sweep.Step(tau);
@@ -263,7 +267,7 @@ internal sealed class WorldGuard
 
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
 
-        // A step that ends inside has touched it, even where its own velocity is zero there (a semi-implicit hop).
+        // A step that ends inside the surface has hit it, even if its end velocity is zero (a semi-implicit hop).
         return left <= ContactSearch.Touching && (coming < 0 || atEnd < 0);
     }
 
@@ -276,8 +280,9 @@ internal sealed class WorldGuard
         private readonly bool _dips;
 
         /// <param name="gap">The gap.</param>
-        /// <param name="start">Time at the start of the piece, s.</param>
-        /// <param name="dips">Whether it is open again at the piece's end: then a search that is past its least ends, for it may close nowhere.</param>
+        /// <param name="start">Start time of the piece, s.</param>
+        /// <param name="dips">Whether the gap is open at the end of the piece too. The search then stops after the minimum, as there may be
+        /// no root.</param>
         public Closing(in Separation gap, double start, bool dips)
         {
             _gap = gap;
@@ -289,18 +294,18 @@ internal sealed class WorldGuard
         {
             _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
 
-            // Newton: −f/f', where the gap falls.
+            // Newton: −f/f', valid while the gap closes.
             correction = rate < 0 ? -value / rate : double.NaN;
             if (Math.Abs(value) <= Closed || (_dips && value > 0 && rate >= 0))
             {
                 return true;
             }
 
-            // So little is left that the end can be moved along the motion, and the step need not be taken again.
+            // The remaining correction is small enough to move the end linearly, without repeating the step.
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
-                // Twice: the first correction leaves what the gap bends in it.
+                // Apply it twice: the first correction leaves the curvature of the gap.
                 sweep.Nudge(correction);
                 _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
                 sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
@@ -311,30 +316,31 @@ internal sealed class WorldGuard
     }
 }
 
-/// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them where a net becomes slack or tight: there its force has a kink.</summary>
+/// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them at kinks of the net's force.</summary>
+/// <remarks>The force has a kink when the net turns slack or taut.</remarks>
 internal sealed class NetGuard
 {
-    /// <summary>So far, m, the path of a piece may be off the one that its ends tell.</summary>
+    /// <summary>Maximum distance between the path of a piece and the cubic through its ends, m.</summary>
     private const double LargestBend = 3e-7;
 
-    /// <summary>By what a piece is shortened that bends too much.</summary>
+    /// <summary>Factor by which a piece that bends too much is shortened.</summary>
     private const double Shorter = 0.8;
 
-    /// <summary>A piece next to a collider is shortened so often at most.</summary>
+    /// <summary>Maximum number of times a piece next to a collider is shortened.</summary>
     private const int MostHalved = 4;
 
-    /// <summary>A kink is found to this tension; a piece that starts with less than the second starts at one.</summary>
+    /// <summary>Tolerance of the tension at a kink. A piece that starts below the second value starts at a kink.</summary>
     private const double Kink = 1e-12;
     private const double AtKink = 1e-9;
 
-    /// <summary>So many parts a piece has at most: what a step may cost is counted between its pieces.</summary>
+    /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
     private const int MostParts = 256;
 
     private readonly World _world;
 
     public NetGuard(World world) => _world = world;
 
-    /// <summary>The longest piece whose path between its ends is known from those, in the nets that the ball is in, s.</summary>
+    /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)
     {
         h = s.Nets == 0 ? h : Math.Min(h, _world.LongestPieceInNets(in s, MostParts));
@@ -342,7 +348,7 @@ internal sealed class NetGuard
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                // How far the path may be off falls with the sixth power of the length.
+                // The deviation of the path falls with the sixth power of the length.
                 while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > LargestBend)
                 {
                     h *= Shorter;
@@ -353,7 +359,7 @@ internal sealed class NetGuard
         return h;
     }
 
-    /// <summary>How fast the nets that the ball is in change its motion at a place, 1/s.</summary>
+    /// <summary>Returns how fast the nets around the ball change its motion at a position, 1/s.</summary>
     public double FastestRate(in BallState s, in Vector3d position)
     {
         double rate = 0;
@@ -368,7 +374,7 @@ internal sealed class NetGuard
         return rate;
     }
 
-    /// <summary>Ends a piece where the tension 1 + b δ̇ of a net changes its sign.</summary>
+    /// <summary>Ends a piece when the tension 1 + b δ̇ of a net changes sign.</summary>
     public void EndWhereSlack<TSweep>(ref TSweep sweep, in BallState s)
         where TSweep : struct, ISweep
     {
@@ -379,13 +385,13 @@ internal sealed class NetGuard
                 continue;
             }
 
-            // A change of sign of 1 + b δ̇ is the kink; a piece that begins at one has it behind itself.
+            // The kink is a sign change of 1 + b δ̇. A piece that starts at a kink has already passed it.
             double side = World.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
             if (Math.Abs(start) > AtKink && start < 0 != end < 0)
             {
-                // Up to the kink the motion is smooth: its rate at the start leads there sooner than what lies beyond.
+                // The motion is smooth up to the kink, so its rate at the start gives a better first guess than the secant across it.
                 double sign = start < 0 ? -1.0 : 1.0;
                 double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
                 double secant = sweep.Length * start / (start - end);
@@ -394,16 +400,17 @@ internal sealed class NetGuard
         }
     }
 
-    /// <summary>Shortens a piece next to a collider until the cubic that is searched is the path: a net bends it by more than the cubic through the ends of a usual piece.</summary>
+    /// <summary>Shortens a piece next to a collider until the cubic that is searched matches the path, which a net bends
+    /// strongly.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
-    /// <param name="carrier">The collider that carries it; −1 if none does.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
     public void EndWhereBent<TSweep>(ref TSweep sweep, in BallState s, int carrier)
         where TSweep : struct, ISweep
     {
         for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
         {
-            // The quintic less the cubic in the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64. It falls with the fourth power of the length.
+            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64. It falls with the fourth power of the length.
             double h = sweep.Length;
             Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
             double share = LargestBend / off.Length;
@@ -416,7 +423,7 @@ internal sealed class NetGuard
         }
     }
 
-    /// <summary>True if a collider that does not carry the ball is next to a piece.</summary>
+    /// <summary>True if a collider other than the carrier is next to a piece.</summary>
     private bool IsNear<TSweep>(ref TSweep sweep, in BallState s, int carrier)
         where TSweep : struct, ISweep
     {
@@ -425,7 +432,7 @@ internal sealed class NetGuard
         var near = new NearThings(_world, path.Bounds.Expanded(r), s.Time, sweep.Length);
         while (near.NextCollider(out int i))
         {
-            // Planes have no box.
+            // Planes have no bounding box, so check their distance here.
             bool isFar = _world.Colliders[i].StandingPlane is { } plane
                 && Math.Min(plane.DistanceTo(s.Position), plane.DistanceTo(sweep.Position)) > r + path.Deviation;
             if (i != carrier && !isFar)
@@ -437,13 +444,13 @@ internal sealed class NetGuard
         return false;
     }
 
-    /// <summary>What is left until the tension of a net changes its sign.</summary>
+    /// <summary>The remaining tension of a net before its sign change.</summary>
     private readonly struct TensionLeft<TSweep>(NetSheet net, double side, double sign) : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
-            // Newton on ± (1 + b δ̇), whose rate takes the acceleration at the end.
+            // Newton on ± (1 + b δ̇), whose rate needs the acceleration at the end.
             value = sign * net.Tension(sweep.Velocity, side);
             bool isThere = Math.Abs(value) < Kink;
             double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The path of a piece as a polynomial of the fifth degree in the share s of the piece that is over, 0 … 1.</summary>
+/// <summary>The path of a piece as a polynomial of degree five in s, the elapsed share of the piece, 0 … 1.</summary>
 internal readonly struct ZonePath
 {
     private readonly Vector3d _c0;
@@ -11,11 +11,11 @@ internal readonly struct ZonePath
     private readonly Vector3d _c5;
 
     /// <param name="p">Position at its start, m.</param>
-    /// <param name="v">Velocity there, times its length, m.</param>
-    /// <param name="a">Acceleration there, times the square of its length, m.</param>
-    /// <param name="way">From its start to its end, m.</param>
+    /// <param name="v">Velocity at its start, times its length, m.</param>
+    /// <param name="a">Acceleration at its start, times the square of its length, m.</param>
+    /// <param name="way">Displacement from its start to its end, m.</param>
     /// <param name="w">Velocity at its end, times its length, m.</param>
-    /// <param name="b">Acceleration there, times the square of its length, m.</param>
+    /// <param name="b">Acceleration at its end, times the square of its length, m.</param>
     private ZonePath(in Vector3d p, in Vector3d v, in Vector3d a, in Vector3d way, in Vector3d w, in Vector3d b)
     {
         // The quintic Hermite interpolant of both ends.
@@ -26,7 +26,7 @@ internal readonly struct ZonePath
         _c4 = (-15.0 * way) + (8.0 * v) + (7.0 * w) + (1.5 * a) - b;
         _c5 = (6.0 * way) - (3.0 * v) - (3.0 * w) - (0.5 * a) + (0.5 * b);
 
-        // Its control points as a Bézier curve, in whose hull it lies; of its derivatives the same.
+        // The control points of the Bézier form: their hull contains the curve. The same holds for the derivatives.
         Vector3d end = p + way;
         Vector3d p1 = p + (0.2 * v);
         Vector3d p2 = p + (0.4 * v) + (0.05 * a);
@@ -39,28 +39,28 @@ internal readonly struct ZonePath
             Math.Max(Second(in p, in p1, in p2), Second(in p1, in p2, in p3)), Math.Max(Second(in p2, in p3, in p4), Second(in p3, in p4, in end))));
     }
 
-    /// <summary>A box around it.</summary>
+    /// <summary>A bounding box of the path.</summary>
     public Bounds3d Bounds { get; }
 
-    /// <summary>Not less than |dp/ds|, m.</summary>
+    /// <summary>Upper bound of |dp/ds|, m.</summary>
     public double FastestSpeed { get; }
 
-    /// <summary>Not less than |d²p/ds²|, m.</summary>
+    /// <summary>Upper bound of |d²p/ds²|, m.</summary>
     public double GreatestAcceleration { get; }
 
-    /// <summary>A straight path.</summary>
+    /// <summary>Creates a straight path.</summary>
     public static ZonePath Line(in Vector3d from, in Vector3d to)
     {
         Vector3d way = to - from;
         return new ZonePath(in from, in way, Vector3d.Zero, in way, in way, Vector3d.Zero);
     }
 
-    /// <summary>The path of a piece, as <see cref="PathSegment"/> has it.</summary>
-    /// <param name="before">The ball at the piece's start.</param>
+    /// <summary>Creates the path of a piece, equal to that of <see cref="PathSegment"/>.</summary>
+    /// <param name="before">The ball at the start of the piece.</param>
     /// <param name="after">The ball at its end.</param>
     /// <param name="startAcceleration">Acceleration at the start, m/s².</param>
     /// <param name="endAcceleration">Acceleration at the end, m/s².</param>
-    /// <param name="degree">2: the quadratic that a method of low order itself re-integrates; 3: the cubic; 5: the quintic.</param>
+    /// <param name="degree">2: the quadratic of a low-order integrator; 3: the cubic; 5: the quintic.</param>
     public static ZonePath Of(in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int degree)
     {
         double h = after.Time - before.Time;
@@ -73,17 +73,17 @@ internal readonly struct ZonePath
             return new ZonePath(in p, in v, h * h * startAcceleration, in way, in w, h * h * endAcceleration);
         }
 
-        // A quadratic or a cubic has these accelerations at its ends.
+        // The accelerations at the ends of a quadratic or a cubic.
         Vector3d bend = 2.0 * (way - v);
         return degree == 2
             ? new ZonePath(in p, in v, in bend, in way, v + bend, in bend)
             : new ZonePath(in p, in v, (6.0 * way) - (4.0 * v) - (2.0 * w), in way, in w, (-6.0 * way) + (2.0 * v) + (4.0 * w));
     }
 
-    /// <summary>The position, m.</summary>
+    /// <summary>Returns the position, m.</summary>
     public Vector3d At(double s) => _c0 + (s * (_c1 + (s * (_c2 + (s * (_c3 + (s * (_c4 + (s * _c5)))))))));
 
-    /// <summary>dp/ds, m.</summary>
+    /// <summary>Returns dp/ds, m.</summary>
     public Vector3d RateAt(double s) => _c1 + (s * ((2.0 * _c2) + (s * ((3.0 * _c3) + (s * ((4.0 * _c4) + (s * (5.0 * _c5))))))));
 
     private static double Second(in Vector3d a, in Vector3d b, in Vector3d c) => (a - (2.0 * b) + c).LengthSquared;

@@ -1,23 +1,23 @@
 namespace FootballPhysics;
 
-/// <summary>The crossings of the border of one zone along one path, in order.</summary>
+/// <summary>Finds the crossings of the border of one zone along one path, in order.</summary>
 /// <remarks>
-/// g is the distance left until the ball is in the zone. The distance from a shape bends down no more than its hollows do, so along the path g'' ≥ −M: from a point outside,
-/// g stays positive until g + g' s − ½ M s² = 0, and between two points inside it rises above its chord by ⅛ M w² at most. No crossing is missed except a dip of less than
-/// <see cref="Dip"/>.
+/// g is the signed distance of the ball from the zone. The concave curvature of the shape bounds its bend, so g'' ≥ −M along the path.
+/// From a point outside, g stays positive until g + g' s − ½ M s² = 0. Between two points inside, g rises at most ⅛ M w² above its chord.
+/// No crossing is missed except a dip below <see cref="Dip"/>.
 /// </remarks>
 internal readonly struct ZoneSearch
 {
-    /// <summary>A ball that enters or leaves by less than this, m, and comes back within the piece does not report it.</summary>
+    /// <summary>A ball that enters or leaves by less than this, and returns within the piece, is not reported, m.</summary>
     private const double Dip = 1e-9;
 
-    /// <summary>Steps of one walk at most.</summary>
+    /// <summary>Maximum number of steps per walk.</summary>
     private const int MostSteps = 4_096;
 
-    /// <summary>How often a part of a path inside is halved at most.</summary>
+    /// <summary>Maximum number of halvings of a part of the path inside the zone.</summary>
     private const int MostHalvings = 24;
 
-    /// <summary>A crossing is located to this share of the piece, and to this distance, m.</summary>
+    /// <summary>Tolerance of a crossing, as a share of the piece and as a distance, m.</summary>
     private const double Closeness = 1e-13;
 
     private readonly StepLog _log;
@@ -27,18 +27,18 @@ internal readonly struct ZoneSearch
     private readonly double _near;
     private readonly double _speed;
 
-    /// <param name="log">Where crossings are added.</param>
+    /// <param name="log">Receives the crossings.</param>
     /// <param name="path">The path.</param>
     /// <param name="zone">Index of the zone.</param>
     /// <param name="shape">Its shape.</param>
-    /// <param name="level">The distance of the centre at which the ball is in it, m.</param>
+    /// <param name="level">Distance of the centre at which the ball is in the zone, m.</param>
     public ZoneSearch(StepLog log, in ZonePath path, int zone, IShape shape, double level)
     {
         _log = log;
         _zone = zone;
         _border = new Border(in path, shape, level);
 
-        // A hollow of curvature κ bends the distance by κ/(1 − κ d), here with κ d ≤ ¾; farther out the speed alone bounds it.
+        // A concave curvature κ bends the distance by κ/(1 − κ d), valid here for κ d ≤ ¾. Farther out only the speed bounds it.
         double hollow = shape.MaximumConcaveCurvature;
         _speed = path.FastestSpeed;
         _bend = path.GreatestAcceleration + (4.0 * hollow * _speed * _speed);
@@ -64,12 +64,12 @@ internal readonly struct ZoneSearch
         }
     }
 
-    /// <summary>Crossings from a point inside on.</summary>
+    /// <summary>Finds the crossings from a point inside.</summary>
     private void FromInside(double from, double atFrom, double to, double atTo, int halvings)
     {
         if (atTo > 0)
         {
-            // It ends outside: from there back to the last crossing.
+            // The path ends outside: search backwards for the last crossing.
             double leaves = Last(from, to);
             Inside(from, atFrom, leaves, 0, halvings);
             Add(leaves, false);
@@ -80,7 +80,7 @@ internal readonly struct ZoneSearch
         }
     }
 
-    /// <summary>Crossings between two points inside.</summary>
+    /// <summary>Finds the crossings between two points inside.</summary>
     private void Inside(double from, double atFrom, double to, double atTo, int halvings)
     {
         double w = to - from;
@@ -103,7 +103,7 @@ internal readonly struct ZoneSearch
         Inside(enters, 0, to, atTo, halvings + 1);
     }
 
-    /// <summary>The first crossing after a point outside; infinite if there is none.</summary>
+    /// <summary>Returns the first crossing after a point outside; infinite if there is none.</summary>
     private double First(double from, double to, bool endsInside)
     {
         double s = from;
@@ -132,7 +132,7 @@ internal readonly struct ZoneSearch
         return endsInside ? Locate(s, to, 1) : double.PositiveInfinity;
     }
 
-    /// <summary>The last crossing before a point outside, after a point inside.</summary>
+    /// <summary>Returns the last crossing before a point outside and after a point inside.</summary>
     private double Last(double from, double to)
     {
         double s = to;
@@ -161,7 +161,7 @@ internal readonly struct ZoneSearch
         return Locate(from, s, -1);
     }
 
-    /// <summary>How far, in s, the ball stays out from a point outside.</summary>
+    /// <summary>Returns the step in s for which the ball surely stays outside.</summary>
     private double Safe(double value, double rate)
     {
         if (value > _near)
@@ -173,7 +173,7 @@ internal readonly struct ZoneSearch
         return rate < 0 ? 2.0 * (value + Dip) / (root - rate) : _bend > 0 ? (root + rate) / _bend : double.PositiveInfinity;
     }
 
-    /// <summary>The crossing between two points.</summary>
+    /// <summary>Locates the crossing between two points.</summary>
     private double Locate(double from, double to, double sign)
     {
         var crossing = new Crossing(in _border, sign);
@@ -182,14 +182,14 @@ internal readonly struct ZoneSearch
 
     private void Add(double s, bool enters) => _log.AddCrossing(new ZoneCrossing(Math.Min(s, 1), _zone, enters));
 
-    /// <summary>The distance left until the ball is in the zone, along the path.</summary>
+    /// <summary>The signed distance of the ball from the zone along the path.</summary>
     private readonly struct Border(in ZonePath path, IShape shape, double level)
     {
         private readonly ZonePath _path = path;
         private readonly IShape _shape = shape;
         private readonly double _level = level - Zone.Touching;
 
-        /// <summary>Its value and its rate, m.</summary>
+        /// <summary>Returns its value and its rate, m.</summary>
         public double At(double s, out double rate)
         {
             ShapePoint at = _shape.At(_path.At(s));
@@ -198,7 +198,7 @@ internal readonly struct ZoneSearch
         }
     }
 
-    /// <summary>The same, positive before the crossing.</summary>
+    /// <summary>The same distance, with the sign that makes it positive before the crossing.</summary>
     private readonly struct Crossing(in Border border, double sign) : IDifferentiableFunction
     {
         private readonly Border _border = border;
@@ -214,11 +214,11 @@ internal readonly struct ZoneSearch
 }
 
 /// <summary>A crossing of the border of a zone within a piece.</summary>
-/// <param name="At">When: the share of the piece that is over.</param>
+/// <param name="At">Elapsed share of the piece.</param>
 /// <param name="Zone">Index of the zone.</param>
 /// <param name="Enters">True if the ball enters.</param>
 internal readonly record struct ZoneCrossing(double At, int Zone, bool Enters)
 {
-    /// <summary>True if it comes before another: by time, then by zone.</summary>
+    /// <summary>True if it comes before another crossing: by time, then by zone.</summary>
     public bool IsBefore(in ZoneCrossing other) => At < other.At || (At == other.At && Zone < other.Zone);
 }

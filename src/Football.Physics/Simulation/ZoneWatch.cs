@@ -1,13 +1,16 @@
 namespace FootballPhysics;
 
-/// <summary>The zones of a scene, watched from piece to piece of the path. Immutable; what it must remember of a ball is in the ball's log.</summary>
+/// <summary>The zones of a scene, checked against each piece of the path.</summary>
 /// <remarks>
-/// Zones never shorten a piece: the path is searched after it was taken. Whether the ball is in a zone follows from its position, so a state has nothing of it. Where the path
-/// jumps, because something pushed the ball out of its way, the ball has taken the straight line at once.
+/// Immutable: the data of a ball is in its log.
+/// Zones never shorten a piece: the path is searched after it was taken. Whether the ball is in a zone follows from its position, so the
+/// state stores nothing.
+/// If an object displaces the ball, the zones search the straight line between the two positions.
 /// </remarks>
 internal sealed class ZoneWatch
 {
-    /// <summary>A quintic bends off the cubic with the same ends by less than this share of the difference of their accelerations, times the square of its length.</summary>
+    /// <summary>A quintic deviates from the cubic with the same ends by less than this share of h² times the difference of their
+    /// accelerations.</summary>
     private const double QuinticMargin = 0.1;
 
     private readonly Zone[] _zones;
@@ -30,9 +33,9 @@ internal sealed class ZoneWatch
         }
     }
 
-    /// <summary>The zones of a scene; null if there are none, which costs a step nothing.</summary>
+    /// <summary>Returns the zones of a scene; null if there are none, which costs a step nothing.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="firstThing">The number of its first zone among its things.</param>
+    /// <param name="firstThing">Index of the first zone among the scene's objects.</param>
     public static ZoneWatch? Of(Scene scene, int firstThing)
     {
         if (scene.Zones.Count == 0)
@@ -40,12 +43,12 @@ internal sealed class ZoneWatch
             return null;
         }
 
-        // Those that the ball ignores keep their numbers.
+        // Zones that the ball ignores keep their indices.
         int[] seen = [.. Enumerable.Range(0, scene.Zones.Count).Where(i => !Layers.Contains(scene.Ball.Ignores, scene.Zones[i].Layer))];
         return seen.Length == 0 ? null : new ZoneWatch(Array.ConvertAll(seen, i => scene.Zones[i]), Array.ConvertAll(seen, i => firstThing + i), scene.Ball.Radius);
     }
 
-    /// <summary>Begins a step, or goes on with one that is taken in several calls.</summary>
+    /// <summary>Starts a step, or continues one that is taken in several calls.</summary>
     public void Begin(StepLog log, in BallState s)
     {
         if (log.Continues && log.Zones == this)
@@ -58,10 +61,10 @@ internal sealed class ZoneWatch
         log.ZonePlace = s.Position;
     }
 
-    /// <summary>The ball may have been moved without a piece.</summary>
+    /// <summary>Handles a ball that may have moved without a piece.</summary>
     public void Moved(StepLog log, in BallState s) => Jump(log, s.Position, in s);
 
-    /// <summary>True if a piece may cross the border of a zone: then its path must be known well.</summary>
+    /// <summary>True if a piece may cross the border of a zone, so that its path must be accurate.</summary>
     public bool IsNear(in BallState before, in BallState after, in Vector3d startAcceleration)
     {
         double h = after.Time - before.Time;
@@ -88,7 +91,7 @@ internal sealed class ZoneWatch
         return false;
     }
 
-    /// <summary>Sees a piece of the path.</summary>
+    /// <summary>Searches a piece of the path.</summary>
     public void See(StepLog log, in BallState before, in BallState after, in Vector3d startAcceleration, in Vector3d endAcceleration, int order)
     {
         Jump(log, before.Position, in before);
@@ -107,7 +110,7 @@ internal sealed class ZoneWatch
         }
     }
 
-    /// <summary>The ball was moved straight to where it is, at once.</summary>
+    /// <summary>Searches the straight line of a displacement.</summary>
     private void Jump(StepLog log, in Vector3d to, in BallState s)
     {
         Vector3d from = log.ZonePlace;
@@ -136,7 +139,8 @@ internal sealed class ZoneWatch
         }
     }
 
-    /// <summary>True if the border of a zone may lead through a box: the box touches the zone's, and its middle is no farther from the border than its corners are from the middle.</summary>
+    /// <summary>True if the border of a zone may pass through a box.</summary>
+    /// <remarks>The box must touch the zone's box, and its centre must be no farther from the border than from its corners.</remarks>
     private bool IsNear(int zone, in Bounds3d box)
     {
         if (!_bounds[zone].Intersects(in box))
@@ -148,7 +152,7 @@ internal sealed class ZoneWatch
         return Math.Abs(_zones[zone].Shape.At(box.Min + half).Distance - _levels[zone]) <= half.Length + Zone.Touching;
     }
 
-    /// <summary>Reports what was found in a piece, in order.</summary>
+    /// <summary>Reports the crossings of a piece in order.</summary>
     private void Report(StepLog log, in ZonePath path, in BallState before, in BallState after)
     {
         double h = after.Time - before.Time;

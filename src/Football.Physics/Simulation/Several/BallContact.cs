@@ -31,7 +31,7 @@ internal static class BallContact
     public static void Impact(
         BallProperties ball, BallProperties other, in ContactMaterial material, in Vector3d n, in BallState first, in BallState second, out Motion a, out Motion b)
     {
-        // u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n)
+        // u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n).
         Vector3d w1 = first.Spin;
         Vector3d w2 = second.Spin;
         Vector3d relative = first.Velocity - second.Velocity;
@@ -44,7 +44,7 @@ internal static class BallContact
             return;
         }
 
-        // J_n = (1 + e)(−u·n)/(1/m₁ + 1/m₂), and −(1 + e_t) s/κ along the surfaces, at most μ J_n.
+        // J_n = (1 + e)(−u·n)/(1/m₁ + 1/m₂); the tangential impulse is −(1 + e_t) s/κ, at most μ J_n.
         double givesWay = (1.0 / ball.Mass) + (1.0 / other.Mass);
         double firstTurns = ball.Radius * ball.Radius / ball.MomentOfInertia;
         double secondTurns = other.Radius * other.Radius / other.MomentOfInertia;
@@ -54,7 +54,7 @@ internal static class BallContact
         double most = material.ImpactFriction * normal;
         Vector3d impulse = (normal * n) - (size > most ? most / size * grip : grip);
 
-        // About the normal only what one turns against the other: e_ω of it, less drilling friction, b μ_s J_n for each.
+        // About the normal only the relative spin counts: keep e_ω of it, minus the drilling friction b μ_s J_n of each ball.
         double eases = (1.0 / ball.MomentOfInertia) + (1.0 / other.MomentOfInertia);
         double about = Vector3d.Dot(w1 - w2, in n);
         double drilled = material.DrillingLength * material.SlidingFriction * normal * eases;
@@ -62,7 +62,7 @@ internal static class BallContact
         kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
         double torque = (kept - about) / eases;
 
-        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J
+        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
         Vector3d turning = Vector3d.Cross(in n, in impulse);
         a = new Motion(
             first.Position,

@@ -13,14 +13,14 @@ public sealed partial class BallGroup
         int told = 0;
         for (int i = 0; i < Count; i++)
         {
-            // Of a ball that was played again counts what it did then.
+            // Skip balls of the cluster: their steps were repeated, and only the repeated step counts.
             for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
             {
                 Insert(in _flown.Events[k], told++);
             }
         }
 
-        // Those of the cluster are in logs of their own.
+        // Balls of the cluster have their own logs.
         for (int k = 0; k < _cluster.Count; k++)
         {
             StepLog own = _logs[_cluster[k]];
@@ -48,7 +48,7 @@ public sealed partial class BallGroup
             Array.Resize(ref _told, 2 * count);
         }
 
-        // Insertion is stable: a ball's own events stay in order.
+        // The insertion is stable, so a ball's own events keep their order.
         int place = count;
         for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
         {

@@ -56,7 +56,7 @@ public sealed partial class BallGroup
             log.Events.Ball = i;
             if (_cluster.Rests.IsInPile(i))
             {
-                // How far it gets is seen when the pile is played.
+                // The path of a pile is computed later; this is an estimate of the reach.
                 _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
                 _cluster.Shares.Begin(i, in before, 0, dt);
                 holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
@@ -73,7 +73,7 @@ public sealed partial class BallGroup
 
             log.Pushed = false;
 
-            // A ball that met others in the last step may do so again: then its path is needed.
+            // A ball that met others in the last step may do so again, so record its path.
             if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
             {
                 _simulators[i].Advance(ref s, dt, log);
@@ -89,7 +89,7 @@ public sealed partial class BallGroup
 
             pushes |= log.Pushed;
 
-            // If the ball exceeds the bounds of its sphere, at its ends or at an event, its reach must be measured.
+            // If the ball exceeds the bounds of its sphere, at the ends of its step or at an event, its reach must be measured.
             bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
             _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
             holds &= keeps;
@@ -140,7 +140,7 @@ public sealed partial class BallGroup
     /// <summary>Measures the reach of balls that exceed the bounds of their spheres, and finds the neighbours again if a ball has left its sphere.</summary>
     private void RenewNeighbours(double dt, bool again)
     {
-        // All balls are played again: then their paths are measured among objects that are not pushed yet.
+        // If all balls are stepped again, measure their paths among objects that are not yet pushed.
         bool holds = true;
         for (int i = 0; i < Count; i++)
         {
@@ -150,7 +150,7 @@ public sealed partial class BallGroup
                 continue;
             }
 
-            // Its step once more, with its path watched.
+            // Repeat the step and record its path.
             _motions.Read();
             if (again)
             {
@@ -217,7 +217,7 @@ public sealed partial class BallGroup
 
         for (int i = 0; i < Count && pushes && _cluster.Count > 0; i++)
         {
-            // A cluster is played from before all pushes.
+            // The step of the cluster starts before all pushes, so it includes every ball that pushes an object.
             if (_pushes[i])
             {
                 _cluster.Join(i);

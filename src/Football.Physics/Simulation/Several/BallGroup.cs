@@ -1,20 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>Several balls among the same things, stepped together: they hit one another at exact times, in exact order. A training ground's fifty, or two.</summary>
+/// <summary>Several balls in one scene, stepped together. They collide at exact times and in exact order.</summary>
 /// <remarks>
-/// Balls far from one another cost a step each, and a comparison. A group keeps what it has found of them between steps, so it is for one thread; groups that share a
-/// <see cref="Simulator"/> may step at the same time where that may be shared. What a ball does depends on the others only where they meet: the bits are the same in any group, and in
-/// any order, but for impacts at exactly one time: of those the ball of the lower number has its first. A group of one costs what its ball does.
-/// Two balls that come together slower than 1 cm/s press each other without a bounce: they are a pile, whose balls are solved as one and come to rest together. Up to eight of them, among
-/// what stands still, go by whole steps of the method as long as their contacts stick, slip and bear as they do; else, and where they are more, in parts of 2 ms, at most 16 a step. A ball of a resting pile keeps in its state what it touches, and moves when that is taken away. Against a pile what has a mass stands firm.
+/// Balls far from one another cost one step each and one comparison. A group caches data between steps, so use it from one thread.
+/// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator may be shared.
+/// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The exception is impacts at
+/// exactly
+/// the same time: the ball with the lower index comes first.
+/// Two balls that close below 1 cm/s are in sustained contact and form a pile. Its balls are solved together and come to rest together.
+/// Up to eight balls among stationary objects take whole steps of the integrator while their contacts keep their modes.
+/// Otherwise the pile takes parts of 2 ms, at most 16 per step. A ball in a resting pile stores its contacts in its state, and wakes if one
+/// is removed.
+/// A pile treats objects with a mass as immovable.
 /// </remarks>
 public sealed partial class BallGroup
 {
-    /// <summary>So many events a ball are kept of a step without playing it again.</summary>
+    /// <summary>Number of events per ball that a step can store without being repeated.</summary>
     private const int EventsOfBall = 16;
 
     private readonly Simulator[] _simulators;
-    private readonly Simulator? _alone; // null if there are several balls, or code of the game may throw within a step
+    private readonly Simulator? _alone; // null if there are several balls, or if code of the game may throw within a step
     private readonly bool _mayThrow;
     private readonly bool[] _pushes;
     private readonly BallNeighbours _neighbours;
@@ -28,24 +33,26 @@ public sealed partial class BallGroup
     private readonly MotionsBefore _motions;
     private readonly BallCluster _cluster;
 
-    /// <summary>A group of equal balls in one scene.</summary>
+    /// <summary>Creates a group of equal balls in one scene.</summary>
     /// <param name="simulator">The compiled scene.</param>
-    /// <param name="count">How many balls; 1 … 10 000.</param>
-    /// <param name="contact">What two balls are to each other; default <see cref="SurfaceMaterial.Ball"/>.</param>
+    /// <param name="count">The number of balls; 1 … 10 000.</param>
+    /// <param name="contact">The material of contacts between two balls; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public BallGroup(Simulator simulator, int count, SurfaceMaterial? contact = null)
         : this(Repeat(simulator, count), contact)
     {
     }
 
-    /// <summary>A group of balls that differ.</summary>
-    /// <param name="scene">The scene of all of them; its own ball is none of them.</param>
+    /// <summary>Creates a group of different balls.</summary>
+    /// <param name="scene">The scene of all balls. Its own ball is not used.</param>
     /// <param name="balls">The balls; 1 … 10 000.</param>
-    /// <param name="settings">How to integrate; default <see cref="SolverSettings.Default"/>.</param>
-    /// <param name="contact">What two balls are to each other; default <see cref="SurfaceMaterial.Ball"/>.</param>
+    /// <param name="settings">Integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="contact">The material of contacts between two balls; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException">The scene, the balls or one of them is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public BallGroup(Scene scene, IReadOnlyList<BallProperties> balls, SolverSettings? settings = null, SurfaceMaterial? contact = null)
         : this(Compile(scene, balls, settings), contact)
     {
@@ -78,22 +85,24 @@ public sealed partial class BallGroup
         _cluster = new BallCluster(simulators, new ContactMaterial(Contact, simulators.Min(simulator => simulator.Scene.Ball.Bounce)), Contact.ImpactFriction, _before, _reaches, _logs);
     }
 
-    /// <summary>How many balls there are.</summary>
+    /// <summary>The number of balls.</summary>
     public int Count => _simulators.Length;
 
-    /// <summary>SurfaceMaterial of an impact between two balls.</summary>
+    /// <summary>The material of contacts between two balls.</summary>
     public SurfaceMaterial Contact { get; }
 
-    /// <summary>Advances all balls.</summary>
-    /// <param name="states">The balls, as many as the group has, all of one time; unchanged where an exception is thrown.</param>
-    /// <param name="dt">Time to advance by, s: 0 … 1e12.</param>
-    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
+    /// <summary>Advances all balls by one step.</summary>
+    /// <param name="states">The balls: one state per ball, all at the same time. Unchanged if an exception is thrown.</param>
+    /// <param name="dt">Time to advance, s: 0 … 1e12.</param>
+    /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the balls'.</exception>
+    /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
+    /// observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is out of range, or a body was moved for a time more than 0.25 s
+    /// from the balls' time.</exception>
     public void Step(BallState[] states, double dt, StepLog log)
     {
-        // One ball takes its own step, without bookkeeping.
+        // A single ball takes its own step without bookkeeping.
         if (_alone is not null && states is { Length: 1 } && log is { Observer: null })
         {
             BallState.Launched(in states[0]);
@@ -104,29 +113,35 @@ public sealed partial class BallGroup
         Step(states, dt, log, StopAt.Time, null);
     }
 
-    /// <summary>Advances all balls in equal steps until an event or a time.</summary>
-    /// <param name="states">The balls, as many as the group has, all of one time. After an early end they are as they were just after the event.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last one is shortened.</param>
-    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
-    /// <param name="stopAt">The event that ends the run: the first impact of any ball; or rest, of all of them, at the end of a step.</param>
-    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
-    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <summary>Advances all balls in equal steps until an event or for a given time.</summary>
+    /// <param name="states">The balls: one state per ball, all at the same time. If an event ends the run, these are the states just after
+    /// it.</param>
+    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
+    /// shortened.</param>
+    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="stopAt">The event that ends the run: the first impact of any ball, or rest of all balls at the end of a step.</param>
+    /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
+    /// observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Steps all balls until an event or a time, and calls back after every step.</summary>
+    /// <summary>Advances all balls until an event or for a given time, and calls back after every step.</summary>
     /// <param name="states">The balls, as in the other overload.</param>
     /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
-    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
-    /// <param name="log">Where the events of all are added, in order of time, then of the balls, and the counts.</param>
-    /// <param name="afterStep">Called after every step, when the states are those at its end; null: nobody is.</param>
-    /// <returns>True when the event ended the run, false when its time did.</returns>
-    /// <exception cref="ArgumentNullException">States or log are null.</exception>
-    /// <exception cref="ArgumentException">The states are not as many as the balls, or not of one time, or one was never launched; or the log has an observer.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
+    /// <param name="afterStep">Called after every step, when the states are those at its end; null for no callback.</param>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
+    /// <exception cref="ArgumentNullException">The states or the log are null.</exception>
+    /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
+    /// observer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
+    /// range.</exception>
     public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log, Action? afterStep)
     {
         Check.Given(nameof(states), states);
@@ -139,14 +154,14 @@ public sealed partial class BallGroup
         return Run(states, timeStep, duration, stopAt, log, null, afterStep is null ? null : (in BallState _) => afterStep());
     }
 
-    /// <summary>Runs the balls with logs that watch their paths, and a callback after every step.</summary>
+    /// <summary>Runs the balls with logs that observe their paths, and a callback after every step.</summary>
     internal bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog[] watched, Simulator.StepCallback? onStep) =>
         Run(states, timeStep, duration, stopAt, null, watched, onStep);
 
     private bool Run(
         BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog? log, StepLog[]? watched, Simulator.StepCallback? onStep)
     {
-        // At least one step is asked for, which refuses what is wrong with the states.
+        // Take at least one step, because it validates the states.
         double end = (states.Length > 0 ? states[0].Time : 0) + duration;
         double last = end - (1e-9 * timeStep);
         do
@@ -163,8 +178,8 @@ public sealed partial class BallGroup
         return false;
     }
 
-    /// <summary>The compiled scene of a ball.</summary>
-    /// <param name="ball">Which, from 0.</param>
+    /// <summary>Returns the compiled scene of a ball.</summary>
+    /// <param name="ball">Index of the ball.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public Simulator SimulatorOf(int ball)
     {
@@ -201,19 +216,20 @@ public sealed partial class BallGroup
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
 
-        // One ball takes its own step, without bookkeeping.
+        // A single ball takes its own step without bookkeeping.
         if (Count == 1 && log is not null)
         {
             return _mayThrow ? TryAlone(ref states[0], dt, log, stopAt) : StepAlone(ref states[0], dt, log, stopAt);
         }
 
-        // To go back to, where balls may meet or a force throws.
+        // Save the states: they are restored if a custom force throws, and used to repeat steps in which balls may collide.
         _motions.Begin();
         bool ended;
         Array.Copy(states, _before, Count);
         try
         {
-            // 0. What lies on each other. 1. Every other ball as if there were no other. 2. The neighbours that may have met. 3. Those again, meeting by meeting.
+            // Find the piles, step every other ball alone, find the neighbours that may collide, and repeat the steps of those with
+            // contacts.
             FindPiles(dt);
             bool pushes = Fly(states, dt, stopAt, out bool holds, out bool again);
             if (!holds)
@@ -270,7 +286,7 @@ public sealed partial class BallGroup
                 same++;
             }
 
-            // What an impact moves is one thing to all of them.
+            // All balls share the motions of pushed objects.
             Scene its = scene with { Ball = balls[i], Motions = i > 0 ? all[0].World.Obstacles : null };
             all[i] = same < i ? all[same] : new Simulator(its, settings);
         }

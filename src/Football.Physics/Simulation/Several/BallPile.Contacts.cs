@@ -6,7 +6,7 @@ internal sealed partial class BallPile
     /// <summary>Finds all contacts within reach.</summary>
     private void Find(BallState[] states, double reach, double h)
     {
-        // What the last part found is where the next one begins.
+        // Keep the contacts of the previous part for the warm start.
         (_last, _solver.Contacts) = (_solver.Contacts, _last);
         _lastCount = _solver.ContactCount;
         _solver.ContactCount = 0;
@@ -17,7 +17,7 @@ internal sealed partial class BallPile
             ref readonly BallState s = ref states[member.Ball];
             World world = _simulators[member.Ball].World;
 
-            // What moves comes to the ball as well.
+            // A moving object also approaches the ball, so widen the search by its path.
             double far = reach + (world.Moves ? h * world.FastestMover : 0);
             Span<Contact> near = ContactSet.Near(world, in s, far, room, world.Room);
             member.FirstContact = _solver.ContactCount;
@@ -53,7 +53,8 @@ internal sealed partial class BallPile
             MovesNow = !BallRests.Bears(in near, collider),
             Normal = near.Normal,
 
-            // On a surface that turns: the velocity where the part ends. With the one at its start, a ball that grips would slip by |Ω × v| h.
+            // On a rotating surface, use the velocity at the end of the part. With that at the start, a gripping ball would slip by |Ω × v|
+            // h.
             Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), s.Time + h),
             Gap = Math.Max(0, near.Gap),
             NormalMass = 1.0 / member.PerMass,
@@ -94,7 +95,7 @@ internal sealed partial class BallPile
         int first = 0;
         for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
         {
-            // Both are in the order of the first balls; those of one ball are few.
+            // Both lists are in the order of the first ball, and each ball has few contacts, so scan them in parallel.
             ref PileContact contact = ref _solver.Contacts[i];
             while (first < _lastCount && _last[first].First < contact.First)
             {

@@ -47,7 +47,7 @@ internal sealed partial class BallPile
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
         }
 
-        // What bore the balls in the last part does so about as much.
+        // Warm start: the loads are about those of the previous part.
         double last = _length > 0 ? RestPart / _length : 0;
         Find(states, Leaning, 0);
         Continue(last);

@@ -113,7 +113,7 @@ internal sealed partial class BallPile
     {
         BallProperties its = _simulators[ball].Scene.Ball;
 
-        // In the pile its spin is a vector, as on the ground.
+        // In a pile the spin is a full vector, as on the ground.
         Vector3d spin = s.Spin;
         s.SetGroundSpin(in spin);
         s.ClearUntil = 0;
@@ -200,13 +200,13 @@ internal sealed partial class BallPile
             return false;
         }
 
-        // The forces at the start are known then.
+        // The forces at the start are already computed.
         for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
         {
             _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - 1e-6));
         }
 
-        // What is left in equal parts.
+        // Divide the rest of the step into equal parts.
         double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
         double h = left / parts;
         double top = 0;
@@ -241,7 +241,7 @@ internal sealed partial class BallPile
         bool warm = Continue(_length > 0 ? h / _length : 0);
         _solver.Solve(h, warm ? NextRounds : FirstRounds, Settled * pull);
 
-        // Straight on by the new velocity where something bears a ball; else by the mean, as it flies.
+        // A ball with a load moves at its new velocity; a ball in flight moves at the mean of both.
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -294,14 +294,14 @@ internal sealed partial class BallPile
             _whole.Move(states, duration, time < Until, time, logs);
             Time = time;
 
-            // What bears them, for those who ask.
+            // Find the contacts and their loads for later queries.
             Find(states, Leaning, 0);
             _whole.Load(duration);
             _overlaps.PutApart(states, duration);
             return;
         }
 
-        // v and ω are linear in a part, so also where it is cut short.
+        // v and ω are linear in time within a part, so a shortened part is interpolated.
         double share = time < Until ? duration / h : 1.0;
         for (int i = 0; i < Count; i++)
         {
@@ -316,7 +316,7 @@ internal sealed partial class BallPile
         Time = time;
         _overlaps.PutApart(states, duration);
 
-        // The path leads to where there is room for the ball, not into the objects that it was put out of. Only End knows where the step ends.
+        // Report the path to the final position, after overlaps are resolved. Only End determines the position at the end of the step.
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -347,13 +347,13 @@ internal sealed partial class BallPile
                 _simulators[ball].Pile.Release(ref states[ball], collider, logs[ball]);
             }
 
-            // Onto one thing it may have been put into another.
+            // Projecting the ball onto one surface may have pushed it into another.
             _overlaps.KeepOut(i, states);
         }
 
         if (!rests && _overlaps.Deepest(states) > Leaning)
         {
-            // Onto what carries them they may have been put into each other.
+            // Projecting the balls onto their carriers may have pushed them into each other.
             _overlaps.PutApart(states, 0);
         }
 
@@ -389,7 +389,7 @@ internal sealed partial class BallPile
         Vector3d none = Vector3d.Zero;
         log.Show(in start, in end, in none, in none, 4);
 
-        // A path whose memory is full ends a step early, not the pile.
+        // A path with a full buffer ends its own step early, but not the pile's.
         log.Halted = false;
     }
 }

@@ -61,7 +61,7 @@ internal sealed class BallRests
 
         for (int i = 0; i < states.Length; i++)
         {
-            // A ball that it touched is not there any more, or not at rest, or an object there has moved: all that lie with it may move.
+            // A ball of the pile was removed or woke, or an object there has moved: all balls of the pile may move.
             if (_keys[i] != 0 && _keys[i] != states[i].ClearIn)
             {
                 _isPile[RootOf(i)] = true;

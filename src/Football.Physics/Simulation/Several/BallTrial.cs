@@ -53,7 +53,7 @@ internal sealed class BallTrial : PieceObserver
         simulator.Advance(ref End, duration, Log);
         HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
 
-        // Where it was put at the end without a piece, as out of an overlap, counts as well.
+        // Include a displacement at the end without a piece, such as one out of an overlap.
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
@@ -144,7 +144,7 @@ internal sealed class BallTrial : PieceObserver
             index++;
         }
 
-        // Between pieces, and after the last, it stays where it is.
+        // Between pieces, and after the last one, the ball stays at its position.
         bool isOn = index < _count && time >= _times[index];
         start = isOn ? _times[index] : time;
         until = isOn ? _times[index] + _paths[index].Length : index < _count ? _times[index] : double.PositiveInfinity;
@@ -164,7 +164,7 @@ internal sealed class BallTrial : PieceObserver
         double time = from;
         while (time < until || (atEnd && time == until))
         {
-            // Two cubics, up to the earlier of their ends: over that the relative acceleration has one bound.
+            // Take both cubics up to the earlier end: over that time one bound of the relative acceleration holds.
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
@@ -181,7 +181,7 @@ internal sealed class BallTrial : PieceObserver
                     return time;
                 }
 
-                // The gap bends down by the relative acceleration at most: nothing can happen before f + f' s − ½ M s² = 0.
+                // The relative acceleration M bounds the bend of the gap, so no contact occurs before f + f' s − ½ M s² = 0.
                 double room = Math.Max(0, gap);
                 double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
                 double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;

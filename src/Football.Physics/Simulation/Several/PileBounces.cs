@@ -34,7 +34,7 @@ internal sealed class PileBounces
     /// <returns>Whether anything did.</returns>
     public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
-        // As many as there are contacts, and eight, at an instant; and in a step so many for each ball.
+        // At most the number of contacts plus eight at one instant, and eight per ball and step.
         int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
         bool bounced = false;
         for (int done = 0; done < most; done++)
@@ -74,7 +74,7 @@ internal sealed class PileBounces
             return double.PositiveInfinity;
         }
 
-        // e u_n, what it would leave with.
+        // The exit speed, e u_n.
         ContactMaterial material = contact.Second < 0 ? world.Colliders[contact.Collider].MaterialAt(states[a.Ball].Position) : _material;
         double e = material.LargestRestitutionAt(closing);
         return Math.Max(e * closing, material.MinimumExitSpeed) >= least ? contact.Gap / closing : double.PositiveInfinity;
@@ -98,7 +98,7 @@ internal sealed class PileBounces
             return;
         }
 
-        // Against what is pushed too: in a pile it stands as firm as the pile.
+        // Treat an object with a mass as immovable too: against a pile it does not recoil.
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         Collider hit = simulator.World.Colliders[contact.Collider];

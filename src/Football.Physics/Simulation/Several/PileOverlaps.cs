@@ -89,7 +89,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         for (int round = 0; round < MostWays; round++)
         {
-            // Between walls at a small angle each round of projections gains little.
+            // Repeat: between walls at a small angle, each round of projections gains little.
             Span<Contact> near = ContactSet.Near(world, in s, 0, room, world.Room);
             if (!IsInside(near))
             {
@@ -159,12 +159,12 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 
                     if (world.IsLevel && collider == world.Ground)
                     {
-                        // Heights of a ball on level ground are exact.
+                        // Set the exact height of a ball on level ground.
                         s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
                     }
                 }
 
-                // All movers together put it out no faster than one.
+                // Limit the total displacement by all movers to that of a single one.
                 double way = (s.Position - from).Length;
                 s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
             }

@@ -56,7 +56,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
                     continue;
                 }
 
-                // The first one shares it as soon as there is a second one.
+                // The first ball shares the object as soon as there is a second one.
                 found |= first >= 0 && (!_shares[first] || !_shares[i]);
                 if (first >= 0)
                 {

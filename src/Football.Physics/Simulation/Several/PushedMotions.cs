@@ -68,7 +68,7 @@ internal sealed class PushedMotions(World world)
         {
             if (_before[m].Velocity != _after[m].Velocity)
             {
-                // All that it sweeps until the end, pushed and not pushed.
+                // The volume swept until the end, with and without the push.
                 Bounds3d box = world.BoundsOfMover(m, time, end - time);
                 box = box.Union(box.Translated((end - time) * _before[m].Velocity)).Union(box.Translated((end - time) * _after[m].Velocity));
                 meets = box.Expanded(reach).Intersects(new Bounds3d(position, position));
@@ -99,7 +99,8 @@ internal sealed class PushedMotions(World world)
             Vector3d change = _after[_next].Velocity - _first[_next].Velocity;
             if (change != Vector3d.Zero)
             {
-                // The motion after the push, as if it had always been so. At any time the object is or would be at most |ΔV| dt away; twice that, for pushes to and fro.
+                // Bound the position by the motion after the push, extended over the step. It is at most |ΔV| dt off; double that for
+                // opposing pushes.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
                 box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length);
                 _next++;
