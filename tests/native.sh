@@ -30,7 +30,10 @@ quietly() {
 # --- the library
 
 start=$SECONDS
-quietly "build.sh" src/Football.Physics.Native/build.sh "$work/prefix"
+# DIR is relative, as on the page.
+cd "$work"
+quietly "build.sh" "$root/src/Football.Physics.Native/build.sh" prefix
+cd "$root"
 if grep -qE 'warning (IL|AOT)' "$log"; then fail "build.sh has warnings"; fi
 library=$work/prefix/lib/libfootball_physics.so
 kib=$(( $(stat -c %s "$library") / 1024 ))
@@ -90,7 +93,7 @@ ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the
 cd "$work"
 "$work/venv/bin/python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
 ok "tests/Python: $(grep -E '^Ran ' "$log")"
-"$work/venv/bin/python" "$root/tests/Python/pages.py" "$root/docs/python.md" > "$work/said" 2> "$log" || fail "docs/python.md"
+"$work/venv/bin/python" "$root/tests/Python/pages.py" "$root/docs/data-sets.md#Python" > "$work/said" 2> "$log" || fail "docs/data-sets.md, Python"
 ok "$(tail -n 1 "$work/said")"
 "$work/venv/bin/python" "$root/src/Football.Physics.Python/examples/free_kick.py" 150 > "$work/said" 2> "$log" || fail "examples/free_kick.py"
 [[ -s free_kick.svg ]] || fail "examples/free_kick.py draws nothing"

@@ -83,7 +83,14 @@ internal sealed class SitePage
         }
     }
 
-    private static string FileOf(string source) => source == "README.md" ? "index.html" : Path.GetFileNameWithoutExtension(source) + ".html";
+    /// <summary>The page that lists all others.</summary>
+    public const string ContentsSource = "docs/contents.md";
+
+    /// <summary>The folder of the pages for contributors.</summary>
+    public const string Internals = "docs/internals/";
+
+    private static string FileOf(string source) => source == "README.md" ? "index.html"
+        : (source.StartsWith(Internals, StringComparison.Ordinal) ? "internals-" : "") + Path.GetFileNameWithoutExtension(source) + ".html";
 
     private static string Words(ContainerInline inlines) => string.Concat(inlines.Descendants().Select(inline => inline switch
     {

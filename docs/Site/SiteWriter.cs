@@ -14,9 +14,8 @@ internal static partial class SiteWriter
     /// <param name="folder">Where the site goes.</param>
     public static IReadOnlyList<string> Write(string repository, string folder)
     {
-        string readme = Read(repository, "README.md");
-        // In the order of the README's last list, which is for readers; what stands in a sentence before it has its place there too.
-        string[] sources = ["README.md", .. Linked().Matches(readme).Select(match => match.Groups[1].Value).Reverse().Distinct().Reverse()];
+        // The page of contents gives the order.
+        string[] sources = ["README.md", SitePage.ContentsSource, .. Linked().Matches(Read(repository, SitePage.ContentsSource)).Select(match => "docs/" + match.Groups[1].Value).Distinct()];
         string[] reference = Read(repository, SitePage.Api).Split("\n## ");
         var types = reference.Skip(1).Select(part => SitePage.AddressOf(part.Split('\n')[0])).ToHashSet();
         SitePage[] pages = [.. sources.Select(source => new SitePage(source, source == SitePage.Api ? reference[0] : Read(repository, source), types))];
@@ -31,7 +30,7 @@ internal static partial class SiteWriter
         {
             string written = frame
                 .Replace("{{title}}", WebUtility.HtmlEncode(page.Title), StringComparison.Ordinal)
-                .Replace("{{pages}}", string.Concat(pages.Select(other => Entry(other, page))), StringComparison.Ordinal)
+                .Replace("{{pages}}", Menu(pages, page), StringComparison.Ordinal)
                 .Replace("{{first}}", page.File == "index.html" ? Asset("first.html") : "", StringComparison.Ordinal)
                 .Replace("{{contents}}", Contents(page), StringComparison.Ordinal)
                 .Replace("{{version}}", typeof(Ball).Assembly.GetName().Version!.ToString(3), StringComparison.Ordinal)
@@ -48,6 +47,14 @@ internal static partial class SiteWriter
         File.WriteAllText(Path.Combine(folder, "style.css"), Asset("style.css"));
         File.WriteAllText(Path.Combine(folder, "search.js"), $"const SECTIONS = {Index(all)};\n{Asset("search.js")}");
         return [.. pages.Select(page => page.File)];
+    }
+
+    /// <summary>Links to all pages; those for contributors follow under a heading.</summary>
+    private static string Menu(SitePage[] pages, SitePage current)
+    {
+        int guides = pages.Count(page => !page.Source.StartsWith(SitePage.Internals, StringComparison.Ordinal));
+        return string.Concat(pages.Take(guides).Select(page => Entry(page, current))) + "<p>Internals</p>\n"
+            + string.Concat(pages.Skip(guides).Select(page => Entry(page, current)));
     }
 
     private static string Entry(SitePage page, SitePage current) =>
@@ -76,6 +83,6 @@ internal static partial class SiteWriter
         return new StreamReader(asset, Encoding.UTF8).ReadToEnd();
     }
 
-    [GeneratedRegex(@"\]\((docs/[a-z-]+\.md)")]
+    [GeneratedRegex(@"\]\(((?:internals/)?[a-z-]+\.md)")]
     private static partial Regex Linked();
 }

@@ -15,6 +15,13 @@ HERE = pathlib.Path(__file__).parent
 TIME = (2026, 1, 1, 0, 0, 0)
 
 
+def description() -> str:
+    """The Python section of the page about data sets, as a page of its own."""
+    page = (HERE.parents[1] / "docs" / "data-sets.md").read_text(encoding="utf-8")
+    section = page[page.index("\n## Python\n") + 1:]
+    return re.sub(r"^#(#+ )", r"\1", section, flags=re.M)
+
+
 def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
     version = re.search(r"<VersionPrefix>(.*)</VersionPrefix>", (HERE.parents[1] / "Directory.Build.props").read_text(encoding="utf-8")).group(1)
     tag = "py3-none-" + (platform or sysconfig.get_platform()).replace("-", "_").replace(".", "_")
@@ -24,7 +31,7 @@ def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: football-physics\nVersion: {version}\nSummary: The flight, bounce and roll of a football.\n"
         "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\nDescription-Content-Type: text/markdown\n\n"
-    ).encode() + (HERE.parents[1] / "docs" / "python.md").read_bytes()
+    ).encode() + description().encode()
     files[f"{info}/LICENSE"] = (HERE.parents[1] / "LICENSE").read_bytes()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: build_wheel.py\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
     record = [f"{name},sha256={base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b'=').decode()},{len(data)}" for name, data in files.items()]

@@ -4,10 +4,10 @@ using System.Text.Json;
 
 namespace FootballPhysics.Labs.Tests;
 
-/// <summary>The tables of the page on accuracy and speed are what its commands print: the lab's errors, and the rows of docs/benchmarks.md.</summary>
+/// <summary>The tables of the page on accuracy and speed are what its commands print: the lab's errors, and the rows of docs/internals/benchmarks.md.</summary>
 public sealed class ReadmeTests
 {
-    private const string Page = "docs/accuracy-and-speed.md";
+    private const string Page = "docs/internals/accuracy.md";
 
     [Fact]
     public void Its_errors_are_those_of_the_lab()
@@ -34,7 +34,7 @@ public sealed class ReadmeTests
     [Fact]
     public void Its_times_are_those_of_the_page_of_benchmarks()
     {
-        string[][] rows = [.. RepositoryFiles.Text("docs/benchmarks.md").Split('\n').Where(line => line.StartsWith('|')).Select(line => line.Split('|').Select(cell => cell.Trim()).ToArray())];
+        string[][] rows = [.. RepositoryFiles.Text("docs/internals/benchmarks.md").Split('\n').Where(line => line.StartsWith('|')).Select(line => line.Split('|').Select(cell => cell.Trim()).ToArray())];
         var table = new StringBuilder("\n| | ns | ratio | reach | | error | thesis (Unity) |\n|---|--:|--:|--:|---|--:|--:|\n");
         foreach (string name in new[] { "RK2", "RK4" }.Select(method => $"a kick from foot to rest at 60 Hz, {method}, of a flight step"))
         {
@@ -52,7 +52,7 @@ public sealed class ReadmeTests
             table.Append(CultureInfo.InvariantCulture, $"| {name} | {row[2]} | {row[4]} | {row[5]} | {row[6]} | {row[8]} | {row[9]} |\n");
         }
 
-        RepositoryFiles.AssertBetween(Page, "<!-- times, from docs/benchmarks.md -->\n", "\n<!-- /times -->", table.ToString());
+        RepositoryFiles.AssertBetween(Page, "<!-- times, from docs/internals/benchmarks.md -->\n", "\n<!-- /times -->", table.ToString());
     }
 
     private static JsonElement Rows(string lab) => FootballCommand.Run("", "lab", lab).Result.GetProperty("tables")[0].GetProperty("rows");

@@ -7,7 +7,7 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace FootballPhysics.Package.Tests;
 
 /// <summary>
-/// Compiles and runs every C# block of README.md and docs/. A block is a program of its own; <c>csharp continued</c> goes on where
+/// Compiles and runs every C# block of README.md, CONTRIBUTING.md, docs/ and docs/internals/. A block is a program of its own; <c>csharp continued</c> goes on where
 /// the block before it ended; <c>csharp unity</c> and <c>csharp godot</c> are classes for the engine's project and are compiled against
 /// the shims. A <c>text</c> block right after a program is what it prints.
 /// </summary>
@@ -17,7 +17,7 @@ public sealed class DocTests
     private static readonly string[] s_usings = ["System", "System.Collections.Generic", "System.IO", "System.Linq", "System.Threading", "System.Threading.Tasks"];
 
     public static TheoryData<string> Pages =>
-        [.. Files().Where(page => Blocks(page).Count > 0)];
+        [.. Repository.Pages.Where(page => Blocks(page).Count > 0)];
 
     [Theory]
     [MemberData(nameof(Pages))]
@@ -53,11 +53,14 @@ public sealed class DocTests
     }
 
     [Fact]
-    public void Every_page_is_linked_from_the_README_and_no_link_is_dead()
+    public void Every_page_is_linked_from_the_page_of_contents_and_no_link_is_dead()
     {
-        string readme = Repository.Text("README.md");
-        Assert.All(Files().Skip(1), page => Assert.Contains($"]({page})", readme));
-        foreach (string page in Files())
+        const string Contents = "docs/contents.md";
+        string contents = Repository.Text(Contents);
+        Assert.Contains($"]({Contents})", Repository.Text("README.md"));
+        Assert.All(Repository.Pages.Where(page => page.StartsWith("docs/", StringComparison.Ordinal) && page != Contents), page => Assert.Contains($"]({page["docs/".Length..]})", contents));
+
+        foreach (string page in Repository.Pages)
         {
             string folder = Path.GetDirectoryName(page)!;
             foreach (Markdig.Syntax.Inlines.LinkInline link in Markdown.Parse(Repository.Text(page)).Descendants<Markdig.Syntax.Inlines.LinkInline>())
@@ -70,10 +73,6 @@ public sealed class DocTests
             }
         }
     }
-
-    private static IEnumerable<string> Files() =>
-        new[] { "README.md" }.Concat(Directory.GetFiles(Path.Combine(Repository.Root, "docs"), "*.md")
-            .Select(file => "docs/" + Path.GetFileName(file)).Order(StringComparer.Ordinal));
 
     private static List<Block> Blocks(string page)
     {

@@ -11,6 +11,14 @@ internal static class Repository
     public static string Root { get; } = Path.GetFullPath(
         typeof(Repository).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().First(a => a.Key == "Repository").Value!);
 
+    /// <summary>README.md, CONTRIBUTING.md, and the pages of docs/ and docs/internals/, with slashes.</summary>
+    public static IReadOnlyList<string> Pages { get; } =
+    [
+        "README.md",
+        "CONTRIBUTING.md",
+        .. new[] { "docs", "docs/internals" }.SelectMany(folder => Directory.GetFiles(Path.Combine(Root, folder), "*.md").Select(file => $"{folder}/{Path.GetFileName(file)}").Order(StringComparer.Ordinal)),
+    ];
+
     public static string Text(string path) => File.ReadAllText(Path.Combine(Root, path)).ReplaceLineEndings("\n");
 
     /// <summary>Holds a file to what it must be, or makes it so.</summary>

@@ -1,8 +1,8 @@
 """Runs the programs of a page of the docs, and compares what they print with the text block after them.
 
-    pages.py PAGE                 its python blocks, each a program of its own
-    pages.py --c PAGE PREFIX      its c blocks: whole programs, against the library in PREFIX
-With FOOTBALL_REGENERATE=1 the page is made to say what they print.
+    pages.py PAGE[#HEADING]       the python blocks of the page, or of the section from HEADING to the end; each is a complete program
+    pages.py --c PAGE PREFIX      the c blocks, complete programs too, linked with the library in PREFIX
+With FOOTBALL_REGENERATE=1, the output is written into the page instead.
 """
 
 import os
@@ -13,9 +13,11 @@ import sys
 import tempfile
 
 is_c = sys.argv[1] == "--c"
-page = pathlib.Path(sys.argv[2 if is_c else 1])
+path, _, heading = sys.argv[2 if is_c else 1].partition("#")
+page = pathlib.Path(path)
+start = page.read_text(encoding="utf-8").index(f"\n## {heading}\n") if heading else 0
 kind = "c" if is_c else "python"
-blocks = re.findall(rf"```{kind}\n(.*?)```\n(?:\n```text\n(.*?)```)?", page.read_text(encoding="utf-8"), re.S)
+blocks = re.findall(rf"```{kind}\n(.*?)```\n(?:\n```text\n(.*?)```)?", page.read_text(encoding="utf-8")[start:], re.S)
 if not blocks:
     sys.exit(f"{page} has no {kind} block")
 with tempfile.TemporaryDirectory() as folder:
@@ -31,8 +33,8 @@ with tempfile.TemporaryDirectory() as folder:
         said = subprocess.run(command, check=True, capture_output=True, text=True, cwd=folder).stdout
         if os.environ.get("FOOTBALL_REGENERATE") == "1":
             text = page.read_text(encoding="utf-8")
-            end = text.index(code) + len(code)
+            end = text.index(code, start) + len(code)
             page.write_text(text[:end] + text[end:].replace(f"```text\n{expected}```", f"```text\n{said}```", 1), encoding="utf-8")
         elif said.strip() != expected.strip():
-            sys.exit(f"{page.name}, {kind} block {i + 1} prints\n{said}and the page says\n{expected}")
-print(f"docs/{page.name}: {len(blocks)} {kind} programs run, and print what the page says")
+            sys.exit(f"{page.name}, {kind} block {i + 1} prints\n{said}but the page contains\n{expected}")
+print(f"docs/{page.name}: {len(blocks)} {kind} programs run and print the output on the page")

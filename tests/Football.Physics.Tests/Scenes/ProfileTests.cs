@@ -5,7 +5,7 @@ namespace FootballPhysics.Tests.Scenes;
 /// <summary>What the two profiles are, and where they stand.</summary>
 public sealed class ProfileTests
 {
-    private const string Page = "docs/profiles.md";
+    private const string Page = "docs/internals/evidence.md";
 
     [Fact]
     public void Whatever_is_given_no_scene_has_the_measured_one()
