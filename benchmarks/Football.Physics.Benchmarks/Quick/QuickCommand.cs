@@ -59,6 +59,7 @@ internal static class QuickCommand
         Print(text, "Fast shots: 24 m/s, 20 to 30 rad/s; mixed shots: 12 to 27 m/s, 0 to 25 rad/s, on both branches of the drag law. Bytes: allocated by one operation.");
 
         IReadOnlyList<KickRow> kicks = [.. KickTable.Rows.Where(row => Wanted("Kick: " + row.Name, only))];
+        var mixtures = MixtureTable.Rows.Where(row => Wanted("Scene contains: " + row.Name, only)).ToArray();
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<FreeRow> free = [.. FreeTable.Rows.Where(row => Wanted(row.Name, only))];
         IReadOnlyList<PredictionRow> predictions = [.. PredictionTable.Rows.Where(row => Wanted("Prediction: " + row.Name, only))];
@@ -66,10 +67,15 @@ internal static class QuickCommand
         IReadOnlyList<ContactRow> contacts = [.. ContactTable.Rows.Where(row => Wanted("Contact: " + row.Name, only))];
         IReadOnlyList<GroupRow> groups = [.. GroupTable.Rows.Where(row => Wanted("Group: " + row.Name, only))];
         IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> heaps = [.. HeapTable.Rows.Where(row => Wanted("Heap: " + row.Name, only))];
-        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count + groups.Count);
+        double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count + groups.Count + mixtures.Length);
         if (kicks.Count > 0)
         {
             KickTable.Print(line => Print(text, line), kicks, share);
+        }
+
+        if (mixtures.Length > 0)
+        {
+            MixtureTable.Print(line => Print(text, line), mixtures, share);
         }
 
         if (targets.Count > 0)

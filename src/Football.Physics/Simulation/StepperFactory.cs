@@ -29,19 +29,23 @@ internal static class StepperFactory
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
+        // An absent or constant force is data of the table law: all mixtures run the code of the full scene. Only the fitted laws of the published
+        // profile have no constant form; a mixture of these with constants, and scaled laws, evaluate each law point by point.
         ForceSet forces = scene.Forces;
-        bool mixes = scene.HasOwnForces || forces.Drag != forces.Magnus || forces.Magnus != forces.SpinDecay;
-
-        // Choose the measured law in a wind field, the general model for any mixture, or a model with a single law.
-        return (mixes, air.Varies, forces.Drag, forces.Coefficients) switch
+        bool fits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
+        bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
+        bool acts = forces.Drag != ForceLaw.None || forces.Magnus != ForceLaw.None || forces.SpinDecay != ForceLaw.None;
+        bool isMeasured = MeasuredLaw.Covers(forces);
+        return (scene.HasOwnForces, air.Varies, forces.Coefficients) switch
         {
-            (false, true, ForceLaw.Empirical, AerodynamicModel.Measured) => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
-            (true, _, _, _) or (_, true, _, _) => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
-            (_, _, ForceLaw.None, _) => Of<NoAir, TIntegrator>(scene, settings, in air, default),
-            (_, _, ForceLaw.Constant, _) => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
-            (_, _, _, AerodynamicModel.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
-            (_, _, _, AerodynamicModel.Regularized) => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
-            _ => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
+            (false, true, _) when isMeasured => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
+            (true, _, _) or (_, true, _) => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
+            _ when !acts => Of<NoAir, TIntegrator>(scene, settings, in air, default),
+            _ when isMeasured => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
+            _ when !fits && forces.SpinDecay != ForceLaw.Empirical => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
+            _ when hasConstants || !fits => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
+            (_, _, AerodynamicModel.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
+            _ => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
         };
     }
 

@@ -7,10 +7,10 @@ internal struct ConstantDrag : IAirLaw
 
     public readonly RateBound Bound => new(_k, 0, 0);
 
-    public void Prepare(Scene scene)
-    {
-        _k = AirScale.DynamicArea(scene) * scene.Forces.DragCoefficient;
-    }
+    /// <summary>½ ρ C_D A / m, 1/m.</summary>
+    public static double Scale(Scene scene) => AirScale.DynamicArea(scene) * scene.Forces.DragCoefficient;
+
+    public void Prepare(Scene scene) => _k = Scale(scene);
 
     // D = ½ ρ C_D A |u| / m
     public readonly double Factor(in AirFlow flow) => _k * flow.Speed;
@@ -23,11 +23,14 @@ internal struct ConstantMagnus : IAirLaw
 
     public readonly RateBound Bound => new(0, Math.Abs(_k), 0);
 
-    public void Prepare(Scene scene)
+    /// <summary>C_M π ρ r³ / m.</summary>
+    public static double Scale(Scene scene)
     {
         double r = scene.Ball.Radius;
-        _k = scene.Forces.MagnusCoefficient * Math.PI * scene.Air.Density * r * r * r / scene.Ball.Mass;
+        return scene.Forces.MagnusCoefficient * Math.PI * scene.Air.Density * r * r * r / scene.Ball.Mass;
     }
+
+    public void Prepare(Scene scene) => _k = Scale(scene);
 
     // L = C_M π ρ r³ |ω| / m
     public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;
@@ -40,10 +43,10 @@ internal struct ConstantSpinDecay : IAirLaw
 
     public readonly RateBound Bound => new(0, 0, _k);
 
-    public void Prepare(Scene scene)
-    {
-        _k = scene.Forces.SpinDecayCoefficient / scene.Ball.MomentOfInertia;
-    }
+    /// <summary>k / I, 1/s.</summary>
+    public static double Scale(Scene scene) => scene.Forces.SpinDecayCoefficient / scene.Ball.MomentOfInertia;
+
+    public void Prepare(Scene scene) => _k = Scale(scene);
 
     // ω̇ = −k ω / I
     public readonly double Factor(in AirFlow flow) => _k * flow.SpinRate;

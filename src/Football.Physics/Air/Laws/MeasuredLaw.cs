@@ -3,11 +3,14 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
-/// <remarks>Functions of the Reynolds number replace those of speed, so that a ball has the same tables in any weather.</remarks>
+/// <remarks>
+/// Functions of the Reynolds number replace those of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
+/// coefficient is data of this law as well: its functions become the constant 1, and its scale the coefficient or 0. Every mixture runs the same code.
+/// </remarks>
 internal struct MeasuredLaw : ITableLaw
 {
-    /// <summary>The tables of each drag curve, as long as the curve is reachable.</summary>
-    private static readonly ConditionalWeakTable<DragCurve, LawTables> Shared = new();
+    /// <summary>The tables of each drag curve, as long as the curve is reachable: with no constant coefficient, constant drag, constant lift, and both.</summary>
+    private static readonly ConditionalWeakTable<DragCurve, LawTables>[] Shared = [new(), new(), new(), new()];
 
     /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
     private static readonly Octaves Reynolds = new(24, 44, 6);
@@ -18,7 +21,10 @@ internal struct MeasuredLaw : ITableLaw
     private DragCurve _curve;
     private ReynoldsDrag _drag;
     private ProportionalSpinDecay _decay;
-    private double _k; // ½ ρ A / m, 1/m
+    private double _ofDrag; // ½ ρ A / m, times C_D if this is constant; 0 without drag; 1/m
+    private double _ofLift; // ½ ρ A r / m, or C_M π ρ r³ / m; 0 without lift
+    private bool _constantDrag;
+    private bool _constantLift;
     private double _radius;
     private double _perSpeed; // 2r/ν, s/m
 
@@ -43,28 +49,48 @@ internal struct MeasuredLaw : ITableLaw
         get => _perSpeed;
     }
 
-    public readonly LawTables Tables =>
+    public readonly LawTables Tables
+    {
+        get
+        {
+            // The tables depend on the curve and the constant coefficients: they contain no cut-off of a scene.
+            MeasuredLaw law = new() { _constantDrag = _constantDrag, _constantLift = _constantLift, _largest = double.PositiveInfinity };
+            return Shared[(_constantDrag ? 1 : 0) + (_constantLift ? 2 : 0)].GetValue(_curve, curve => law.TablesOf(curve));
+        }
+    }
 
-        // The tables depend on the curve alone: they contain no cut-off of a scene.
-        Shared.GetValue(_curve, static curve => new LawTables(new MeasuredLaw { _drag = new ReynoldsDrag(curve), _largest = double.PositiveInfinity }, Reynolds, Crisis));
-
-    // C_L |u| ≤ L |u|
-    public readonly RateBound LiftBound => new(_k * SaturatingLift.Limit, 0, 0);
+    // C_L |u| ≤ L |u|, or C_M π ρ r³/m |ω|
+    public readonly RateBound LiftBound => _constantLift ? new(0, Math.Abs(_ofLift), 0) : new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
 
     public readonly RateBound DecayBound => _decay.Bound;
 
     public readonly RateBound DragBound(double fastest) =>
-        new(_k * (_drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+        new(_ofDrag * (_constantDrag ? 1.0 : _drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+
+    /// <summary>True if this law covers a scene: at least one of its forces is fitted, and the others are fitted, constant or absent.</summary>
+    public static bool Covers(ForceSet forces) =>
+        forces.Coefficients == AerodynamicModel.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical);
 
     public void Prepare(Scene scene)
     {
+        ForceSet forces = scene.Forces;
         _curve = Canonical(scene.Ball.DragCurve);
         _drag = new ReynoldsDrag(_curve);
-        _decay.Prepare(scene);
-        _k = AirScale.DynamicArea(scene);
         _radius = scene.Ball.Radius;
         _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
         _largest = _perSpeed * (2.0 * Limits.Speed);
+        _constantDrag = forces.Drag == ForceLaw.Constant;
+        _constantLift = forces.Magnus == ForceLaw.Constant;
+        double dynamic = AirScale.DynamicArea(scene);
+        _ofDrag = forces.Drag switch { ForceLaw.None => 0, ForceLaw.Constant => ConstantDrag.Scale(scene), _ => dynamic };
+        _ofLift = forces.Magnus switch { ForceLaw.None => 0, ForceLaw.Constant => ConstantMagnus.Scale(scene), _ => dynamic * _radius };
+        _decay.Prepare(scene);
+    }
+
+    private LawTables TablesOf(DragCurve curve)
+    {
+        _drag = new ReynoldsDrag(curve);
+        return new LawTables(this, Reynolds, Crisis);
     }
 
     /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
@@ -74,9 +100,9 @@ internal struct MeasuredLaw : ITableLaw
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
-        factors.First = _drag.Coefficient(Math.Min(speed, _largest));
-        factors.Second = SpinDrag.OfShare(share);
-        factors.Third = SaturatingLift.OfShare(share);
+        factors.First = _constantDrag ? 1 : _drag.Coefficient(Math.Min(speed, _largest));
+        factors.Second = _constantDrag ? 0 : SpinDrag.OfShare(share);
+        factors.Third = _constantLift ? 1 : SaturatingLift.OfShare(share);
         factors.Fourth = 0;
     }
 
@@ -84,7 +110,7 @@ internal struct MeasuredLaw : ITableLaw
     public readonly void OfSpin(double spinParameter, out LawFactors factors)
     {
         factors.First = SpinDrag.OfSpin(spinParameter);
-        factors.Second = SaturatingLift.PerSpin(spinParameter);
+        factors.Second = _constantLift ? 1 : SaturatingLift.PerSpin(spinParameter);
         factors.Third = 0;
         factors.Fourth = 0;
     }
@@ -94,11 +120,11 @@ internal struct MeasuredLaw : ITableLaw
         DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         // D = ½ρA/m |u| C_D
-        double scale = _k * speed;
+        double scale = _ofDrag * speed;
         drag = (scale * bySpeed.First) + (scale * bySpeed.Second * bySpin.First);
 
         // L = ½ρA/m |u|² C_L/(|u| sin) = ½ρA/m r|ω| C_L/S, for S|u| = r|ω| sin and |ω̂ × u| = |u| sin
-        lift = _k * _radius * spinRate * bySpeed.Third * bySpin.Second;
+        lift = _ofLift * spinRate * bySpeed.Third * bySpin.Second;
 
         // |ω|˙ = −(k |u| + ε ρ/1.2) |ω|
         decay = _decay.PerSpin(speed) * spinRate;

@@ -16,8 +16,17 @@ internal struct ProportionalSpinDecay : IAirLaw
 
     public readonly RateBound Bound => new(_perMetre, 0, _atRest);
 
+    /// <summary>Reads the rates of the scene. A constant decay has no share that grows with the speed; without decay both rates are 0.</summary>
     public void Prepare(Scene scene)
     {
+        ForceLaw kind = scene.Forces.SpinDecay;
+        if (kind != ForceLaw.Empirical)
+        {
+            _perMetre = 0;
+            _atRest = kind == ForceLaw.Constant ? ConstantSpinDecay.Scale(scene) : 0;
+            return;
+        }
+
         double r = scene.Ball.Radius;
         _perMetre = Beta * Math.PI * scene.Air.Density * r * r * r * r / scene.Ball.MomentOfInertia;
         _atRest = AtRest * scene.Air.Density / 1.2;

@@ -15,7 +15,8 @@ internal struct PublishedLaw : ITableLaw
     private EmpiricalDrag _drag;
     private EmpiricalMagnus _magnus;
     private EmpiricalSpinDecay _decay;
-    private double _k; // ½ ρ A / m, 1/m
+    private double _ofDrag; // ½ ρ A / m, 1/m; 0 without drag
+    private double _ofLift; // the same; 0 without lift
     private double _atRest; // C_D0
     private double _plate; // torque of a plate at 1 m/s, per I
 
@@ -50,9 +51,11 @@ internal struct PublishedLaw : ITableLaw
         _drag.Prepare(scene);
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
-        _k = AirScale.DynamicArea(scene);
+        double dynamic = AirScale.DynamicArea(scene);
+        _ofDrag = scene.Forces.Drag == ForceLaw.None ? 0 : dynamic;
+        _ofLift = scene.Forces.Magnus == ForceLaw.None ? 0 : dynamic;
         _atRest = FittedDrag.AtRest;
-        _plate = _decay.Plate;
+        _plate = scene.Forces.SpinDecay == ForceLaw.None ? 0 : _decay.Plate;
     }
 
     // C_D without spin; C_D0 − C_D, computed on its own because it vanishes in slow air; |u|^1.8.
@@ -87,9 +90,8 @@ internal struct PublishedLaw : ITableLaw
         }
 
         // D = ½ρA/m |u| C_D,  L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a)
-        double scale = _k * speed;
-        drag = scale * coefficient;
-        lift = deficit > 0 ? scale * bySpin.Second * deficit : 0;
+        drag = _ofDrag * speed * coefficient;
+        lift = deficit > 0 ? _ofLift * speed * bySpin.Second * deficit : 0;
 
         // ω̇ = k (|u + r|ω|/2|^1.8 + |u − r|ω|/2|^1.8)
         decay = _plate * bySpeed.Third * bySpin.Third;

@@ -13,6 +13,8 @@ internal struct RegularisedLaw : ITableLaw
     private EmpiricalMagnus _magnus;
     private EmpiricalSpinDecay _decay;
     private double _k; // ½ ρ A / m, 1/m
+    private double _ofDrag; // 1; 0 without drag
+    private double _ofLift; // 1; 0 without lift
     private double _atRest; // C_D0
     private double _plate; // torque of a plate at 1 m/s, per I
 
@@ -48,8 +50,10 @@ internal struct RegularisedLaw : ITableLaw
         _magnus.Prepare(scene);
         _decay.Prepare(scene);
         _k = AirScale.DynamicArea(scene);
+        _ofDrag = scene.Forces.Drag == ForceLaw.None ? 0 : 1;
+        _ofLift = scene.Forces.Magnus == ForceLaw.None ? 0 : 1;
         _atRest = FittedDrag.AtRest;
-        _plate = _decay.Plate;
+        _plate = scene.Forces.SpinDecay == ForceLaw.None ? 0 : _decay.Plate;
     }
 
     // C_D without spin; the weight of the law with spin by speed; |u|^1.8.
@@ -79,11 +83,11 @@ internal struct RegularisedLaw : ITableLaw
         double withoutSpin = scale * bySpeed.First;
         double gained = scale * bySpeed.Second * bySpin.Second;
         double lost = withoutSpin * bySpeed.Second * bySpin.First;
-        drag = (withoutSpin + gained) - lost;
+        drag = _ofDrag * ((withoutSpin + gained) - lost);
 
         // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); the deficit is computed without waiting for D.
         double deficit = (((scale * _atRest) - withoutSpin) - gained) + lost;
-        lift = deficit > 0 ? bySpin.Third * deficit : 0;
+        lift = deficit > 0 ? _ofLift * bySpin.Third * deficit : 0;
 
         // ω̇ = k (|u + r|ω|/2|^1.8 + |u − r|ω|/2|^1.8)
         decay = _plate * bySpeed.Third * bySpin.Fourth;
