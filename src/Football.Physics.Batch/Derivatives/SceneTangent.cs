@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Computes the derivatives by the launch in one scene.</summary>
 /// <remarks>
-/// In plain flight, J̇ = A(t) J along the simulated path. At an event, whose time shifts with the launch by δt = −∇g·δy/ġ, J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt
+/// In plain flight, J̇ = A(t) J along the simulated path. The time of an event shifts with the launch by δt = −∇g·δy/ġ. There J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt
 /// (saltation), where R is the map of the event. <see cref="StepDifferences"/> handles all other steps.
 /// </remarks>
 internal sealed class SceneTangent : TangentObserver

@@ -66,7 +66,8 @@ internal sealed class LaneGroup
     /// <summary>For each ball: the end time of its flight, in s.</summary>
     public readonly double[] EndTime = new double[Size];
 
-    /// <summary>For each ball: true if it left the lanes early, because it grazes the jump or slides along it, or the observer needs no more.</summary>
+    /// <summary>For each ball: true if it left the lanes early.</summary>
+    /// <remarks>Either it grazes the jump or slides along it, or the observer needs no more.</remarks>
     public readonly bool[] GivenUp = new bool[Size];
 
     /// <summary>For each ball: true if it ended at its limit.</summary>

@@ -35,7 +35,7 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     private float _dragScale;     // ½ ρ A / m, 1/m
     private float _liftScale;     // ½ ρ A / m · 1.15/(C_D0 − a) · r, and what is taken out of the powers
     private float _plates;        // p (p − 1)/2 · r²/4, p the plates' exponent
-    private float _leastSpinning; // the least log₂ r|ω| for which the law with spin is asked
+    private float _leastSpinning; // the smallest log₂ r|ω| at which the law with spin is evaluated
     private LanePolynomial _dragBySpin;  // c (r|ω|)^d
     private LanePolynomial _dragBySpeed; // |u|^(−d)
     private LanePolynomial _liftBySpin;  // (r|ω|)^(β−1)

@@ -53,7 +53,8 @@ internal struct SceneAir : IFlightAir
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
-    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay. Flight then calls only <see cref="Evaluate"/>.</summary>
+    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay.</summary>
+    /// <remarks>Flight then calls only <see cref="Evaluate"/>.</remarks>
     public readonly bool Varies => _hasField || _own is not null;
 
     /// <summary>True if torques can turn the spin, so that the flight has no constant axis.</summary>

@@ -43,7 +43,7 @@ public sealed record DragCurve
     public double RiseTo { get; init; } = 510_000;
 
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
-    /// <remarks>Derived. The rounding keeps the four C_D of Hong and Asai and the flight of Mencke within their errors.</remarks>
+    /// <remarks>Derived. The rounding was chosen to reproduce the four C_D of Hong and Asai, and the flight of Mencke.</remarks>
     public static DragCurve Generic { get; } = new();
 
     /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>
@@ -100,7 +100,7 @@ public sealed record DragCurve
     /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.</para>
     /// <para>The balls of the wind tunnel have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
     /// <see cref="Modern"/>, the flights of one match set the curve.</para>
-    /// <para>Wider seams make a ball rougher (measured: the strongest effect, Hong, Goff and Asai 2020), and so do deeper seams, texture and wear (measured: the crisis
+    /// <para>Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). So do deeper seams, texture and wear (measured: the crisis
     /// moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a guess.</para>
     /// </remarks>
     /// <param name="roughness">ρ, 0 … 1. 0: the smoothest match ball; 0.3: a ball with few panels in still air; 1: a worn, spinning ball in turbulent air.</param>

@@ -151,7 +151,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>Adjusts the times of the bodies when the ball's clock jumps.</summary>
     /// <param name="from">The clock before, in s.</param>
     /// <param name="to">The clock after, in s.</param>
-    /// <param name="isNew">True if the clock restarts: all bodies keep their positions. False for another time of the same clock: only bodies moved for the next step are adjusted.</param>
+    /// <param name="isNew">True if the clock restarts, so that all bodies shift with it. False for another time of the same clock: only moved bodies do.</param>
     internal void MoveClock(double from, double to, bool isNew)
     {
         if (from == to)

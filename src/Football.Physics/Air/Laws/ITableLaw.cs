@@ -8,7 +8,8 @@ namespace FootballPhysics;
 /// </remarks>
 internal interface ITableLaw
 {
-    /// <summary>True if S uses the spin across the motion, and lift and decay are proportional to the spin at fixed S. A constant of the type.</summary>
+    /// <summary>True if S uses the spin across the motion.</summary>
+    /// <remarks>Lift and decay are then proportional to the spin at fixed S. A constant of the type.</remarks>
     bool NeedsSpinAcross { get; }
 
     /// <summary>True if the law has regions, so that a step is locked to one and ends where it ends. A constant of the type.</summary>
