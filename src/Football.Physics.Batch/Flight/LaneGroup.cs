@@ -31,7 +31,8 @@ internal sealed class LaneGroup
     public readonly float[] Ny = new float[Room];
     public readonly float[] Nz = new float[Room];
 
-    /// <summary>The limit along y, in m. A flight ends when y, including the wind's <see cref="Drift"/> times the time, falls below it.</summary>
+    /// <summary>The limit along y, in m.</summary>
+    /// <remarks>A flight ends when y, including the wind's <see cref="Drift"/> times the time, falls below it.</remarks>
     public readonly float[] Limit = new float[Room];
     public readonly float[] Drift = new float[Room];
 

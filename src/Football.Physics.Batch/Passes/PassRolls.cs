@@ -36,7 +36,7 @@ internal sealed class PassRolls
         _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 
-    /// <summary>Returns true if a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
+    /// <summary>Returns true if a kick is too flat to leave the ground, unless its spin lifts the ball.</summary>
     public bool IsFlat(in Vector3d from, in Vector3d velocity) =>
         velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight;
 

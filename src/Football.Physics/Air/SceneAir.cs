@@ -153,7 +153,7 @@ internal readonly struct RateBound
         Constant = constant;
     }
 
-    /// <summary>Returns the bound, in 1/s, for a speed relative to the air, in m/s, and a spin, in rad/s.</summary>
+    /// <summary>Returns the bound, in 1/s, for an air speed in m/s and a spin in rad/s.</summary>
     public double At(double speed, double spinRate) => (PerSpeed * speed) + (PerSpin * spinRate) + Constant;
 
     public static RateBound operator +(in RateBound a, in RateBound b) =>

@@ -169,7 +169,7 @@ internal readonly struct StraightWay
     /// <param name="velocity">The velocity of the object, in m/s.</param>
     public StraightWay SeenFrom(in Vector3d velocity) => new(From, Velocity - velocity, Time, Duration, Around);
 
-    /// <summary>Returns the time at which the path reaches a box, in s from its start; infinite if never. A slab test.</summary>
+    /// <summary>Returns the time from the start at which the path reaches a box, in s; infinite if never.</summary>
     public double Meets(in Bounds3d box)
     {
         double enter = 0;
