@@ -2,8 +2,8 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Computes the derivatives of a ball's motion by its launch, in a single run.</summary>
 /// <remarks>
-/// <para>Along plain flight it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. Slides, rolls, nets and all
-/// else are differentiated by differences of the steps.</para>
+/// Along plain flight it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. Slides, rolls, nets and all
+/// else are differentiated by differences of the steps.
 /// <para>The run is the simulator's own, step by step. Create one per thread and reuse it: runs do not allocate.</para>
 /// </remarks>
 public sealed class LaunchDerivatives

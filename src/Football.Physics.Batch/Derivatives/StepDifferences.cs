@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Updates the derivatives by the launch over a step, by central differences of the step itself.</summary>
 /// <remarks>
-/// <para>This covers everything in a step: slides and their ends, rolls, nets, other contacts, and the lengths of segments.</para>
+/// This covers everything in a step: slides and their ends, rolls, nets, other contacts, and the lengths of segments.
 /// <para>The trick: the columns of J = ∂y/∂y₀ are motions that the ball can make (a rolling ball keeps rolling). So y is varied along an orthonormal basis of
 /// them, J = B R, instead of along the axes. This needs fewer steps, and none starts in the ground.</para>
 /// </remarks>

@@ -3,7 +3,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Several floats in one SIMD register, with operations that give bit-identical results for any number of lanes.</summary>
 /// <remarks>
-/// <para>The compiler keeps only a few hundred values of one method in registers. So the most frequent combinations in laws and integrators are single operations.</para>
+/// The compiler keeps only a few hundred values of one method in registers. So the most frequent combinations in laws and integrators are single operations.
 /// <para>A mask is the result of a comparison. Only <c>And</c>, <c>Or</c>, <c>Differs</c>, <c>Select</c>, <c>Any</c> and <c>All</c> accept masks.</para>
 /// </remarks>
 internal interface ILane<TSelf>
