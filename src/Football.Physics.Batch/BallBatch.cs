@@ -2,11 +2,11 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene, each from its launch to the first impact or a time limit.</summary>
 /// <remarks>
-/// <para>Each result depends only on its own launch: not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
-/// reuse it: a run on one thread does not allocate. Not thread-safe; set <see cref="BatchSettings.Threads"/> to use several threads.</para>
-/// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. These have custom forces, a variable wind, a knuckle
-/// force, moving objects, ground that is not level and uniform, or a mixture of constant and fitted laws. The same holds for the exceptions of <see cref="BatchPrecision.Single"/>,
-/// and for every ball that may hit a goal or an obstacle; <see cref="ScalarFallbackCount"/> counts these balls.</para>
+/// Each result depends only on its own launch: not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
+/// reuse it: a run on one thread does not allocate. Not thread-safe; set <see cref="BatchSettings.Threads"/> to use several threads.
+/// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. Lanes support neither custom forces, variable wind and knuckle
+/// forces nor moving objects. The ground must be level and uniform, and the laws must be of one kind. The exceptions of <see cref="BatchPrecision.Single"/>, and every ball that
+/// may hit a goal or an obstacle, are simulated the same way. <see cref="ScalarFallbackCount"/> counts these balls.</para>
 /// </remarks>
 public sealed class BallBatch
 {

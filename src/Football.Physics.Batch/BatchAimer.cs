@@ -2,8 +2,8 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Finds many kicks in one scene at once: the batch version of <see cref="Aimer"/>.</summary>
 /// <remarks>
-/// <para>Elevation and azimuth start from a closed form, and Newton iterations with SIMD flights refine them. An <see cref="Aimer"/> handles requests that do not
-/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. They count as hits only if their measured miss does.</para>
+/// Elevation and azimuth start from a closed form, and Newton iterations with SIMD flights refine them. An <see cref="Aimer"/> handles requests that do not
+/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. They count as hits only if their measured miss does.
 /// <para>The true miss of a hit is within the tolerance, down to 1 mm. Each result depends only on its own request: not on the others, the number of threads or the
 /// SIMD width. On one thread, only the fallback allocates. Not thread-safe, but it can use several threads itself.</para>
 /// </remarks>

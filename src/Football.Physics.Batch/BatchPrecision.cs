@@ -5,10 +5,10 @@ public enum BatchPrecision
 {
     /// <summary>Single precision with compensated sums, several balls at once in SIMD lanes.</summary>
     /// <remarks>
-    /// <para>With steps up to 20 ms, a landing is typically 1e-6 m from that of a single ball with the same step. It is within 1e-5 m for 99 % of footballers' shots,
-    /// and within 1e-4 m for all (5e-4 m with steps of 40 ms).</para>
-    /// <para>The jump of the published drag law is located within its step. Double precision is used for balls that only graze the jump or slide along it, for surface
-    /// speeds above 14 m/s, for speeds above 128 m/s, and for heights above 100 m.</para>
+    /// With steps up to 20 ms, a landing is typically 1e-6 m from that of a single ball with the same step. It is within 1e-5 m for 99 % of footballers' shots,
+    /// and within 1e-4 m for all (5e-4 m with steps of 40 ms).
+    /// <para>The jump of the published drag law is located within its step. Balls that only graze the jump or slide along it are simulated in double
+    /// precision. So are surface speeds above 14 m/s, speeds above 128 m/s, and heights above 100 m.</para>
     /// </remarks>
     Single = 0,
 

@@ -63,7 +63,8 @@ internal sealed class FrameProblem
         }
     }
 
-    /// <summary>Simulates the highest and lowest kicks. True if they pass above and below the target, so that it is in reach (4.1.2).</summary>
+    /// <summary>Simulates the highest and lowest kicks. Returns true if the target is in reach (4.1.2).</summary>
+    /// <remarks>It is in reach if they pass above and below it.</remarks>
     /// <param name="extreme">The extreme kick to return if the target is out of reach.</param>
     public bool BetweenExtremes(out AimSolution extreme)
     {

@@ -144,7 +144,8 @@ internal sealed class TwoPointAim
         }
     }
 
-    /// <summary>Scales the spin to ω · d₂/d₁, signed (4.16, corrected). d₁ is the shift of the crossing by the spin, d₂ the distance from the crossing without spin to the target.</summary>
+    /// <summary>Scales the spin to ω · d₂/d₁, signed (4.16, corrected).</summary>
+    /// <remarks>d₁ is the shift of the crossing by the spin. d₂ is the distance from the crossing without the spin to the target.</remarks>
     /// <returns>False if the spin is at its limit.</returns>
     private bool Scale(bool side, double given, double limit)
     {

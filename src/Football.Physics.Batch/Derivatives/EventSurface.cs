@@ -1,13 +1,13 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The surfaces in the space of motions at which something happens.</summary>
+/// <summary>The surfaces in the space of motions at which events happen.</summary>
 internal sealed class EventSurface
 {
     private readonly Surroundings _around;
 
     public EventSurface(Surroundings around) => _around = around;
 
-    /// <summary>Contact with a thing: g is the distance.</summary>
+    /// <summary>Returns the surface of a contact with an object: g is the distance.</summary>
     public EventGradient Contact(int thing, in BallState s)
     {
         Collider hit = _around.World.Colliders[_around.World.ColliderOf(thing, s.Position, s.Time)];
@@ -15,7 +15,7 @@ internal sealed class EventSurface
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }
 
-    /// <summary>The jump of the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
+    /// <summary>Returns the surface of the jump of the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
     public EventGradient DragJump(LocalFlight local, DragBranch next, double time, in Motion at)
     {
         DragJump here = FootballPhysics.DragJump.At(in at, in _around.Wind, _around.Radius);
@@ -23,7 +23,7 @@ internal sealed class EventSurface
         DragJump rate = FootballPhysics.DragJump.Rate(in at, in rates, in _around.Wind, _around.Radius);
         bool bySpeed = next == DragBranch.AlongCriticalSpeed || (next != DragBranch.AlongCriticalSpin && here.NearerToSpeed);
 
-        // Both are linear in |u|² and (r|ω|)², so their gradients are their rates for unit rates of these.
+        // Both are linear in |u|² and (r|ω|)², so rates for unit rates of these give the gradients.
         Vector3d u = at.Velocity - _around.Wind;
         double bySpeedSquared = bySpeed ? FootballPhysics.DragJump.Rate(1, 0).Speed : FootballPhysics.DragJump.Rate(1, 0).Spin;
         double bySpinSquared = bySpeed ? 0 : FootballPhysics.DragJump.Rate(0, 1).Spin;
@@ -31,7 +31,7 @@ internal sealed class EventSurface
     }
 }
 
-/// <summary>A function g of the motion whose zero is an event: its gradient, and its rate along the motion just before.</summary>
+/// <summary>A function g of the motion that is zero at an event: its gradient, and its rate along the motion just before.</summary>
 internal readonly struct EventGradient
 {
     /// <summary>∂g/∂p.</summary>

@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// How the rates of plain flight change with the motion at one instant: v̇ = λ (n × u) − D u + g, |ω|˙ = −q, where λ, D and q depend on |u|², |ω| and
-/// |n × u|², and the axis n is constant.
-/// </summary>
+/// <summary>The derivatives of the rates of plain flight at one instant.</summary>
+/// <remarks>
+/// v̇ = λ (n × u) − D u + g, |ω|˙ = −q, where λ, D and q depend on |u|², |ω| and |n × u|², and the axis n is constant.
+/// </remarks>
 internal struct FlightGenerator
 {
-    /// <summary>Share of a number by which it is changed for a difference quotient.</summary>
+    /// <summary>The relative change of a number in a difference quotient.</summary>
     private const double Share = 1e-4;
 
     /// <summary>∂v̇/∂v, row by row; then ∂|ω|˙/∂v.</summary>
@@ -17,23 +17,23 @@ internal struct FlightGenerator
     private Vector3d _z;
     private Vector3d _spin;
 
-    /// <summary>∂v̇/∂|ω|, and by the axis in the first and second direction across it.</summary>
+    /// <summary>∂v̇/∂|ω|, and the derivatives by the axis in two directions across it.</summary>
     private Vector3d _bySpin;
     private Vector3d _byFirst;
     private Vector3d _bySecond;
 
-    /// <summary>Gradient of |ω|˙ by the spin.</summary>
+    /// <summary>The gradient of |ω|˙ by the spin.</summary>
     private Vector3d _spinBySpin;
 
-    /// <summary>Evaluates it, by difference quotients of the laws' factors.</summary>
+    /// <summary>Computes the derivatives from difference quotients of the laws' factors.</summary>
     /// <param name="air">The air.</param>
-    /// <param name="branch">Branch of the drag law.</param>
-    /// <param name="needsAcross">Whether the factors depend on |n × u|².</param>
-    /// <param name="u">Velocity relative to the air, m/s.</param>
-    /// <param name="spin">|ω|, above 0, rad/s.</param>
-    /// <param name="n">Its axis.</param>
-    /// <param name="first">A direction across the axis.</param>
-    /// <param name="second">The other.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="needsAcross">True if the factors depend on |n × u|².</param>
+    /// <param name="u">The velocity relative to the air, in m/s.</param>
+    /// <param name="spin">|ω|, in rad/s; above 0.</param>
+    /// <param name="n">The axis of the spin.</param>
+    /// <param name="first">A unit vector across the axis.</param>
+    /// <param name="second">The other unit vector across the axis.</param>
     /// <param name="g">The result.</param>
     public static void At(
         ref SceneAir air, DragBranch branch, bool needsAcross, in Vector3d u, double spin, in Vector3d n, in Vector3d first, in Vector3d second, out FlightGenerator g)
@@ -60,7 +60,7 @@ internal struct FlightGenerator
             ofAcross = (1.0 / byAcross) * (high - low);
         }
 
-        // ∇|u|² = 2u, ∇|n × u|² = 2 (u − (n·u) n); the halves are in the quotients. Factors are (D, λ, q).
+        // ∇|u|² = 2u, ∇|n × u|² = 2 (u − (n·u) n); the quotients include the factors of 2. The factors are (D, λ, q).
         Vector3d plane = u - (along * n);
         Vector3d drag = (ofSpeed.X * u) + (ofAcross.X * plane);
         Vector3d lift = (ofSpeed.Y * u) + (ofAcross.Y * plane);
@@ -73,7 +73,7 @@ internal struct FlightGenerator
         g._spin = -decay;
         g._bySpin = (ofSpin.Y * turned) - (ofSpin.X * u);
 
-        // By the axis: n × u turns with it, and |n × u|² changes by −2 (n·u)(u·δn).
+        // Derivative by the axis: n × u turns with it, and |n × u|² changes by −2 (n·u)(u·δn).
         double firstAcross = -along * Vector3d.Dot(in u, in first);
         double secondAcross = -along * Vector3d.Dot(in u, in second);
         g._byFirst = (value.Y * Vector3d.Cross(in first, in u)) + (firstAcross * ((ofAcross.Y * turned) - (ofAcross.X * u)));
@@ -81,7 +81,7 @@ internal struct FlightGenerator
         g._spinBySpin = new Vector3d(-ofSpin.Z, -firstAcross * ofAcross.Z, -secondAcross * ofAcross.Z);
     }
 
-    /// <summary>The rates of change of columns.</summary>
+    /// <summary>Computes the rates of change of columns.</summary>
     public readonly void Apply(in FlightColumns c, out FlightColumns rates)
     {
         rates.X = Row(in _x, _bySpin.X, in c, _byFirst.X, _bySecond.X);
@@ -95,7 +95,7 @@ internal struct FlightGenerator
         (byVelocity.X * c.X.ByVelocity) + (byVelocity.Y * c.Y.ByVelocity) + (byVelocity.Z * c.Z.ByVelocity) + (bySpin * c.Spin.ByVelocity),
         (byVelocity.X * c.X.BySpin) + (byVelocity.Y * c.Y.BySpin) + (byVelocity.Z * c.Z.BySpin) + (bySpin * c.Spin.BySpin) + new Vector3d(0, byFirst, bySecond));
 
-    /// <summary>Drag, lift and decay as one vector.</summary>
+    /// <summary>Returns drag, lift and decay as one vector.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Factors(ref SceneAir air, DragBranch branch, double squared, double spin, double across, out Vector3d factors)
     {

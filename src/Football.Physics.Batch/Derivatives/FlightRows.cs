@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>How a number of a flight changes with velocity and spin at its start: by the velocity; by size of the spin, and by its axis in two directions across it.</summary>
+/// <summary>The derivatives of one number of a flight by the velocity, the magnitude of the spin, and its axis in two directions, at the start.</summary>
 internal struct FlightRow
 {
     public Vector3d ByVelocity;
@@ -19,7 +19,7 @@ internal struct FlightRow
     public static FlightRow Sum(in FlightRow a, double h, in FlightRow b) => new(a.ByVelocity + (h * b.ByVelocity), a.BySpin + (h * b.BySpin));
 }
 
-/// <summary>How velocity and size of the spin change with those at the start of a flight.</summary>
+/// <summary>The derivatives of velocity and spin magnitude by those at the start of a flight.</summary>
 internal struct FlightColumns
 {
     public FlightRow X;
@@ -27,7 +27,7 @@ internal struct FlightColumns
     public FlightRow Z;
     public FlightRow Spin;
 
-    /// <summary>At the start.</summary>
+    /// <summary>The derivatives at the start.</summary>
     public static FlightColumns Identity => new()
     {
         X = new FlightRow(new Vector3d(1, 0, 0), Vector3d.Zero),

@@ -1,42 +1,40 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// The variational equation along plain flight: the axis of the spin is constant, so velocity and size of the spin are all that changes. Several pieces are taken
-/// at once by classical Runge–Kutta, which asks the laws at their start, middle and end only.
-/// </summary>
+/// <summary>The variational equation along plain flight, in which only velocity and spin magnitude change.</summary>
+/// <remarks>Classical Runge–Kutta covers several segments at once, and evaluates the laws only at their start, middle and end.</remarks>
 internal sealed class FlightTangent
 {
-    /// <summary>Pieces taken at once at most.</summary>
+    /// <summary>The maximum number of segments in one step.</summary>
     private const int MostPieces = 8;
 
-    /// <summary>No more time than this at once, s: the laws are then all but quadratic.</summary>
+    /// <summary>The longest step, in s: over it, the laws are nearly quadratic.</summary>
     private const double LongestTime = 0.0801;
 
-    /// <summary>At first, s, half of it: little has come of the spin yet.</summary>
+    /// <summary>Steps are half as long during this time after the start, in s, while the effect of the spin is still small.</summary>
     private const double First = 0.16;
     private const double LongestAtFirst = 0.0401;
 
-    /// <summary>After an impact a quarter of it: bounces magnify what was wrong before them.</summary>
+    /// <summary>Steps after an impact are a quarter as long, because bounces magnify earlier errors.</summary>
     private const double LongestAfterImpact = 0.0201;
 
-    /// <summary>No more change of the speed, m/s.</summary>
+    /// <summary>The largest change of speed in a step, in m/s.</summary>
     private const double LargestChange = 0.3;
 
-    /// <summary>No more change of the flow at once than this share of it, and of its part across the spin where the laws depend on that: a piece that has more is taken in parts.</summary>
+    /// <summary>The largest relative change of the flow in a step, and of its part across the spin if the laws depend on it. Segments with more are split.</summary>
     private const double FlowShare = 0.09;
     private const double AcrossShare = 0.15;
     private const double MostParts = 32;
 
-    /// <summary>A piece along which the part of the flow across the spin changes by more than this share of itself is left to the general form.</summary>
+    /// <summary>The relative change of the flow across the spin, in one segment, above which the general form takes over.</summary>
     private const double LeftShare = 0.25;
 
-    /// <summary>A slower spin, rad/s, is left to the general form: its axis may be none.</summary>
+    /// <summary>The spin below which the general form takes over, in rad/s: its axis may be undefined.</summary>
     private const double SlowestSpin = 1e-2;
 
-    /// <summary>A slower flow, m/s, likewise.</summary>
+    /// <summary>The flow speed below which the general form takes over, in m/s.</summary>
     private const double SlowestFlow = 0.5;
 
-    /// <summary>Only where the spin parameter is larger may the lift end: by the published laws at 1.886.</summary>
+    /// <summary>The spin parameter above which the lift may vanish; under the published laws it does at 1.886.</summary>
     private const double FastSpin = 1.5;
 
     private readonly Surroundings _around;
@@ -64,10 +62,10 @@ internal sealed class FlightTangent
         _needsAcross = NeedsAcross();
     }
 
-    /// <summary>True when it is under way.</summary>
+    /// <summary>True while a flight is in progress.</summary>
     public bool IsOpen { get; private set; }
 
-    /// <summary>True when it can take a piece.</summary>
+    /// <summary>Returns true if the segment qualifies.</summary>
     public bool Takes(in BallState before, in BallState after) =>
         before.SpinRate > SlowestSpin && after.SpinRate > SlowestSpin && (before.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow
         && (after.Velocity - _around.Wind).LengthSquared > SlowestFlow * SlowestFlow && !(_needsAcross && IsAlongSpin(in before, in after))
@@ -83,7 +81,7 @@ internal sealed class FlightTangent
         _axis = s.SpinAxis;
         _startSpin = s.SpinRate;
 
-        // Any two directions across the axis
+        // Any two unit vectors across the axis.
         bool upright = Math.Abs(_axis.Y) > 0.7;
         _first = Vector3d.Cross(in _axis, upright ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0));
         _first /= _first.Length;
@@ -97,15 +95,15 @@ internal sealed class FlightTangent
         _count = 0;
     }
 
-    /// <summary>Forgets a flight.</summary>
+    /// <summary>Discards a flight.</summary>
     public void Abandon() => IsOpen = false;
 
-    /// <summary>Adds a piece.</summary>
+    /// <summary>Adds a segment.</summary>
     public void Add(in BallState after)
     {
         Store(++_count, after.Time, after.Velocity, after.SpinRate);
 
-        // An even number of equal pieces has a state in the middle.
+        // An even number of equal segments has a stored state in the middle.
         double h = _times[_count] - _times[0];
         double longest = _times[0] < _shortUntil ? _short : LongestTime;
         bool full = _count == MostPieces || h + (h / _count) > longest
@@ -116,7 +114,7 @@ internal sealed class FlightTangent
         }
     }
 
-    /// <summary>Ends the flight, and carries the tangent along.</summary>
+    /// <summary>Ends the flight, and updates the tangent.</summary>
     public void End(Tangent tangent)
     {
         Integrate();
@@ -131,7 +129,7 @@ internal sealed class FlightTangent
         _spins[index] = spin;
     }
 
-    /// <summary>Takes the stored pieces.</summary>
+    /// <summary>Integrates over the stored segments.</summary>
     private void Integrate()
     {
         if (_count == 0)
@@ -156,7 +154,7 @@ internal sealed class FlightTangent
         _count = 0;
     }
 
-    /// <summary>How much the flow changes over the first pieces, by what is allowed at once.</summary>
+    /// <summary>Returns the change of the flow over the first segments, relative to the limit of one step.</summary>
     private double Change(int pieces)
     {
         Vector3d change = _velocities[pieces] - _velocities[0];
@@ -195,7 +193,7 @@ internal sealed class FlightTangent
         FlightColumns.Sum(in _columns, sixth, in sum, out _columns);
     }
 
-    /// <summary>The motion at a time: a state that was there, or what is between two of them.</summary>
+    /// <summary>Computes the motion at a time, from a stored state or by interpolation.</summary>
     private void Motion(double time, out Vector3d velocity, out double spin)
     {
         int i = 0;
@@ -211,7 +209,7 @@ internal sealed class FlightTangent
             return;
         }
 
-        // A piece by itself, or an odd number: the cubic Hermite interpolant of the piece that the middle is in.
+        // A single segment, or an odd number: interpolate the middle one with its cubic Hermite polynomial.
         Rates(i - 1, out Vector3d startAcceleration, out double startRate);
         Rates(i, out Vector3d endAcceleration, out double endRate);
         double length = _times[i] - _times[i - 1];
@@ -228,14 +226,14 @@ internal sealed class FlightTangent
         FlightRates.Of(ref _around.Air, in at, _around.Upward, in _velocities[i], _spins[i], out acceleration, out spinRate);
     }
 
-    /// <summary>True when the flow goes so nearly along the spin that forces turn too fast with it to be integrated: the step itself is then differentiated.</summary>
+    /// <summary>Returns true if the flow is so nearly along the spin that forces turn too fast to integrate. The step itself is then differentiated.</summary>
     private bool IsAlongSpin(in BallState before, in BallState after)
     {
         double across = Vector3d.Cross(before.SpinAxis, before.Velocity - _around.Wind).LengthSquared;
         return (after.Velocity - before.Velocity).LengthSquared > LeftShare * LeftShare * across;
     }
 
-    /// <summary>True when a piece leads through the kink at which the lift ends.</summary>
+    /// <summary>Returns true if a segment passes the kink at which the lift vanishes.</summary>
     private bool LiftEnds(in BallState before, in BallState after) =>
         _around.Air.Lifts && _around.RadiusSquared * before.SpinRate * before.SpinRate > FastSpin * FastSpin * (before.Velocity - _around.Wind).LengthSquared
         && LiftOf(in before) > 0 != LiftOf(in after) > 0;
@@ -247,7 +245,7 @@ internal sealed class FlightTangent
         return lift;
     }
 
-    /// <summary>True when the laws depend on the direction of the spin to the flow.</summary>
+    /// <summary>Returns true if the laws depend on the angle between spin and flow.</summary>
     private bool NeedsAcross()
     {
         if (!(_around.Air.Drags || _around.Air.Lifts || _around.Air.SpinDecays) || _around.Air.Varies)

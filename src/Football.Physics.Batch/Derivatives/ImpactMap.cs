@@ -1,11 +1,11 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The map of an impact from the motion before to that after, with its derivatives: by the simulation's own impact, and difference quotients of it.</summary>
+/// <summary>The map of an impact from the motion before to the motion after, with derivatives by difference quotients of the simulation's own impact.</summary>
 internal sealed class ImpactMap
 {
     private const double TimeWidth = 1e-6;
 
-    /// <summary>Differences in which the ball does two things are narrowed so often, by this.</summary>
+    /// <summary>The number of times, and the factor, by which a difference is narrowed if its two sides behave differently.</summary>
     private const int MostTries = 4;
     private const double Narrower = 0.1;
 
@@ -19,14 +19,14 @@ internal sealed class ImpactMap
         _contact = new WorldContact(around, gainsByHops: false);
     }
 
-    /// <summary>How the motion changes with time itself, were the impact later: where what is hit moves.</summary>
+    /// <summary>The derivative of the motion by the time of the impact, which is not zero if the object moves.</summary>
     public Motion TimeRate { get; private set; }
 
-    /// <summary>An impact.</summary>
-    /// <param name="s">The ball before it; then after it.</param>
-    /// <param name="thing">What it hits.</param>
+    /// <summary>Applies an impact.</summary>
+    /// <param name="s">The ball before the impact; on return, after it.</param>
+    /// <param name="thing">The index of the object.</param>
     /// <param name="map">∂y'/∂y.</param>
-    /// <returns>How many impacts it was: what carries the ball may take its part at once.</returns>
+    /// <returns>The number of impacts: the supporting surface may add one at the same time.</returns>
     public int Impact(ref BallState s, int thing, double[] map)
     {
         Motion at = MotionVector.Of(in s);
@@ -53,7 +53,7 @@ internal sealed class ImpactMap
         map[map.Length - 1] = 1;
     }
 
-    /// <summary>How it changes with one number. A ball that just bounces, or just stays, does so on both sides.</summary>
+    /// <summary>Computes one column. Both sides must behave alike: a ball that bounces, or stays down, does so on both.</summary>
     private void Difference(in BallState s, in Motion at, int index, int thing, double[] map)
     {
         double width = MotionVector.Width(in at, index);

@@ -1,17 +1,18 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// How what becomes of a ball changes with its launch: derivatives by one run, along plain flight by the variational equation, through impacts and the drag
-/// law's jump by what they do to it, and through slides, rolls, nets and all else by differences of the steps. Its memory is made once and used again.
-/// </summary>
-/// <remarks>One a thread. The run itself is the simulator's own, step by step.</remarks>
+/// <summary>Computes the derivatives of a ball's motion by its launch, in a single run.</summary>
+/// <remarks>
+/// Along plain flight it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. Slides, rolls, nets and all
+/// else are differentiated by differences of the steps.
+/// <para>The run is the simulator's own, step by step. Create one per thread and reuse it: runs do not allocate.</para>
+/// </remarks>
 public sealed class LaunchDerivatives
 {
     private readonly TangentObserver _observer;
     private readonly StepDifferences _differences;
     private readonly Simulator.StepCallback _onStep;
 
-    /// <summary>Every event of a run counts.</summary>
+    /// <summary>The log of the run, unbounded because every event counts.</summary>
     private readonly StepLog _log = new(mostEvents: int.MaxValue) { IgnoresZones = true };
     private BallState _start;
     private int _events;
@@ -21,8 +22,8 @@ public sealed class LaunchDerivatives
     private double _dt;
     private StopAt _stopAt;
 
-    /// <summary>Makes one for balls of a simulator's scene.</summary>
-    /// <param name="simulator">The scene, compiled for the integrator to run with.</param>
+    /// <summary>Creates an instance for the balls of a simulator's scene.</summary>
+    /// <param name="simulator">The compiled scene; its integrator is used.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     public LaunchDerivatives(Simulator simulator)
     {
@@ -36,42 +37,47 @@ public sealed class LaunchDerivatives
     /// <summary>The simulator.</summary>
     public Simulator Simulator { get; }
 
-    /// <summary>The place at the end by the place of the launch.</summary>
+    /// <summary>The derivative of the final position by the launch position.</summary>
     public Matrix3d PositionByPosition => _observer.Tangent.Block(0, 0);
 
-    /// <summary>The place at the end by the velocity of the launch, s.</summary>
+    /// <summary>The derivative of the final position by the launch velocity, in s.</summary>
     public Matrix3d PositionByVelocity => _observer.Tangent.Block(0, MotionVector.Velocity);
 
-    /// <summary>The place at the end by the spin of the launch, m s/rad. Without spin it says nothing by the published laws, whose lift is not smooth there.</summary>
+    /// <summary>The derivative of the final position by the launch spin, in m s/rad.</summary>
+    /// <remarks>Under the published laws it is meaningless without spin, because their lift is not smooth there.</remarks>
     public Matrix3d PositionBySpin => _observer.Tangent.Block(0, MotionVector.Spin);
 
-    /// <summary>The velocity at the end, before the event there, by the place of the launch, 1/s.</summary>
+    /// <summary>The derivative of the final velocity by the launch position, in 1/s.</summary>
+    /// <remarks>At an event, the final velocity is that just before it.</remarks>
     public Matrix3d VelocityByPosition => _observer.Tangent.Block(MotionVector.Velocity, 0);
 
-    /// <summary>The velocity at the end, before the event there, by the velocity of the launch.</summary>
+    /// <summary>The derivative of the final velocity by the launch velocity.</summary>
+    /// <remarks>At an event, the final velocity is that just before it.</remarks>
     public Matrix3d VelocityByVelocity => _observer.Tangent.Block(MotionVector.Velocity, MotionVector.Velocity);
 
-    /// <summary>The velocity at the end, before the event there, by the spin of the launch, m/rad.</summary>
+    /// <summary>The derivative of the final velocity by the launch spin, in m/rad.</summary>
+    /// <remarks>At an event, the final velocity is that just before it.</remarks>
     public Matrix3d VelocityBySpin => _observer.Tangent.Block(MotionVector.Velocity, MotionVector.Spin);
 
-    /// <summary>The time of the end by the place of the launch, s/m; zero where no event ended the run.</summary>
+    /// <summary>The derivative of the end time by the launch position, in s/m; zero if no event ended the run.</summary>
     public Vector3d TimeByPosition { get; private set; }
 
-    /// <summary>The time of the end by the velocity of the launch, s²/m.</summary>
+    /// <summary>The derivative of the end time by the launch velocity, in s²/m.</summary>
     public Vector3d TimeByVelocity { get; private set; }
 
-    /// <summary>The time of the end by the spin of the launch, s²/rad.</summary>
+    /// <summary>The derivative of the end time by the launch spin, in s²/rad.</summary>
     public Vector3d TimeBySpin { get; private set; }
 
-    /// <summary>The events of the last run, in order.</summary>
+    /// <summary>The events of the last run, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
-    /// <summary>Runs a ball to an event or a time, and finds how its place there changes with the launch. At an event the place is that at the event, whose time moves too.</summary>
-    /// <param name="state">The ball; its motion now is the launch. After an early end it is as it was just after the event.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12. The last one is shortened.</param>
-    /// <param name="duration">How long to go on at most, s; above 0, at most 1e12.</param>
+    /// <summary>Runs a ball to an event or a time, and computes the derivatives by its launch.</summary>
+    /// <remarks>If an event ends the run, the derivatives are those at the event, including the change of its time.</remarks>
+    /// <param name="state">The ball, whose current motion is the launch. If an event ends the run, it returns as just after the event.</param>
+    /// <param name="timeStep">The length of a step, in s; above 0, at most 1e12. The last step is shortened.</param>
+    /// <param name="duration">The longest run, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
-    /// <returns>True when the event ended the run, false when its time did.</returns>
+    /// <returns>True if the event ended the run, false if the time was up.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {
@@ -87,7 +93,7 @@ public sealed class LaunchDerivatives
         return ended;
     }
 
-    /// <summary>Starts at a launch; <see cref="Advance"/> goes on.</summary>
+    /// <summary>Starts at a launch; <see cref="Advance"/> continues.</summary>
     internal void Start(in BallState state)
     {
         _log.Clear();
@@ -95,14 +101,14 @@ public sealed class LaunchDerivatives
         _observer.Begin(in state, _log);
     }
 
-    /// <summary>Goes on for a time; the derivatives are then those there by the launch.</summary>
+    /// <summary>Continues for a time, and computes the derivatives by the launch.</summary>
     internal void Advance(ref BallState state, double timeStep, double duration)
     {
         Go(ref state, timeStep, duration, StopAt.Time);
         _observer.Finish(in state, ended: false);
     }
 
-    /// <summary>The simulator's own run, step by step.</summary>
+    /// <summary>Runs the simulator step by step.</summary>
     private bool Go(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {
         _timeStep = timeStep;
@@ -126,7 +132,7 @@ public sealed class LaunchDerivatives
     {
         if (_observer.EndStep(in end))
         {
-            // A ball at rest on what stands has nothing to do.
+            // Skip a ball at rest if nothing moves.
             if (_start.Motion != MotionState.Rest || Simulator.World.Moves)
             {
                 _differences.Take(_observer.Tangent, in _start, in end, _dt, _stopAt, _log.Events.Span.Slice(_events), _log.Steps - _pieces, _observer.EventTimes);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The motion along a piece of flight: the same system that a step integrates, on the same branch of the drag law.</summary>
+/// <summary>The motion along a segment of flight: the same equations as in a step, on the same branch of the drag law.</summary>
 internal sealed class LocalFlight
 {
     private readonly Surroundings _around;
@@ -11,10 +11,10 @@ internal sealed class LocalFlight
     /// <summary>The branch of the drag law.</summary>
     public DragBranch Branch => _flight.Branch;
 
-    /// <summary>True when it is plain flight: along a constant axis of the spin, in air that does not vary, with nothing else that pushes.</summary>
+    /// <summary>True for plain flight: a constant axis of the spin, steady air, and no other forces.</summary>
     public bool IsPlain { get; private set; }
 
-    /// <summary>Makes it that of a ball.</summary>
+    /// <summary>Sets the ball.</summary>
     public void Take(in BallState s)
     {
         Motion at = MotionVector.Of(in s);
@@ -27,6 +27,6 @@ internal sealed class LocalFlight
             && !ContactSet.TouchesMore(_around.World, in s, -1);
     }
 
-    /// <summary>v̇ and ω̇.</summary>
+    /// <summary>Computes v̇ and ω̇.</summary>
     public void Rates(double time, in Motion at, out MotionRates rates) => _flight.Rates(time, in at, out rates);
 }

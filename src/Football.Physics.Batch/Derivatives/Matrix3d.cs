@@ -1,9 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>A 3×3 matrix: how a vector changes with another one, for instance. Row i is component i of what changes, column j the component it changes with.</summary>
+/// <summary>A 3×3 matrix, such as the derivative of one vector by another.</summary>
+/// <remarks>For a derivative, entry (i, j) is the change of component i with component j of the other vector.</remarks>
 public readonly struct Matrix3d
 {
-    /// <summary>Makes a matrix of its rows.</summary>
+    /// <summary>Creates a matrix from its rows.</summary>
     /// <param name="x">Row x.</param>
     /// <param name="y">Row y.</param>
     /// <param name="z">Row z.</param>
@@ -23,17 +24,17 @@ public readonly struct Matrix3d
     /// <summary>Row z.</summary>
     public Vector3d Z { get; }
 
-    /// <summary>The product with a vector.</summary>
+    /// <summary>Multiplies a matrix by a vector.</summary>
     /// <param name="a">The matrix.</param>
     /// <param name="v">The vector.</param>
     public static Vector3d operator *(in Matrix3d a, in Vector3d v) => new(Vector3d.Dot(a.X, in v), Vector3d.Dot(a.Y, in v), Vector3d.Dot(a.Z, in v));
 
-    /// <summary>The product with a vector from the left, vᵀA.</summary>
+    /// <summary>Multiplies a vector by a matrix, vᵀA.</summary>
     /// <param name="v">The vector.</param>
     /// <param name="a">The matrix.</param>
     public static Vector3d operator *(in Vector3d v, in Matrix3d a) => (v.X * a.X) + (v.Y * a.Y) + (v.Z * a.Z);
 
-    /// <summary>The sum.</summary>
+    /// <summary>Adds two matrices.</summary>
     /// <param name="a">One matrix.</param>
     /// <param name="b">The other.</param>
     public static Matrix3d operator +(in Matrix3d a, in Matrix3d b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

@@ -1,35 +1,35 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>A motion as numbers in a row: place 0 … 2, velocity 3 … 5, spin 6 … 8, distance flown 9.</summary>
+/// <summary>A motion as a vector of numbers: position 0 … 2, velocity 3 … 5, spin 6 … 8, distance flown 9.</summary>
 internal static class MotionVector
 {
-    /// <summary>How many numbers a motion has.</summary>
+    /// <summary>The number of components.</summary>
     public const int Size = 10;
 
-    /// <summary>Index of the first component of the velocity.</summary>
+    /// <summary>The index of the first component of the velocity.</summary>
     public const int Velocity = 3;
 
-    /// <summary>Index of the first component of the spin.</summary>
+    /// <summary>The index of the first component of the spin.</summary>
     public const int Spin = 6;
 
-    /// <summary>Index of the distance flown.</summary>
+    /// <summary>The index of the distance flown.</summary>
     public const int AirDistance = 9;
 
-    /// <summary>The motion of a ball.</summary>
+    /// <summary>Returns the motion of a ball.</summary>
     public static Motion Of(in BallState s) => new(s.Position, s.Velocity, s.Spin, s.AirDistance);
 
-    /// <summary>A motion of which one number is changed.</summary>
+    /// <summary>Returns a motion with one changed component.</summary>
     public static Motion Changed(in Motion at, int index, double by) => new(
         at.Position + Unit(index, by),
         at.Velocity + Unit(index - Velocity, by),
         at.Spin + Unit(index - Spin, by),
         at.AirDistance + (index == AirDistance ? by : 0));
 
-    /// <summary>a x + b y.</summary>
+    /// <summary>Returns a x + b y.</summary>
     public static Motion Sum(double a, in Motion x, double b, in Motion y) => new(
         (a * x.Position) + (b * y.Position), (a * x.Velocity) + (b * y.Velocity), (a * x.Spin) + (b * y.Spin), (a * x.AirDistance) + (b * y.AirDistance));
 
-    /// <summary>A ball with another motion.</summary>
+    /// <summary>Returns a ball with another motion.</summary>
     public static BallState With(in BallState s, in Motion motion)
     {
         BallState changed = s;
@@ -37,7 +37,7 @@ internal static class MotionVector
         changed.Velocity = motion.Velocity;
         changed.AirDistance = motion.AirDistance;
 
-        // What was found to be far from its way need not be far from another.
+        // The search for a free path does not hold for another motion.
         changed.ClearUntil = 0;
         if (s.Motion == MotionState.Airborne)
         {
@@ -51,7 +51,7 @@ internal static class MotionVector
         return changed;
     }
 
-    /// <summary>Writes a motion's difference quotient into a column of a matrix.</summary>
+    /// <summary>Writes a difference quotient of a motion into a column of a matrix.</summary>
     public static void Write(double[] matrix, int column, in Motion high, in Motion low, double width)
     {
         double perWidth = 1.0 / width;
@@ -69,7 +69,7 @@ internal static class MotionVector
         matrix[((row + 2) * Size) + column] = value.Z;
     }
 
-    /// <summary>How much to change a number for a difference quotient that is right to about ten digits.</summary>
+    /// <summary>Returns the change of a component that makes a difference quotient accurate to about ten digits.</summary>
     public static double Width(in Motion at, int index) =>
         index < Velocity ? 5e-6 : index < Spin ? 1e-5 * (1.0 + at.Velocity.Length) : index < AirDistance ? 1e-5 * (1.0 + at.Spin.Length) : 1e-5;
 

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// The derivatives by the launch in one scene. In plain flight J̇ = A(t) J along the path that the simulation took; at an event, whose time moves with the
-/// launch by δt = −∇g·δy/ġ, J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt (saltation), R being what the event does to the motion. A step in which the ball does anything
-/// else is left to <see cref="StepDifferences"/>.
-/// </summary>
+/// <summary>Computes the derivatives by the launch in one scene.</summary>
+/// <remarks>
+/// In plain flight, J̇ = A(t) J along the simulated path. The time of an event shifts with the launch by δt = −∇g·δy/ġ. There J ← R' (J + ẏ₋ ⊗ δt) − ẏ₊ ⊗ δt
+/// (saltation), where R is the map of the event. <see cref="StepDifferences"/> handles all other steps.
+/// </remarks>
 internal sealed class SceneTangent : TangentObserver
 {
     private readonly Surroundings _around;
@@ -19,19 +19,19 @@ internal sealed class SceneTangent : TangentObserver
     private StepLog? _log;
     private int _event;
 
-    /// <summary>True when the tangent is that of one event's time for all launches, and not of one time.</summary>
+    /// <summary>True if the tangent refers to the launch-dependent time of an event, false for one fixed time.</summary>
     private bool _atEvent;
 
-    /// <summary>When the step ends, s.</summary>
+    /// <summary>The end of the step, in s.</summary>
     private double _stepEnd;
 
-    /// <summary>True when the whole step is one piece, which is not taken yet.</summary>
+    /// <summary>True if the entire step is one segment that is not yet processed.</summary>
     private bool _isHeld;
 
-    /// <summary>True when the tangent at the step's start is kept.</summary>
+    /// <summary>True if the tangent at the start of the step is saved.</summary>
     private bool _isKept;
 
-    /// <summary>True when the step is more than plain flight and impacts.</summary>
+    /// <summary>True if the step contains more than plain flight and impacts.</summary>
     private bool _isLeft;
 
     public SceneTangent(Scene scene, in SceneAir air)
@@ -55,7 +55,7 @@ internal sealed class SceneTangent : TangentObserver
         GoOn(in from);
         if (from.Motion is MotionState.Sliding or MotionState.Rolling)
         {
-            // Placed on the ground: neither off it nor into it.
+            // The ball is placed on the ground: remove the component along the normal.
             Vector3d normal = _around.World.CarrierOf(in from).At(from.Position, from.Time).Normal;
             Tangent.Project(0, in normal);
             Tangent.Project(MotionVector.Velocity, in normal);
@@ -95,7 +95,7 @@ internal sealed class SceneTangent : TangentObserver
         bool goesOn = isPlain && _flight.IsOpen && GoesOn(in before);
         if (goesOn && !_isKept && after.Time >= _stepEnd)
         {
-            // A whole step of a flight that goes on: nearly every one. What comes of it is known when the step has ended.
+            // A full step of an ongoing flight, the usual case. Hold it until the step ends without an event.
             _isHeld = true;
             _last = after;
             return false;
@@ -127,7 +127,7 @@ internal sealed class SceneTangent : TangentObserver
 
     public override bool EndStep(in BallState end)
     {
-        // An impact that ended the run is told as it was just before it.
+        // If an impact ended the run, the final state is that just before it.
         bool hit = _log!.Halted && _log.StopAt == StopAt.Impact;
         if (!hit && (end.Motion != MotionState.Airborne || end.Nets != 0))
         {
@@ -165,12 +165,12 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>True when a piece of flight begins as the last one ended, without an event between them.</summary>
+    /// <summary>Returns true if a segment of flight continues the last one without an event in between.</summary>
     private bool GoesOn(in BallState before) =>
         _event == _log!.Events.Count && (before.Branch == _now.Branch || before.Branch == DragBranch.Unknown)
         && before.Time == _last.Time && before.Velocity == _last.Velocity;
 
-    /// <summary>Takes the whole step that was held.</summary>
+    /// <summary>Processes the held step.</summary>
     private void Commit()
     {
         if (_isHeld)
@@ -180,7 +180,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>Ends a plain flight that is under way.</summary>
+    /// <summary>Ends the current plain flight.</summary>
     private void Land()
     {
         Commit();
@@ -190,7 +190,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>Keeps the tangent at the start of the step.</summary>
+    /// <summary>Saves the tangent at the start of the step.</summary>
     private void Keep()
     {
         if (!_isKept)
@@ -201,7 +201,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>Leaves the step to its differences, from its start.</summary>
+    /// <summary>Leaves the entire step to <see cref="StepDifferences"/>.</summary>
     private void Leave()
     {
         if (_isLeft)
@@ -222,7 +222,7 @@ internal sealed class SceneTangent : TangentObserver
         }
     }
 
-    /// <summary>Goes through the events between the last piece and where the ball goes on from, and takes up what moves it there.</summary>
+    /// <summary>Processes the events between the last segment and the next, and starts the next motion.</summary>
     private void Join(in BallState before)
     {
         BallState at = _last;
@@ -252,8 +252,8 @@ internal sealed class SceneTangent : TangentObserver
         (_now, _next) = (_next, _now);
     }
 
-    /// <summary>An impact.</summary>
-    /// <returns>How many more it was at once.</returns>
+    /// <summary>Processes an impact.</summary>
+    /// <returns>The number of further impacts at the same time.</returns>
     private int Hit(ref BallState at, int thing)
     {
         if (!_atEvent)

@@ -1,29 +1,27 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// What a step does to the derivatives by the launch, by central differences of the step itself: all that may happen in it, slides and their ends, rolls, nets,
-/// what else the ball touches, and the lengths of the pieces that it is taken in, is differentiated as it is taken.
-/// </summary>
+/// <summary>Updates the derivatives by the launch over a step, by central differences of the step itself.</summary>
 /// <remarks>
-/// The trick: the columns of J = ∂y/∂y₀ are motions that the ball can make (one that rolls goes on rolling), so that y is changed along an orthonormal basis of
-/// them, J = B R, and not along the axes: fewer steps, and none from within the ground.
+/// This covers everything in a step: slides and their ends, rolls, nets, other contacts, and the lengths of segments.
+/// <para>The trick: the columns of J = ∂y/∂y₀ are motions that the ball can make (a rolling ball keeps rolling). So y is varied along an orthonormal basis of
+/// them, J = B R, instead of along the axes. This needs fewer steps, and none starts in the ground.</para>
 /// </remarks>
 internal sealed class StepDifferences
 {
-    /// <summary>The widest change, m/s; of a spin that of the surface, of a place the way of so long, s.</summary>
+    /// <summary>The widest variation, as a speed in m/s, and the time in s that converts a position to a speed.</summary>
     private const double Widest = 4e-4;
     private const double Way = 0.05;
 
-    /// <summary>Share of a slip, and of the speed of a roll or of the flow, by which it is changed at most, and the narrowest change, m/s.</summary>
+    /// <summary>The largest variations relative to a slip, and to the speed of a roll or the flow; then the narrowest variation, in m/s.</summary>
     private const double SlipShare = 0.01;
     private const double RollShare = 0.001;
     private const double Narrowest = 1e-7;
 
-    /// <summary>Changed steps must go through the same events in as many pieces, and agree: else they are changed by less, so often and to this share.</summary>
+    /// <summary>The number of times, and the factor, by which a variation is narrowed until both sides have the same events and agree.</summary>
     private const int MostTries = 6;
     private const double Narrower = 0.25;
 
-    /// <summary>They agree with those of half the width where the two differ by no more than this share of the change.</summary>
+    /// <summary>The relative difference up to which results of full and half width agree.</summary>
     private const double Agreed = 3e-8;
 
     private readonly Simulator _simulator;
@@ -47,15 +45,15 @@ internal sealed class StepDifferences
         _basis = new TangentBasis(Way, 1.0 / scene.Ball.Radius);
     }
 
-    /// <summary>Carries the tangent over a step.</summary>
-    /// <param name="tangent">J at its start; then at its end, or at the event that ended it.</param>
-    /// <param name="start">The ball at its start.</param>
-    /// <param name="end">The ball at its end.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="stopAt">The event that ends it.</param>
-    /// <param name="events">What happens in it.</param>
-    /// <param name="pieces">In how many pieces it is taken.</param>
-    /// <param name="eventTimes">When it ends by the launch, δt of each column.</param>
+    /// <summary>Updates the tangent over a step.</summary>
+    /// <param name="tangent">J at the start; on return, at the end, or at the event that ended the step.</param>
+    /// <param name="start">The ball at the start.</param>
+    /// <param name="end">The ball at the end.</param>
+    /// <param name="dt">The length, in s.</param>
+    /// <param name="stopAt">The event that ends the step.</param>
+    /// <param name="events">The events in the step.</param>
+    /// <param name="pieces">The number of segments in the step.</param>
+    /// <param name="eventTimes">Receives δt of each column: the change of the end time by the launch.</param>
     public void Take(Tangent tangent, in BallState start, in BallState end, double dt, StopAt stopAt, ReadOnlySpan<BallEvent> events, long pieces, double[] eventTimes)
     {
         _timeStep = dt;
@@ -66,7 +64,7 @@ internal sealed class StepDifferences
         _basis.Span(tangent, dependsOnPlace);
         double widest = WidthAt(in start);
 
-        // Wind that varies and what a game adds are smooth, and such steps are many: one width does.
+        // Variable wind and custom forces are smooth, and such steps are frequent: use a single width.
         bool isSmooth = !_hasLawsAlone && events.Length == 0 && start.Nets == 0 && start.Branch == end.Branch && start.Motion == MotionState.Airborne;
         for (int i = 0; i < _basis.Count; i++)
         {
@@ -76,7 +74,7 @@ internal sealed class StepDifferences
 
         for (int c = 0; c < Tangent.Columns; c++)
         {
-            // The way that it goes, not the place, is subtracted: less is lost to rounding.
+            // Subtract displacements instead of positions, to lose less to rounding.
             var sum = new Motion(tangent.Of(c).Position, Vector3d.Zero, Vector3d.Zero);
             double time = 0;
             for (int i = 0; i < _basis.Count; i++)
@@ -91,10 +89,11 @@ internal sealed class StepDifferences
         }
     }
 
-    /// <summary>
-    /// What a change along a direction becomes: narrower and narrower, until all go through the same and half of a width says the same as it does. A force
-    /// has kinks (that of spin where the ball spins about its way, a net's), which a wide change smears.
-    /// </summary>
+    /// <summary>Computes the result of a variation along a direction.</summary>
+    /// <remarks>
+    /// It narrows the variation until both sides have the same events, and half the width agrees. Some forces have kinks (spin along the path, a net), which a
+    /// wide variation would smear.
+    /// </remarks>
     private void Change(
         in BallState start, in Motion direction, double width, ReadOnlySpan<BallEvent> events, bool isSmooth, out Motion change, out double time)
     {
@@ -114,7 +113,7 @@ internal sealed class StepDifferences
                 double apart = same ? Apart(in near, in nearer) : double.MaxValue;
                 if (apart < least)
                 {
-                    // Of fourth order, (4 q(h/2) − q(h))/3
+                    // Richardson extrapolation to fourth order, (4 q(h/2) − q(h))/3.
                     least = apart;
                     change = same ? MotionVector.Sum(4.0 / 3.0, in nearer, -1.0 / 3.0, in near) : nearer;
                     time = same ? nearerTime + ((nearerTime - nearTime) / 3.0) : nearerTime;
@@ -130,21 +129,22 @@ internal sealed class StepDifferences
             same = Quotient(in start, in direction, width, events, out near, out nearTime);
             if (double.IsPositiveInfinity(least))
             {
-                // On the edge of another course the narrowest says most.
+                // Close to a different course of events, the narrowest variation is the best.
                 change = near;
                 time = nearTime;
             }
         }
     }
 
-    /// <summary>By how much two changes of the velocity, or of the surface's, differ.</summary>
+    /// <summary>Returns the difference between two changes, as a velocity of the centre or of the surface.</summary>
     private double Apart(in Motion one, in Motion other) =>
         Math.Max((one.Velocity - other.Velocity).Length, _simulator.Scene.Ball.Radius * (one.Spin - other.Spin).Length);
 
-    /// <summary>
-    /// True when what happens depends on the place. In flight, and along level ground of one kind, in air that is the same everywhere, the place goes on with the
-    /// ball: one that has just left the ground is not changed to one within it.
-    /// </summary>
+    /// <summary>Returns true if the step depends on the position.</summary>
+    /// <remarks>
+    /// In flight, and on level uniform ground, in uniform air, it does not: the position is then carried along unchanged. So a ball that has just left the ground is
+    /// never moved into it.
+    /// </remarks>
     private bool DependsOnPlace(in BallState start, ReadOnlySpan<BallEvent> events)
     {
         bool flies = start.Motion == MotionState.Airborne && _end.Motion == MotionState.Airborne && events.Length == 0;
@@ -166,8 +166,8 @@ internal sealed class StepDifferences
         return ContactSet.TouchesMore(world, in start, flies ? -1 : (int)start.Carrier - world.FirstCollider);
     }
 
-    /// <summary>(y(h) − y(−h))/2h at the end of the step, of the way instead of the place.</summary>
-    /// <returns>Whether both go through the same.</returns>
+    /// <summary>Computes (y(h) − y(−h))/2h at the end of the step, with the displacement instead of the position.</summary>
+    /// <returns>True if both sides have the same events.</returns>
     private bool Quotient(in BallState start, in Motion direction, double width, ReadOnlySpan<BallEvent> events, out Motion change, out double time)
     {
         bool same = End(in start, in direction, width, events, out Motion high, out double later);
@@ -178,7 +178,7 @@ internal sealed class StepDifferences
         return same;
     }
 
-    /// <summary>The motion at the end of a changed step, its way instead of its place: at its time, or at the event that ends it, just before it.</summary>
+    /// <summary>Computes the motion at the end of a varied step, or just before the event that ends it, with the displacement instead of the position.</summary>
     private bool End(in BallState start, in Motion direction, double by, ReadOnlySpan<BallEvent> events, out Motion end, out double time)
     {
         BallState s = MotionVector.With(in start, MotionVector.Sum(1.0, MotionVector.Of(in start), by, in direction));
@@ -193,7 +193,7 @@ internal sealed class StepDifferences
             Vector3d moving = OnSurface(in s, out Vector3d normal);
             if (moving.LengthSquared < Slip.Rolling * Slip.Rolling)
             {
-                // It stands on its spot: what is left of its speed says nothing.
+                // The ball stands still: its remaining speed carries no information.
                 end = new Motion(end.Position, s.Velocity - moving, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance);
             }
         }
@@ -202,14 +202,14 @@ internal sealed class StepDifferences
             && _log.Steps == _pieces && _log.Events.Count == events.Length;
         for (int i = 0; same && i < events.Length; i++)
         {
-            // What is so from the start happens at once, whatever is changed.
+            // An event at the very start happens at once on both sides, whatever the variation.
             ref readonly BallEvent e = ref _log.Events[i];
             same = e.Kind == events[i].Kind && e.ColliderIndex == events[i].ColliderIndex && e.Time == start.Time == (events[i].Time == start.Time);
         }
 
         if (_log.Halted)
         {
-            // An impact after which the ball slides or rolls is not the last event.
+            // If the ball slides or rolls after the impact, the impact is not the last event.
             ref readonly BallEvent ending = ref Ending();
             end = new Motion(ending.Position - from, ending.VelocityBefore, ending.SpinBefore, s.AirDistance);
         }
@@ -217,7 +217,7 @@ internal sealed class StepDifferences
         return same;
     }
 
-    /// <summary>The event that ended the step: the first of its kind.</summary>
+    /// <summary>Returns the event that ended the step: the first of its kind.</summary>
     private ref readonly BallEvent Ending()
     {
         BallEventKind kind = _stopAt == StopAt.Impact ? BallEventKind.Impact : BallEventKind.Rest;
@@ -230,7 +230,7 @@ internal sealed class StepDifferences
         return ref _log.Events[i];
     }
 
-    /// <summary>By how much to change the motion: the slower a slip, a roll or the flow, the faster its force turns.</summary>
+    /// <summary>Returns the width of a variation: the slower a slip, roll or flow, the faster its force turns, and the narrower the variation.</summary>
     private double WidthAt(in BallState start)
     {
         if (start.Motion == MotionState.Airborne)
@@ -246,7 +246,7 @@ internal sealed class StepDifferences
         return Math.Max(Narrowest, widest);
     }
 
-    /// <summary>The velocity over what carries the ball, and its normal.</summary>
+    /// <summary>Returns the velocity relative to the supporting surface, and its normal.</summary>
     private Vector3d OnSurface(in BallState s, out Vector3d normal)
     {
         Collider carrier = _simulator.World.CarrierOf(in s);

@@ -1,11 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// How the motion at one time changes with the launch, J = ∂y/∂y₀: ten rows (<see cref="MotionVector"/>), nine columns (place, velocity, spin of the launch).
-/// </summary>
+/// <summary>The derivative of the motion at one time by the launch, J = ∂y/∂y₀.</summary>
+/// <remarks>It has ten rows (<see cref="MotionVector"/>), and nine columns for the position, velocity and spin of the launch.</remarks>
 internal sealed class Tangent
 {
-    /// <summary>Columns: the numbers of the launch.</summary>
+    /// <summary>The number of columns: the components of the launch.</summary>
     public const int Columns = 9;
 
     private const int Rows = MotionVector.Size;
@@ -15,7 +14,7 @@ internal sealed class Tangent
     private readonly double[] _next = new double[Length];
     private readonly double[] _kept = new double[Length];
 
-    /// <summary>The launch itself, J = 1.</summary>
+    /// <summary>Resets to the launch itself, J = 1.</summary>
     public void Reset()
     {
         Array.Clear(_j, 0, Length);
@@ -25,19 +24,19 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>Keeps it as it is now.</summary>
+    /// <summary>Saves the current values.</summary>
     public void Keep() => Array.Copy(_j, _kept, Length);
 
-    /// <summary>Makes it again what was kept.</summary>
+    /// <summary>Restores the saved values.</summary>
     public void Restore() => Array.Copy(_kept, _j, Length);
 
-    /// <summary>One entry.</summary>
+    /// <summary>Gets one entry.</summary>
     public double this[int row, int column] => _j[(row * Columns) + column];
 
-    /// <summary>Three rows and three columns.</summary>
+    /// <summary>Returns a block of three rows and three columns.</summary>
     public Matrix3d Block(int row, int column) => new(Row(row, column), Row(row + 1, column), Row(row + 2, column));
 
-    /// <summary>One column: how the motion changes with one number of the launch.</summary>
+    /// <summary>Returns one column: the derivative of the motion by one component of the launch.</summary>
     public Motion Of(int column) => new(
         Column(0, column), Column(MotionVector.Velocity, column), Column(MotionVector.Spin, column), _j[(MotionVector.AirDistance * Columns) + column]);
 
@@ -57,7 +56,7 @@ internal sealed class Tangent
         Array.Copy(_next, _j, Length);
     }
 
-    /// <summary>J ← J + f ⊗ δt: from one time for all to the time of an event, or back.</summary>
+    /// <summary>J ← J + f ⊗ δt: converts from a fixed time to the time of an event, or back.</summary>
     /// <param name="velocity">v.</param>
     /// <param name="rates">v̇, ω̇.</param>
     /// <param name="times">δt of each column.</param>
@@ -74,7 +73,7 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>J ← J + r ⊗ δt for a change r of the motion by time itself.</summary>
+    /// <summary>J ← J + r ⊗ δt, where r is the rate of the motion by time.</summary>
     public void Add(in Motion rate, double[] times)
     {
         for (int c = 0; c < Columns; c++)
@@ -85,14 +84,14 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>J at the end of a plain flight, from that at its start.</summary>
-    /// <param name="x">How x changes beside δx itself.</param>
-    /// <param name="y">The same, y.</param>
-    /// <param name="z">The same, z.</param>
-    /// <param name="motion">How velocity and size of the spin change.</param>
-    /// <param name="axis">Axis of the spin.</param>
-    /// <param name="first">A direction across it.</param>
-    /// <param name="second">The other.</param>
+    /// <summary>Updates J from the start to the end of a plain flight.</summary>
+    /// <param name="x">The derivatives of x, apart from δx itself.</param>
+    /// <param name="y">The derivatives of y.</param>
+    /// <param name="z">The derivatives of z.</param>
+    /// <param name="motion">The derivatives of velocity and spin magnitude.</param>
+    /// <param name="axis">The axis of the spin.</param>
+    /// <param name="first">A unit vector across the axis.</param>
+    /// <param name="second">The other unit vector across the axis.</param>
     /// <param name="startSpin">|ω| at the start, rad/s.</param>
     /// <param name="endSpin">|ω| at the end, rad/s.</param>
     public void Fly(
@@ -120,7 +119,7 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>When an event happens, by the launch: δt = −∇g·δy/ġ.</summary>
+    /// <summary>Computes the derivative of an event's time by the launch: δt = −∇g·δy/ġ.</summary>
     /// <param name="place">∂g/∂p.</param>
     /// <param name="velocity">∂g/∂v.</param>
     /// <param name="spin">∂g/∂ω.</param>
@@ -135,7 +134,7 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>Takes away from three rows what is along a direction: what a ball that is placed loses of it.</summary>
+    /// <summary>Removes the component along a direction from three rows, as when a ball is placed on a surface.</summary>
     public void Project(int row, in Vector3d normal)
     {
         for (int c = 0; c < Columns; c++)
@@ -144,9 +143,8 @@ internal sealed class Tangent
         }
     }
 
-    /// <summary>
-    /// The shortest of slides, of a ball that is all but rolling, up to where it rolls: δv' = δv − δs/(1 + 1/α), δω' = n × δv'/r + (n·δω) n.
-    /// </summary>
+    /// <summary>Applies the map of a vanishingly short slide after which the ball rolls.</summary>
+    /// <remarks>δv' = δv − δs/(1 + 1/α), δω' = n × δv'/r + (n·δω) n.</remarks>
     /// <param name="normal">n.</param>
     /// <param name="radius">r, m.</param>
     /// <param name="inertiaFactor">α.</param>

@@ -1,15 +1,15 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>An orthonormal basis of what the columns of a tangent span, J = B R, in numbers of one unit: of a velocity, m/s.</summary>
+/// <summary>An orthonormal basis of the columns of a tangent, J = B R, with all components scaled to a velocity in m/s.</summary>
 internal sealed class TangentBasis
 {
-    /// <summary>As many vectors as it may have.</summary>
+    /// <summary>The maximum number of vectors.</summary>
     public const int Most = Tangent.Columns;
 
-    /// <summary>Place, velocity, spin, and the distance flown.</summary>
+    /// <summary>The blocks: position, velocity, spin, and distance flown.</summary>
     private const int Blocks = 4;
 
-    /// <summary>Of a column's place, velocity or spin no more than this share is left out: what is less is rounding, which may point anywhere.</summary>
+    /// <summary>The share of a column's position, velocity or spin that may be left out: below it, only rounding errors remain.</summary>
     private const double Negligible = 1e-8;
 
     private readonly double[] _units = new double[MotionVector.Size];
@@ -17,8 +17,8 @@ internal sealed class TangentBasis
     private readonly double[] _shares = new double[Most * Tangent.Columns];
     private readonly double[] _left = new double[Tangent.Columns * MotionVector.Size];
 
-    /// <param name="place">The place that counts as much as a velocity of 1 m/s, m.</param>
-    /// <param name="spin">The spin that does, rad/s.</param>
+    /// <param name="place">The displacement that counts as much as 1 m/s, in m.</param>
+    /// <param name="spin">The spin that counts as much as 1 m/s, in rad/s.</param>
     public TangentBasis(double place, double spin)
     {
         for (int i = 0; i < MotionVector.Size; i++)
@@ -27,10 +27,10 @@ internal sealed class TangentBasis
         }
     }
 
-    /// <summary>How many vectors it has.</summary>
+    /// <summary>The number of vectors.</summary>
     public int Count { get; private set; }
 
-    /// <summary>One of the vectors.</summary>
+    /// <summary>Gets one of the vectors.</summary>
     public Motion this[int index]
     {
         get
@@ -41,12 +41,12 @@ internal sealed class TangentBasis
         }
     }
 
-    /// <summary>R: how much of a vector is in a column.</summary>
+    /// <summary>Returns an entry of R: the share of a vector in a column.</summary>
     public double Share(int index, int column) => _shares[(index * Tangent.Columns) + column];
 
-    /// <summary>Finds the basis, by Gram–Schmidt's method: the column of which most is left comes first.</summary>
+    /// <summary>Computes the basis by the Gram–Schmidt method, starting with the column that has the largest remainder.</summary>
     /// <param name="tangent">The tangent.</param>
-    /// <param name="withPlace">Whether the place counts; else the basis is that of all else.</param>
+    /// <param name="withPlace">True to include the position.</param>
     public void Span(Tangent tangent, bool withPlace)
     {
         Count = 0;
@@ -66,7 +66,7 @@ internal sealed class TangentBasis
 
         while (Count < Most)
         {
-            // A law may not be smooth where there is no spin: the columns of the launch's place and velocity are not to be made of those of its spin.
+            // A law may not be smooth at zero spin, so never build the columns of position and velocity from those of the spin.
             int most = Largest(sizes, 0, MotionVector.Spin);
             most = most < 0 ? Largest(sizes, MotionVector.Spin, Tangent.Columns) : most;
             if (most < 0)
@@ -78,7 +78,7 @@ internal sealed class TangentBasis
         }
     }
 
-    /// <summary>The column, from one up to another, of which the largest share is left; −1 where all is negligible.</summary>
+    /// <summary>Returns the column in a range with the largest remainder; −1 if all are negligible.</summary>
     private int Largest(ReadOnlySpan<double> sizes, int from, int to)
     {
         int most = -1;
@@ -130,7 +130,7 @@ internal sealed class TangentBasis
         Count++;
     }
 
-    /// <summary>Length of the place, velocity, spin or distance left in a column.</summary>
+    /// <summary>Returns the length of one block of a column's remainder.</summary>
     private double Length(int column, int block)
     {
         double sum = 0;

@@ -3,25 +3,25 @@ namespace FootballPhysics.Batch;
 /// <summary>The ball's height above contact over a step that comes down to it.</summary>
 internal readonly struct HeightArc
 {
-    /// <summary>Newton ends at this relative change: the next one would be at rounding, and a re-step corrects what is left.</summary>
+    /// <summary>The relative change at which Newton's method ends: the next one would be rounding, and repeating the step corrects the rest.</summary>
     private const double Close = 1e-6;
 
-    /// <summary>Height at the start, m; not negative.</summary>
+    /// <summary>The height at the start, in m; at least 0.</summary>
     public readonly double Start;
 
-    /// <summary>Vertical velocity at the start, m/s.</summary>
+    /// <summary>The vertical velocity at the start, in m/s.</summary>
     public readonly double StartVelocity;
 
-    /// <summary>Vertical acceleration at the start, m/s².</summary>
+    /// <summary>The vertical acceleration at the start, in m/s².</summary>
     public readonly double StartAcceleration;
 
-    /// <summary>Height at the end, m.</summary>
+    /// <summary>The height at the end, in m.</summary>
     public readonly double End;
 
-    /// <summary>Vertical velocity at the end, m/s.</summary>
+    /// <summary>The vertical velocity at the end, in m/s.</summary>
     public readonly double EndVelocity;
 
-    /// <summary>Length of the step, s.</summary>
+    /// <summary>The length of the step, in s.</summary>
     public readonly double Length;
 
     public HeightArc(double start, double startVelocity, double startAcceleration, double end, double endVelocity, double length)
@@ -34,7 +34,7 @@ internal readonly struct HeightArc
         Length = length;
     }
 
-    /// <summary>The first time at which the cubic Hermite interpolant comes down to zero, or the whole length where it does not.</summary>
+    /// <summary>Returns the first time at which the cubic Hermite interpolant falls to zero, or the full length if it does not.</summary>
     public double HermiteRoot()
     {
         CubicHermite curve = Curve;
@@ -45,7 +45,7 @@ internal readonly struct HeightArc
 
     private CubicHermite Curve => new(Start, StartVelocity * Length, End, EndVelocity * Length);
 
-    /// <summary>The height over the step. A start at contact is a root already: the next one is that of the quotient by s.</summary>
+    /// <summary>The height over the step. If the start is at contact, divide by s, to find the next root.</summary>
     private readonly struct HeightOverArc : IDifferentiableFunction
     {
         private readonly CubicHermite _curve;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The integrator that a flight in lanes is compiled for.</summary>
+/// <summary>The integrator for which a flight in lanes is specialized.</summary>
 internal interface ILaneMethod
 {
-    /// <summary>Stages: 4 of classical Runge–Kutta, 2 of the midpoint method.</summary>
+    /// <summary>The number of stages: 4 for classical Runge–Kutta, 2 for the midpoint method.</summary>
     int Stages { get; }
 }
 
@@ -22,14 +22,14 @@ internal readonly struct LaneRk4 : ILaneMethod
 /// <summary>The acceleration by gravity and buoyancy, in float.</summary>
 internal readonly struct LaneWeight
 {
-    /// <summary>Along the lanes' x, m/s².</summary>
+    /// <summary>The component along the lanes' x, in m/s².</summary>
     public readonly float AlongX;
 
-    /// <summary>Along the lanes' y, m/s².</summary>
+    /// <summary>The component along the lanes' y, in m/s².</summary>
     public readonly float AlongY;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="upAlongX">Whether up is along the lanes' x, else y.</param>
+    /// <param name="upAlongX">True if up is the lanes' x, false for y.</param>
     public LaneWeight(Scene scene, bool upAlongX)
     {
         double up = Weight.UpwardAcceleration(scene);
@@ -38,11 +38,11 @@ internal readonly struct LaneWeight
     }
 }
 
-/// <summary>Is shown a group of balls in flight after every step.</summary>
+/// <summary>Observes a group of balls in flight after every step.</summary>
 internal abstract class LaneWatch
 {
-    /// <summary>Called after every step, with the balls that still fly.</summary>
-    /// <param name="group">The group; its state now is that at the step's end.</param>
-    /// <param name="time">Time since the launches, s.</param>
+    /// <summary>Called after every step, with the balls that are still in flight.</summary>
+    /// <param name="group">The group; <see cref="LaneGroup.Now"/> is the state at the end of the step.</param>
+    /// <param name="time">The time since the launches, in s.</param>
     public abstract void Step(LaneGroup group, double time);
 }

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The balls that cross the drag law's jump in a step, side by side, so that registers are full of them.</summary>
+/// <summary>The balls that cross the jump of the drag law in a step, packed to fill SIMD registers.</summary>
 internal sealed class LaneCrossings
 {
     public LaneCrossings(int size)
@@ -21,12 +21,12 @@ internal sealed class LaneCrossings
 
     public LaneState Now { get; }
 
-    /// <summary>At the jump.</summary>
+    /// <summary>The state at the jump.</summary>
     public LaneState Middle { get; }
 
     public LaneState Next { get; }
 
-    /// <summary>Which part of the step comes before the jump, 0 … 1.</summary>
+    /// <summary>The fraction of the step before the jump, 0 … 1.</summary>
     public float[] Share { get; }
 
     public float[] Nx { get; }
@@ -35,15 +35,15 @@ internal sealed class LaneCrossings
 
     public float[] Nz { get; }
 
-    /// <summary>Masks: the drag law's branch before and after the step.</summary>
+    /// <summary>Masks: the branch of the drag law before and after the step.</summary>
     public float[] Inside { get; }
 
     public float[] InsideAfter { get; }
 
-    /// <summary>Mask: which ended on the side of the jump that they came from.</summary>
+    /// <summary>Mask: balls that ended on the side of the jump that they came from.</summary>
     public float[] Astray { get; }
 
-    /// <summary>Takes a ball out of its group.</summary>
+    /// <summary>Copies a ball from its group.</summary>
     [MethodImpl(Hot.Path)]
     public void Take(LaneGroup group, int from, int to)
     {

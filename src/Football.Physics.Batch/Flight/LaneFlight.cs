@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Flies groups of balls, several at once in wide registers. Immutable: threads may share it.</summary>
+/// <summary>Simulates groups of balls, several at once in SIMD registers. Immutable and thread-safe.</summary>
 internal abstract class LaneFlight
 {
     private protected LaneFlight(double timeStep, bool findsApex)
@@ -9,38 +9,38 @@ internal abstract class LaneFlight
         FindsApex = findsApex;
     }
 
-    /// <summary>Length of a step, s: the float next to what was asked for.</summary>
+    /// <summary>The length of a step, in s: the requested length, rounded to float.</summary>
     public float TimeStep { get; }
 
-    /// <summary>True when the highest point of each way is wanted.</summary>
+    /// <summary>True if the highest point of each path is computed.</summary>
     public bool FindsApex { get; }
 
-    /// <summary>Flies all balls of a group until their limits or a time.</summary>
+    /// <summary>Simulates all balls of a group up to their limits or a time.</summary>
     public abstract void Fly(LaneGroup group, double duration);
 
-    /// <summary>
-    /// True when there is a flight in lanes for a scene: laws of one kind, or none, without a force of the game's own, wind by place and time, or a
-    /// knuckle force, and nothing to hit but level ground.
-    /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <summary>Returns true if lanes support a scene.</summary>
+    /// <remarks>
+    /// They support laws of one kind, or none, above level ground. They support no custom forces, variable wind, knuckle force, or objects.
+    /// </remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static bool Covers(Scene scene) => !scene.HasOwnForces && !SceneAir.HasFieldIn(scene) && KindOf(scene.Forces) is not null
         && scene.Ground.IsLevel && scene.Ground.Pattern is null && !scene.HasThings;
 
     /// <summary>Compiles a scene.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="fourthOrder">RK4, else RK2.</param>
-    /// <param name="timeStep">Length of a step, s.</param>
-    /// <param name="lanes">Floats in a register: 1, 4, 8 or 16.</param>
-    /// <param name="upAlongX">Whether up is along x of the lanes, else y.</param>
-    /// <param name="findsApex">Whether the highest point of each way is wanted.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The scene is not covered, or there is no such register.</exception>
+    /// <param name="fourthOrder">True for RK4, false for RK2.</param>
+    /// <param name="timeStep">The length of a step, in s.</param>
+    /// <param name="lanes">The number of floats in a register: 1, 4, 8 or 16.</param>
+    /// <param name="upAlongX">True if up is the lanes' x, false for y.</param>
+    /// <param name="findsApex">True to compute the highest point of each path.</param>
+    /// <exception cref="ArgumentOutOfRangeException">Lanes do not support the scene, or the number of lanes.</exception>
     public static LaneFlight Create(Scene scene, bool fourthOrder, double timeStep, int lanes, bool upAlongX = false, bool findsApex = false) =>
         fourthOrder
             ? WithMethod<LaneRk4>(scene, timeStep, lanes, upAlongX, findsApex)
             : WithMethod<LaneRk2>(scene, timeStep, lanes, upAlongX, findsApex);
 
 #if NET8_0_OR_GREATER
-    /// <summary>How many floats are best put side by side here.</summary>
+    /// <summary>The best number of lanes on this machine.</summary>
     public static int BestLanes { get; } =
         System.Runtime.Intrinsics.Vector512.IsHardwareAccelerated ? 16
         : System.Runtime.Intrinsics.Vector256.IsHardwareAccelerated ? 8
@@ -57,7 +57,7 @@ internal abstract class LaneFlight
             _ => throw new ArgumentOutOfRangeException(nameof(lanes)),
         };
 #else
-    /// <summary>How many floats are best put side by side here.</summary>
+    /// <summary>The best number of lanes on this machine.</summary>
     public static int BestLanes => 1;
 
     private static LaneFlight WithMethod<TMethod>(Scene scene, double timeStep, int lanes, bool upAlongX, bool findsApex)
@@ -65,7 +65,7 @@ internal abstract class LaneFlight
         lanes >= 1 ? WithLanes<Lanes1, TMethod>(scene, timeStep, upAlongX, findsApex) : throw new ArgumentOutOfRangeException(nameof(lanes));
 #endif
 
-    /// <summary>With the law of the scene: the one place that names them.</summary>
+    /// <summary>Creates a flight with the laws of the scene. Only this method maps scenes to lane laws.</summary>
     private static LaneFlight WithLanes<F, TMethod>(Scene scene, double timeStep, bool upAlongX, bool findsApex)
 #if NET8_0_OR_GREATER
         where F : struct, ILane<F>
@@ -88,7 +88,7 @@ internal abstract class LaneFlight
         };
     }
 
-    /// <summary>Of which kind the laws that act are; null where they are of several.</summary>
+    /// <summary>Returns the kind of the laws that act; null if there are several kinds.</summary>
     private static ForceLaw? KindOf(ForceSet forces)
     {
         ForceLaw kind = ForceLaw.None;

@@ -2,88 +2,90 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>A group of balls in flight, and where their flights ended. Small enough for the first-level cache.</summary>
+/// <summary>A group of balls in flight, and the ends of their flights. It fits into the first-level cache.</summary>
 internal sealed class LaneGroup
 {
-    /// <summary>Balls in a group.</summary>
+    /// <summary>The number of balls in a group.</summary>
     public const int Size = 256;
 
-    /// <summary>Room for the widest register beyond the last ball.</summary>
+    /// <summary>The array length, with space for the widest register after the last ball.</summary>
     private const int Room = Size + 16;
 
-    /// <summary>A flight crosses the jump three times: into the branch with spin, out of it as it slows down, into it as it falls.</summary>
+    /// <summary>The maximum number of jump crossings: into the branch with spin, out of it while slowing down, and into it while falling.</summary>
     private const int MostCrossings = 3;
 
     private LaneState _now = new(Room);
     private LaneState _next = new(Room);
 
-    /// <summary>Is shown the group after every step; null costs nothing.</summary>
+    /// <summary>Observes the group after every step; null for none.</summary>
     public LaneWatch? Watch;
 
-    /// <summary>How many are flying: the first places.</summary>
+    /// <summary>The number of balls in flight; they occupy the first slots.</summary>
     public int Flying;
 
-    /// <summary>Which ball of the group is at a place.</summary>
+    /// <summary>The ball of the group in each slot.</summary>
     public readonly int[] Ball = new int[Size];
 
-    /// <summary>Unit axis of the spin.</summary>
+    /// <summary>The unit axis of the spin.</summary>
     public readonly float[] Nx = new float[Room];
     public readonly float[] Ny = new float[Room];
     public readonly float[] Nz = new float[Room];
 
-    /// <summary>A flight ends when its way along y and the wind's, <see cref="Drift"/> times the time, fall below this, m.</summary>
+    /// <summary>The limit along y, in m.</summary>
+    /// <remarks>A flight ends when y, including the wind's <see cref="Drift"/> times the time, falls below it.</remarks>
     public readonly float[] Limit = new float[Room];
     public readonly float[] Drift = new float[Room];
 
-    /// <summary>Mask: whether the drag law with spin holds.</summary>
+    /// <summary>Mask: the branch with spin holds.</summary>
     public readonly float[] Inside = new float[Room];
 
-    /// <summary>Mask: the same after the step.</summary>
+    /// <summary>Mask: the branch with spin holds after the step.</summary>
     public readonly float[] InsideAfter = new float[Room];
 
-    /// <summary>Mask: whether the drag law's jump was near at the end of the step.</summary>
+    /// <summary>Mask: the jump of the drag law was near at the end of the step.</summary>
     public readonly float[] Near = new float[Room];
 
-    /// <summary>How often a ball crossed the jump.</summary>
+    /// <summary>The number of jump crossings of each ball.</summary>
     public readonly int[] Crossings = new int[Size];
 
-    /// <summary>Places whose balls crossed the drag law's jump in the step, and those balls side by side.</summary>
+    /// <summary>The slots whose balls crossed the jump in this step, and copies of these balls.</summary>
     public readonly int[] Crossing = new int[Size];
     public int CrossingCount;
     public readonly LaneCrossings Crossed = new(Room);
 
-    /// <summary>Places whose balls ended in the last step, ascending.</summary>
+    /// <summary>The slots whose balls ended in the last step, in ascending order.</summary>
     public readonly int[] Ended = new int[Size];
     public int EndedCount;
 
-    /// <summary>Places whose balls were at their highest in the last step.</summary>
+    /// <summary>The slots whose balls reached their highest point in the last step.</summary>
     public readonly int[] Topped = new int[Size];
     public int ToppedCount;
 
-    /// <summary>By ball: the greatest y of the way, the wind's part included, m.</summary>
+    /// <summary>For each ball: the greatest y of its path, including the wind's drift, in m.</summary>
     public readonly double[] Apex = new double[Size];
 
-    /// <summary>By ball: when its flight ended, s.</summary>
+    /// <summary>For each ball: the end time of its flight, in s.</summary>
     public readonly double[] EndTime = new double[Size];
 
-    /// <summary>By ball: whether it flies no further here: floats do not do for it, as it grazes the drag law's jump or slides along it, or who watches has seen enough.</summary>
+    /// <summary>For each ball: true if it left the lanes early.</summary>
+    /// <remarks>Either it grazes the jump or slides along it, or the observer needs no more.</remarks>
     public readonly bool[] GivenUp = new bool[Size];
 
-    /// <summary>By ball: whether it ended at its limit.</summary>
+    /// <summary>For each ball: true if it ended at its limit.</summary>
     public readonly bool[] Reached = new bool[Size];
 
-    /// <summary>By ball: way through the air, velocity relative to it and size of the spin at the end.</summary>
+    /// <summary>For each ball at the end: displacement relative to the air, velocity relative to the air, and spin magnitude.</summary>
     public readonly Vector3d[] EndPath = new Vector3d[Size];
     public readonly Vector3d[] EndVelocity = new Vector3d[Size];
     public readonly double[] EndSpin = new double[Size];
 
-    /// <summary>Before the step.</summary>
+    /// <summary>The state before the step.</summary>
     public LaneState Now => _now;
 
-    /// <summary>After the step.</summary>
+    /// <summary>The state after the step.</summary>
     public LaneState Next => _next;
 
-    /// <summary>Forgets all balls.</summary>
+    /// <summary>Removes all balls.</summary>
     public void Clear()
     {
         Flying = 0;
@@ -93,12 +95,12 @@ internal sealed class LaneGroup
     }
 
     /// <summary>Adds a ball.</summary>
-    /// <param name="ball">Its number in the group.</param>
-    /// <param name="u">Velocity relative to the air.</param>
-    /// <param name="axis">Unit axis of the spin.</param>
-    /// <param name="spinRate">Size of the spin.</param>
-    /// <param name="limit">Where along y its flight ends.</param>
-    /// <param name="drift">How fast the wind carries it along y.</param>
+    /// <param name="ball">The index of the ball in the group.</param>
+    /// <param name="u">The velocity relative to the air.</param>
+    /// <param name="axis">The unit axis of the spin.</param>
+    /// <param name="spinRate">The magnitude of the spin.</param>
+    /// <param name="limit">The y at which the flight ends.</param>
+    /// <param name="drift">The speed of the wind along y.</param>
     [MethodImpl(Hot.Path)]
     public void Add(int ball, in Vector3d u, in Vector3d axis, double spinRate, double limit, double drift)
     {
@@ -119,7 +121,7 @@ internal sealed class LaneGroup
     /// <summary>Makes the end of a step the start of the next.</summary>
     public void Swap() => (_now, _next) = (_next, _now);
 
-    /// <summary>Writes down how a flight ended.</summary>
+    /// <summary>Stores the end of a flight.</summary>
     public void End(int at, double time, bool reached, in Vector3d path, in Vector3d velocity, double spin)
     {
         int ball = Ball[at];
@@ -130,18 +132,18 @@ internal sealed class LaneGroup
         EndSpin[ball] = spin;
     }
 
-    /// <summary>Notes the places of one register whose balls crossed the drag law's jump, and gives up those that graze it.</summary>
-    /// <param name="at">The register's first place.</param>
-    /// <param name="count">How many balls it holds.</param>
-    /// <param name="jump">Where the law jumps.</param>
-    /// <param name="length">Length of the step, s.</param>
+    /// <summary>Collects the balls of one register that crossed the jump, and gives up those that graze it.</summary>
+    /// <param name="at">The first slot of the register.</param>
+    /// <param name="count">The number of balls in it.</param>
+    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="length">The length of the step, in s.</param>
     [MethodImpl(Hot.Path)]
     public void NoteCrossings(int at, int count, in LaneJump jump, float length)
     {
         int end = at + count < Flying ? at + count : Flying;
         for (int i = at; i < end; i++)
         {
-            // A mask that is set is not a number, or 1.
+            // A set mask is NaN or 1, so compare with 0.
             bool crosses = (Inside[i] == 0) != (InsideAfter[i] == 0);
             if ((crosses || Near[i] != 0) && LaneJumpCheck.Grazes(_now, _next, i, in jump, Inside[i] != 0, crosses, length))
             {
@@ -155,7 +157,7 @@ internal sealed class LaneGroup
         }
     }
 
-    /// <summary>Puts the balls that crossed the jump back in their places.</summary>
+    /// <summary>Copies the balls that crossed the jump back to their slots.</summary>
     [MethodImpl(Hot.Path)]
     public void Rejoin(in LaneJump jump, float length)
     {
@@ -174,17 +176,17 @@ internal sealed class LaneGroup
         }
     }
 
-    /// <summary>Where in <see cref="Crossed"/> the ball at a place is, if it crossed the jump in this step; else −1.</summary>
+    /// <summary>Returns the index in <see cref="Crossed"/> of the ball in a slot if it crossed the jump in this step; otherwise −1.</summary>
     public int CrossingOf(int at) => CrossingCount > 0 ? Array.IndexOf(Crossing, at, 0, CrossingCount) : -1;
 
-    /// <summary>Flies a ball no further here: it is taken out with those that end in the step.</summary>
+    /// <summary>Gives a ball up: it leaves the group together with those that end in this step.</summary>
     public void GiveUp(int at)
     {
         GivenUp[Ball[at]] = true;
         Limit[at] = float.PositiveInfinity;
     }
 
-    /// <summary>Takes the balls that ended out of the state after the step, the last ones into their places.</summary>
+    /// <summary>Removes the balls that ended, and moves the last ones into their slots.</summary>
     [MethodImpl(Hot.Path)]
     public void Compact()
     {
@@ -209,7 +211,7 @@ internal sealed class LaneGroup
         EndedCount = 0;
     }
 
-    /// <summary>Notes the places of one register whose balls ended or were at their highest in this step.</summary>
+    /// <summary>Collects the balls of one register that ended, or reached their highest point, in this step.</summary>
     [MethodImpl(Hot.Path)]
     public void Note(int at, int count, float time, bool tops)
     {

@@ -2,27 +2,27 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds balls that come so close to the drag law's jump that a step in floats does not tell on which side it is.</summary>
+/// <summary>Finds balls so close to the jump of the drag law that a step in floats cannot tell their side.</summary>
 /// <remarks>
-/// The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive. Of each a parabola over the step is known, through
-/// both ends and the middle: the mean velocity of the step by Simpson's rule gives the middle one.
+/// The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive. Each is approximated by a parabola over the step, through its ends
+/// and middle. Simpson's rule gives the middle velocity from the mean velocity of the step.
 /// </remarks>
 internal static class LaneJumpCheck
 {
-    /// <summary>Share of the largest bend of the distance from the jump in a step that a parabola may hide.</summary>
+    /// <summary>The share of the largest bend of the distance in a step that the parabola may miss.</summary>
     private const double Margin = 0.05;
 
-    /// <summary>A crossing is steep enough where its slope is above this, of the same.</summary>
+    /// <summary>The slope, relative to the same bend, above which a crossing is steep enough.</summary>
     private const double LeastSlope = 0.5;
 
-    /// <summary>True when a step comes too close.</summary>
-    /// <param name="now">Before the step.</param>
-    /// <param name="next">After the step.</param>
-    /// <param name="at">The ball's place.</param>
-    /// <param name="jump">Where the law jumps.</param>
-    /// <param name="inside">Whether the step began on the branch with spin.</param>
-    /// <param name="crosses">Whether it ended on the other.</param>
-    /// <param name="length">Length of the step, s.</param>
+    /// <summary>Returns true if a step comes too close to the jump.</summary>
+    /// <param name="now">The state before the step.</param>
+    /// <param name="next">The state after the step.</param>
+    /// <param name="at">The slot of the ball.</param>
+    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="inside">True if the step began on the branch with spin.</param>
+    /// <param name="crosses">True if it ended on the other branch.</param>
+    /// <param name="length">The length of the step, in s.</param>
     [MethodImpl(Hot.Path)]
     public static bool Grazes(LaneState now, LaneState next, int at, in LaneJump jump, bool inside, bool crosses, double length)
     {
@@ -30,7 +30,7 @@ internal static class LaneJumpCheck
         double margin = Margin * bend;
         if (crosses)
         {
-            // Where the nearer of the two is another one at the end, the crossing is not that of a parabola.
+            // If the nearer surface changes within the step, a single parabola does not describe the crossing.
             return bySpeed.CrossesBelow(LeastSlope * bend) || bySpin.CrossesBelow(LeastSlope * bend)
                 || (bySpeed.Start < bySpin.Start) != (bySpeed.End < bySpin.End);
         }
@@ -40,14 +40,14 @@ internal static class LaneJumpCheck
             : bySpeed.Greatest(margin) > 0 && bySpin.Greatest(margin) > 0;
     }
 
-    /// <summary>True when the rest of a step from the jump on does not lead away from it at once: the ball then slides along it.</summary>
-    /// <param name="middle">At the jump.</param>
-    /// <param name="from">The ball's place there.</param>
-    /// <param name="next">After the step.</param>
-    /// <param name="to">The ball's place there.</param>
-    /// <param name="jump">Where the law jumps.</param>
-    /// <param name="inside">Whether it enters the branch with spin.</param>
-    /// <param name="length">Length of the rest of the step, s.</param>
+    /// <summary>Returns true if the ball does not move away from the jump at once, so that it slides along it.</summary>
+    /// <param name="middle">The state at the jump.</param>
+    /// <param name="from">The slot of the ball in this state.</param>
+    /// <param name="next">The state after the step.</param>
+    /// <param name="to">The slot of the ball in that state.</param>
+    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="inside">True if the ball enters the branch with spin.</param>
+    /// <param name="length">The length of the rest of the step, in s.</param>
     [MethodImpl(Hot.Path)]
     public static bool Slides(LaneState middle, int from, LaneState next, int to, in LaneJump jump, bool inside, double length)
     {
@@ -61,8 +61,8 @@ internal static class LaneJumpCheck
         return (inside ? nearer.StartSlope : -nearer.StartSlope) < LeastSlope * bend;
     }
 
-    /// <summary>|u|² − v_c² and (r|ω|/0.05)² − |u|² over a time.</summary>
-    /// <returns>Twice the most that they can bend by in that time.</returns>
+    /// <summary>Computes the parabolas of |u|² − v_c² and (r|ω|/0.05)² − |u|² over a time.</summary>
+    /// <returns>Twice the largest bend of both in that time.</returns>
     [MethodImpl(Hot.Path)]
     private static double Distances(
         LaneState start, int from, LaneState end, int to, in LaneJump jump, double length, out LaneParabola bySpeed, out LaneParabola bySpin)

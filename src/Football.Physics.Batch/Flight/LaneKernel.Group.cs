@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The flight of a group: step by step, in each all balls, so that the processor always has independent work.</summary>
+/// <summary>The flight of a group. Each step advances all balls, so that the processor always has independent work.</summary>
 #if NET8_0_OR_GREATER
 internal sealed partial class LaneKernel<F, TLaw, TMethod> : LaneFlight
     where F : struct, ILane<F>
@@ -17,13 +17,13 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod> : LaneFlight
     private readonly LaneWeight _weight;
     private readonly LaneJump _jump;
 
-    // Not readonly: a call through a type parameter would copy the law first.
+    // Not readonly: otherwise each call through the type parameter would copy the law.
     private TLaw _law;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="timeStep">Length of a step, s.</param>
-    /// <param name="upAlongX">Whether up is along x of the lanes, else y.</param>
-    /// <param name="findsApex">Whether the highest point of each way is wanted.</param>
+    /// <param name="timeStep">The length of a step, in s.</param>
+    /// <param name="upAlongX">True if up is the lanes' x, false for y.</param>
+    /// <param name="findsApex">True to compute the highest point of each path.</param>
     public LaneKernel(Scene scene, double timeStep, bool upAlongX, bool findsApex)
         : base(timeStep, findsApex)
     {

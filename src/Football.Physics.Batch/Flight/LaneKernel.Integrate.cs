@@ -9,7 +9,7 @@ internal sealed partial class LaneKernel<F, TLaw, TMethod>
 internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
-    /// <summary>The changes of velocity, spin and place in a step.</summary>
+    /// <summary>Computes the changes of velocity, spin and position in a step.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private static void Integrate<TBranch>(
         ref TLaw law, in LaneWeight weight, TBranch branch, F nx, F ny, F nz, F h, F ux, F uy, F uz, F w,
@@ -81,8 +81,8 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 
         if (default(TMethod).Stages == 4)
         {
-            // (k1 + 2 k2 + 2 k3 + k4)/6 = m + (k1 + k4 − 2 m)/6 and (k1 + k2 + k3)/3 = m + (k1 − m)/3 with m = (k2 + k3)/2: the thirds and
-            // sixths, which no float is, meet small numbers only. The sum of the velocities, u + h/2 (k1 + k2 + k3)/3, is rounded apart likewise.
+            // (k1 + 2 k2 + 2 k3 + k4)/6 = m + (k1 + k4 − 2 m)/6 and (k1 + k2 + k3)/3 = m + (k1 − m)/3 with m = (k2 + k3)/2, so the inexact factors
+            // 1/3 and 1/6 multiply only small numbers. The sum of the velocities, u + h/2 (k1 + k2 + k3)/3, is rounded separately for the same reason.
             F halves = F.Of(0.5f);
             F third = F.Of(1f / 3f);
             F sixth = F.Of(1f / 6f);

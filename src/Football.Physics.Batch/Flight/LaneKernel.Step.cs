@@ -9,7 +9,7 @@ internal sealed partial class LaneKernel<F, TLaw, TMethod>
 internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
 #endif
 {
-    /// <summary>A step of all balls of a group.</summary>
+    /// <summary>Takes a step of all balls of a group.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void Step(LaneGroup group, float length)
     {
@@ -18,7 +18,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         F h = F.Of(length);
         group.CrossingCount = 0;
 
-        // Near its extreme, where u · a = 0, the law's distance from its jump bends by 2 a · g: in a step by no more than g h |Δu|. Twice that is near.
+        // Near its extreme, where u · a = 0, the distance from the jump bends by at most g h |Δu| in a step. Twice that counts as near.
         float reach = 2f * length * _jump.Gravity;
         F reachSquared = F.Of((float)(reach * reach));
         for (int i = 0; i < group.Flying; i += F.Count)
@@ -51,7 +51,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
                     out dux, out duy, out duz, out dw, out dpx, out dpy, out dpz);
             }
 
-            // Compensated sums.
+            // Compensated sums (Kahan).
             F x = Sum(ux, F.Load(now.UxRest, i), dux, out F rest);
             F.Store(x, next.Ux, i);
             F.Store(rest, next.UxRest, i);
@@ -103,7 +103,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         }
     }
 
-    /// <summary>Notes the balls that came to their limits in a step, or to the top of their way.</summary>
+    /// <summary>Collects the balls that reached their limits, or their highest points, in a step.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void Note(LaneGroup group, float time)
     {
@@ -128,7 +128,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         }
     }
 
-    /// <summary>The drag law's branches at the launch.</summary>
+    /// <summary>Computes the branches of the drag law at the launch.</summary>
     [MethodImpl(Hot.Path)]
     private void FindBranch(LaneGroup group)
     {
@@ -140,10 +140,8 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         }
     }
 
-    /// <summary>
-    /// Takes a step again for the balls that cross the drag law's jump in it: up to the crossing on the branch it began with, from there
-    /// on the other. The crossing is the root of a parabola through the function that changes sign there.
-    /// </summary>
+    /// <summary>Repeats a step for the balls that cross the jump in it: on the first branch up to the crossing, then on the other.</summary>
+    /// <remarks>The crossing is the root of a parabola through the function that changes its sign.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining | Hot.Path)]
     private void CutAtJump(LaneCrossings balls, int i, F h)
     {
@@ -166,14 +164,14 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         F start = LeastOf(in _jump, ux, uy, uz, w);
         F end = LeastOf(in _jump, endX, endY, endZ, endSpin);
 
-        // First guess on the chord.
+        // First guess: the root of the chord.
         F share = Within01(start / (start - end));
         Integrate(
             ref _law, in _weight, before, nx, ny, nz, share * h, ux, uy, uz, w,
             out F dux, out F duy, out F duz, out F dw, out F dpx, out F dpy, out F dpz);
         F between = LeastOf(in _jump, ux + dux, uy + duy, uz + duz, F.AtLeast(w + dw, default));
 
-        // The root of the parabola through the three: start + b s + c s², turned so that it comes down from above.
+        // The root of the parabola start + b s + c s² through the three points, with the sign chosen so that it falls.
         F sign = F.Select(F.Less(start, default), F.Of(-1f), one);
         F early = (between - start) / share;
         F late = (end - between) / (one - share);
@@ -206,7 +204,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         F spin = F.AtLeast(w + (dw + ew), default);
         F.Store(spin, next.W, i);
 
-        // Back on the side it came from: along the jump, or too close to it.
+        // The ball is back on its first side: it slides along the jump, or is too close to it.
         F side = InsideOf(in _jump, F.Load(next.Ux, i), F.Load(next.Uy, i), F.Load(next.Uz, i), spin);
         F.Store(F.Differs(side, after), balls.Astray, i);
     }
@@ -219,7 +217,7 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         F.Store(rest, toRest, i);
     }
 
-    /// <summary>A sum that keeps what rounding takes from it (Kahan).</summary>
+    /// <summary>Adds with compensation of the rounding error (Kahan).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F Sum(F sum, F rest, F change, out F left)
     {
@@ -229,15 +227,15 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         return next;
     }
 
-    /// <summary>0 … 1; 0 where it is not a number.</summary>
+    /// <summary>Clamps to 0 … 1; NaN becomes 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F Within01(F x) => F.AtMost(F.AtLeast(x, default), F.Of(1f));
 
-    /// <summary>True when the published drag law's branch with spin holds: |u| &gt; v_c and Sp &gt; 0.05.</summary>
+    /// <summary>True if the branch of the published law with spin holds: |u| &gt; v_c and Sp &gt; 0.05.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F InsideOf(in LaneJump jump, F ux, F uy, F uz, F spin) => F.Less(default, LeastOf(in jump, ux, uy, uz, spin));
 
-    /// <summary>The lesser of |u|² − v_c² and (r|ω|/0.05)² − |u|².</summary>
+    /// <summary>Returns the smaller of |u|² − v_c² and (r|ω|/0.05)² − |u|².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F LeastOf(in LaneJump jump, F ux, F uy, F uz, F spin)
     {

@@ -2,10 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds what happens inside the last step of a ball in lanes, in double: where it comes to its limit, and its highest point.</summary>
+/// <summary>Locates the end and the highest point of a ball within its last step in lanes, in double precision.</summary>
 internal static class LaneLocator
 {
-    /// <summary>Ends a flight where its cubic Hermite interpolant comes to the limit.</summary>
+    /// <summary>Ends a flight where its cubic Hermite interpolant reaches the limit.</summary>
     [MethodImpl(Hot.Path)]
     public static void Reach(LaneGroup group, int at, double time, double length)
     {
@@ -25,7 +25,7 @@ internal static class LaneLocator
         group.End(at, piece.Start + tau, reached: true, in path, in velocity, spin);
     }
 
-    /// <summary>Notes the highest point of the last step.</summary>
+    /// <summary>Stores the highest point of the last step.</summary>
     [MethodImpl(Hot.Path)]
     public static void Top(LaneGroup group, int at, double time, double length)
     {

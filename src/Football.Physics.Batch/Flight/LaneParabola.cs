@@ -1,13 +1,13 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>c0 + c1 s + c2 s², 0 ≤ s ≤ 1.</summary>
+/// <summary>The parabola c0 + c1 s + c2 s² over 0 ≤ s ≤ 1.</summary>
 internal readonly struct LaneParabola
 {
     private readonly double _c0;
     private readonly double _c1;
     private readonly double _c2;
 
-    /// <summary>From its values at 0, ½ and 1.</summary>
+    /// <summary>Creates a parabola from its values at 0, ½ and 1.</summary>
     public LaneParabola(double start, double middle, double end)
     {
         _c0 = start;
@@ -22,13 +22,13 @@ internal readonly struct LaneParabola
 
     public double StartSlope => _c1;
 
-    /// <summary>The lowest value where that is not at an end; else infinite.</summary>
+    /// <summary>Returns the minimum if it is not at an end; otherwise infinity.</summary>
     public double LeastWithin() => _c1 < 0 && _c1 + (2.0 * _c2) > 0 ? Extreme : double.PositiveInfinity;
 
-    /// <summary>The greatest value, and a margin where that is not at an end.</summary>
+    /// <summary>Returns the maximum, plus a margin if it is not at an end.</summary>
     public double Greatest(double margin) => _c1 > 0 && _c1 + (2.0 * _c2) < 0 ? Extreme + margin : _c0 > End ? _c0 : End;
 
-    /// <summary>True when it changes sign with a slope below a bound there: at the root, the slope's square is c1² − 4 c0 c2.</summary>
+    /// <summary>Returns true if it crosses zero with a slope below a bound. At the root, the squared slope is c1² − 4 c0 c2.</summary>
     public bool CrossesBelow(double slope) => (_c0 > 0) != (End > 0) && (_c1 * _c1) - (4.0 * _c0 * _c2) < slope * slope;
 
     private double Extreme => _c0 - (_c1 * _c1 / (4.0 * _c2));

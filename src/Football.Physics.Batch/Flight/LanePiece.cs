@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>A smooth piece of one ball's last step: the whole of it, or up to the drag law's jump, or from there.</summary>
+/// <summary>A smooth segment of one ball's last step: the entire step, or its part before or after the jump of the drag law.</summary>
 internal readonly struct LanePiece
 {
     private readonly Vector3d _path;
@@ -12,13 +12,13 @@ internal readonly struct LanePiece
     private readonly double _spin;
     private readonly double _endSpin;
 
-    /// <summary>The whole step.</summary>
+    /// <summary>Creates the segment of an entire step.</summary>
     public LanePiece(LaneGroup group, int at, double time, double length)
         : this(group.Now, at, group.Next, at, group.Drift[at], time, length)
     {
     }
 
-    /// <summary>The part before the jump, or after it.</summary>
+    /// <summary>Creates the segment before or after the jump.</summary>
     public LanePiece(LaneGroup group, int at, int crossing, bool first, double time, double length)
         : this(
             first ? group.Now : group.Crossed.Middle,
@@ -48,25 +48,25 @@ internal readonly struct LanePiece
         EndRise = _endVelocity.Y + drift;
     }
 
-    /// <summary>When it starts, s after the launch.</summary>
+    /// <summary>The start time, in s since the launch.</summary>
     public double Start { get; }
 
-    /// <summary>How long it lasts, s.</summary>
+    /// <summary>The duration, in s.</summary>
     public double Length { get; }
 
-    /// <summary>Way along y at its start, the wind's part included, m.</summary>
+    /// <summary>The y at the start, including the wind's drift, in m.</summary>
     public double StartHeight { get; }
 
-    /// <summary>Height at its end.</summary>
+    /// <summary>The y at the end, including the wind's drift, in m.</summary>
     public double EndHeight { get; }
 
-    /// <summary>Velocity along y at its start, the wind's included, m/s.</summary>
+    /// <summary>The velocity along y at the start, including the wind, in m/s.</summary>
     public double StartRise { get; }
 
-    /// <summary>Rate of climb at its end.</summary>
+    /// <summary>The velocity along y at the end, including the wind, in m/s.</summary>
     public double EndRise { get; }
 
-    /// <summary>Cubic Hermite interpolation of way and velocity; the spin linearly.</summary>
+    /// <summary>Interpolates displacement and velocity by cubic Hermite polynomials, and the spin linearly.</summary>
     public void At(double time, out Vector3d path, out Vector3d velocity, out double spin)
     {
         var curve = new CubicHermite3d(in _path, in _velocity, in _endPath, in _endVelocity, Length);

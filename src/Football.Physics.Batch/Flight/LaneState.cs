@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>State of a group of balls that changes in a step: floats, and what rounding took from them.</summary>
+/// <summary>The state of a group of balls that changes in a step: floats, and their rounding errors.</summary>
 internal sealed class LaneState
 {
     private readonly float[][] _all;
@@ -30,24 +30,24 @@ internal sealed class LaneState
         PzRest = _all[12];
     }
 
-    /// <summary>Velocity relative to the air, m/s.</summary>
+    /// <summary>The velocity relative to the air, in m/s.</summary>
     public float[] Ux { get; }
 
     public float[] Uy { get; }
 
     public float[] Uz { get; }
 
-    /// <summary>Size of the spin, rad/s.</summary>
+    /// <summary>The magnitude of the spin, in rad/s.</summary>
     public float[] W { get; }
 
-    /// <summary>Way through the air since the launch, m.</summary>
+    /// <summary>The displacement relative to the air since the launch, in m.</summary>
     public float[] Px { get; }
 
     public float[] Py { get; }
 
     public float[] Pz { get; }
 
-    /// <summary>Minus what is missing in the sums above (compensated summation).</summary>
+    /// <summary>The negative rounding errors of the sums above (compensated summation).</summary>
     public float[] UxRest { get; }
 
     public float[] UyRest { get; }
@@ -60,7 +60,7 @@ internal sealed class LaneState
 
     public float[] PzRest { get; }
 
-    /// <summary>Puts a ball in the place of another.</summary>
+    /// <summary>Moves a ball to another slot.</summary>
     [MethodImpl(Hot.Path)]
     public void Move(int from, int to)
     {
@@ -70,7 +70,7 @@ internal sealed class LaneState
         }
     }
 
-    /// <summary>Takes a ball from another state.</summary>
+    /// <summary>Copies a ball from another state.</summary>
     [MethodImpl(Hot.Path)]
     public void Take(LaneState other, int from, int to)
     {
@@ -81,7 +81,7 @@ internal sealed class LaneState
         }
     }
 
-    /// <summary>Sets a ball at the start of its way.</summary>
+    /// <summary>Initializes a ball at its launch.</summary>
     [MethodImpl(Hot.Path)]
     public void Launch(int at, in Vector3d u, double spinRate)
     {

@@ -1,5 +1,5 @@
-// Without interfaces that have static members (C# 11, .NET 7) what is written for registers of any width is compiled for one float: the
-// type parameter F of .NET is this type there.
+// Runtimes without static interface members (C# 11, .NET 7) cannot compile the generic code for registers of any width. There, the type
+// parameter F becomes an alias of the one-float type.
 #if !NET8_0_OR_GREATER
 global using F = FootballPhysics.Batch.Lanes1;
 #endif

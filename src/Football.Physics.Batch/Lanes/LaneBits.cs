@@ -1,11 +1,11 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The bits of floats.</summary>
+/// <summary>Constants of the float format.</summary>
 internal static class LaneBits
 {
-    /// <summary>Bits of √½.</summary>
+    /// <summary>The bits of √½.</summary>
     public const int RootHalf = 0x3F3504F3;
 
-    /// <summary>Bias of the exponent.</summary>
+    /// <summary>The bias of the exponent.</summary>
     public const int Bias = 127;
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>c0 + c1 z + … + c8 z⁸ with coefficients in float; <see cref="LaneMath{F}"/> evaluates it.</summary>
+/// <summary>The polynomial c0 + c1 z + … + c8 z⁸ with float coefficients, evaluated by <see cref="LaneMath{F}"/>.</summary>
 internal readonly struct LanePolynomial
 {
     private const int MostCoefficients = 9;
@@ -15,7 +15,7 @@ internal readonly struct LanePolynomial
     public readonly float C7;
     public readonly float C8;
 
-    /// <param name="coefficients">At most nine, that of z⁰ first.</param>
+    /// <param name="coefficients">At most nine coefficients, starting with that of z⁰.</param>
     public LanePolynomial(double[] coefficients)
     {
         Span<float> c = stackalloc float[MostCoefficients];
@@ -36,12 +36,13 @@ internal readonly struct LanePolynomial
         C8 = c[8];
     }
 
-    /// <summary>A power x^q in z = log₂ x, which is 2^(q z): with a small exponent it needs no table, over many octaves.</summary>
-    /// <param name="scale">What the power is multiplied by.</param>
+    /// <summary>Returns the power x^q as a polynomial in z = log₂ x, which is 2^(q z).</summary>
+    /// <remarks>With a small exponent, it needs no table even over many octaves.</remarks>
+    /// <param name="scale">The factor on the power.</param>
     /// <param name="exponent">The exponent q.</param>
-    /// <param name="low">The least z.</param>
-    /// <param name="high">The greatest z.</param>
-    /// <param name="degree">Degree of the polynomial; at most 8.</param>
+    /// <param name="low">The smallest z.</param>
+    /// <param name="high">The largest z.</param>
+    /// <param name="degree">The degree of the polynomial; at most 8.</param>
     public static LanePolynomial OfPower(double scale, double exponent, double low, double high, int degree)
     {
         DoubleDouble rate = exponent * DoubleDouble.Ln2;

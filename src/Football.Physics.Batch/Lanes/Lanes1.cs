@@ -2,8 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>One float: what runs where there are no wide registers, and what the wide ones are compared with.</summary>
-/// <remarks>Every operation is rounded to float, also on runtimes that compute in double.</remarks>
+/// <summary>One float: used without SIMD registers, and as the reference for the wider types.</summary>
+/// <remarks>Every operation is rounded to float, even on runtimes that compute in double.</remarks>
 internal readonly struct Lanes1
 #if NET8_0_OR_GREATER
     : ILane<Lanes1>
@@ -39,7 +39,7 @@ internal readonly struct Lanes1
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Lanes1 value, float[] to, int at) => to[at] = value._v;
 
-    // The root in double, rounded to float, is the correctly rounded root.
+    // The double root, rounded to float, equals the correctly rounded float root.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Lanes1 Sqrt(Lanes1 x) => new((float)Math.Sqrt(x._v));
 

@@ -1,16 +1,14 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// Polynomials near to functions: through their values at the Chebyshev points of an interval, where the error is nearly the least that
-/// a polynomial of the degree can have (Numerical Recipes, "Chebyshev approximation").
-/// </summary>
+/// <summary>Approximates functions by polynomials through Chebyshev points.</summary>
+/// <remarks>Their error is nearly the smallest possible for the degree (Numerical Recipes, "Chebyshev approximation").</remarks>
 internal static class ChebyshevFit
 {
-    /// <summary>The coefficients, that of x⁰ first, each rounded to double.</summary>
+    /// <summary>Returns the coefficients, starting with that of x⁰, each rounded to double.</summary>
     /// <param name="function">The function.</param>
-    /// <param name="low">Lower end of the interval.</param>
-    /// <param name="high">Upper end of the interval.</param>
-    /// <param name="degree">Degree of the polynomial.</param>
+    /// <param name="low">The lower end of the interval.</param>
+    /// <param name="high">The upper end of the interval.</param>
+    /// <param name="degree">The degree of the polynomial.</param>
     public static double[] Polynomial(Func<DoubleDouble, DoubleDouble> function, DoubleDouble low, DoubleDouble high, int degree)
     {
         int count = degree + 1;
@@ -33,7 +31,7 @@ internal static class ChebyshevFit
             }
         }
 
-        // Newton's form, f₀ + (x − x₀)(f₀₁ + (x − x₁)(…)), multiplied out from within.
+        // Expand Newton's form, f₀ + (x − x₀)(f₀₁ + (x − x₁)(…)), from the inside out.
         var powers = new DoubleDouble[count];
         for (int k = degree; k >= 0; k--)
         {

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The laws with constant coefficients, side by side: drag goes with the speed, lift and spin decay with the spin.</summary>
+/// <summary>The laws with constant coefficients in lanes: drag depends on the speed, lift and spin decay on the spin.</summary>
 #if NET8_0_OR_GREATER
 internal struct ConstantLaneLaw<F> : ILaneLaw<F>
     where F : struct, ILane<F>

@@ -2,13 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// The laws fitted to measurements, side by side. Each power of speed and spin is one polynomial in a logarithm over the whole domain, made
-/// from the law's own constants; <see cref="MixedLaws"/> with the laws one by one is its definition.
-/// </summary>
+/// <summary>The laws fitted to measurements in lanes. <see cref="MixedLaws"/> defines them.</summary>
 /// <remarks>
-/// |u|² from ½ m²/s² and r|ω| from 2^−12 m/s up to where <see cref="LaneDomain"/> ends. Below those the powers keep their last value, which
-/// what they are multiplied by makes harmless.
+/// One polynomial in a logarithm replaces each power of speed and spin over the entire domain. The domain is |u|² from ½ m²/s² and r|ω| from 2^−12 m/s up to
+/// the limits of <see cref="LaneDomain"/>. Below it the powers stay constant, which their other factors make harmless.
 /// </remarks>
 #if NET8_0_OR_GREATER
 internal struct FittedLaneLaw<F, TFit> : ILaneLaw<F>
@@ -22,11 +19,11 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     private const float LeastSpeedSquared = 0.5f;
     private const float LeastSurfaceSpeed = 1f / 4096f;
 
-    // The polynomials are written about log₂ of what a shot has, |u| = 19 m/s and r|ω| = 2 m/s: there the rounding of coefficients shows least.
+    // The polynomials are centred on log₂ of a typical shot, |u| = 19 m/s and r|ω| = 2 m/s, where coefficient rounding matters least.
     private const float SpeedCentre = 8.5f;
     private const float SpinCentre = 1f;
 
-    // The law with spin holds where |u| > v_c and Sp > 0.05; the regularised form asks it a little beyond, here down to half of each.
+    // The law with spin holds for |u| > v_c and Sp > 0.05. The regularized form uses it slightly below, here down to half of each.
     private const double LeastSpinningSpeed = 0.5 * FittedDrag.CriticalSpeed;
     private const double LeastSpinningSurfaceSpeed = LeastSpinningSpeed * 0.5 * FittedDrag.CriticalSpin;
 
@@ -38,7 +35,7 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     private float _dragScale;     // ½ ρ A / m, 1/m
     private float _liftScale;     // ½ ρ A / m · 1.15/(C_D0 − a) · r, and what is taken out of the powers
     private float _plates;        // p (p − 1)/2 · r²/4, p the plates' exponent
-    private float _leastSpinning; // the least log₂ r|ω| for which the law with spin is asked
+    private float _leastSpinning; // the smallest log₂ r|ω| at which the law with spin is evaluated
     private LanePolynomial _dragBySpin;  // c (r|ω|)^d
     private LanePolynomial _dragBySpeed; // |u|^(−d)
     private LanePolynomial _liftBySpin;  // (r|ω|)^(β−1)
@@ -65,7 +62,7 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
 
     public void Prepare(Scene scene)
     {
-        // Where speed, spin parameter and coefficients are 1, the laws tell their scales; that of what is left out is 0.
+        // At unit speed, spin parameter and coefficients, the laws return their scales; a disabled law returns 0.
         AirFlow unit = default;
         unit.Speed = 1;
         double decay = SceneLaws.SpinDecay(scene).Factor(in unit);
@@ -84,7 +81,7 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
         _liftScale = (float)(lift * radius * Two(OfLift * ((0.5 * SpeedCentre) - SpinCentre)));
         _plates = (float)(0.5 * PlateExponent * (PlateExponent - 1) * 0.25 * radius * radius);
 
-        // With z = log₂ x less its centre, x^q = 2^(q centre) 2^(q z): the first factors go with the scales.
+        // With z = log₂ x minus its centre, x^q = 2^(q centre) 2^(q z): the first factor goes into the scale.
         double low = Log2(LeastSpeedSquared) - SpeedCentre;
         double high = Log2(LaneDomain.GreatestSpeed * LaneDomain.GreatestSpeed) - SpeedCentre;
         double spinning = Log2(LeastSpinningSpeed * LeastSpinningSpeed) - SpeedCentre;
@@ -126,11 +123,11 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
         F zz = z * z;
         F zzzz = zz * zz;
 
-        // (1 + δ)^q to second order: the spin hardly changes within a step.
+        // (1 + δ)^q to second order, because the spin hardly changes within a step.
         F delta = F.AtLeast((spin - step.Rate) * step.PerRate, F.Of(-1f));
         F squared = delta * delta;
 
-        // C_D = c (r|ω|)^d |u|^(−d) on the branch with spin
+        // C_D = c (r|ω|)^d |u|^(−d) on the branch with spin.
         F coefficient = default;
         if (!(default(TFit).Jumps && branch.NoneWithSpin))
         {

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>On which branch of a drag law that jumps the balls of a register are.</summary>
+/// <summary>The branches of a drag law with a jump on which the balls of a register are.</summary>
 #if NET8_0_OR_GREATER
 internal interface ILaneBranch<F>
     where F : struct, ILane<F>
@@ -8,12 +8,12 @@ internal interface ILaneBranch<F>
 internal interface ILaneBranch<TLane>
 #endif
 {
-    /// <summary>True when all are on the branch with spin: a constant of the type, for which the common case is compiled by itself.</summary>
+    /// <summary>True if all are on the branch with spin. A constant of the type, so that this common case is compiled separately.</summary>
     bool AllWithSpin { get; }
 
-    /// <summary>True when none is.</summary>
+    /// <summary>True if none is on the branch with spin.</summary>
     bool NoneWithSpin { get; }
 
-    /// <summary>For each ball what holds on its branch.</summary>
+    /// <summary>Selects the value of each ball's branch.</summary>
     F Choose(F withSpin, F withoutSpin);
 }

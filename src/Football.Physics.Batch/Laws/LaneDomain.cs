@@ -1,18 +1,18 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Which balls of a scene may fly in lanes: those that keep within the domain of the laws there and the reach of float; others fly alone.</summary>
+/// <summary>The flights that lanes can simulate, limited by the domain of the laws and the range of floats.</summary>
 internal readonly struct LaneDomain
 {
-    /// <summary>Greatest speed |u|, m/s.</summary>
+    /// <summary>The greatest speed |u|, in m/s.</summary>
     public const double GreatestSpeed = 128;
 
-    /// <summary>Greatest surface speed r|ω|, m/s: beyond, the spin decay by two plates is not a parabola in the spin any more.</summary>
+    /// <summary>The greatest surface speed r|ω|, in m/s. Above it, the two-plate spin decay is no longer a parabola in the spin.</summary>
     public const double GreatestSurfaceSpeed = 14;
 
-    /// <summary>Greatest height above where a flight ends, m: float then places that end within 4e-6 m.</summary>
+    /// <summary>The greatest height above the end of a flight, in m: floats then locate the end within 4e-6 m.</summary>
     private const double GreatestDrop = 100;
 
-    /// <summary>No force may change the motion in a step by more than twice this share of itself; the single ball then divides the step.</summary>
+    /// <summary>Half the largest relative change of the motion by a force in a step. Above it, the single ball uses substeps.</summary>
     private const double LargestChange = 0.5;
 
     private readonly double _radius;
@@ -21,8 +21,8 @@ internal readonly struct LaneDomain
     private readonly RateBound _bound;
 
     /// <param name="scene">The scene.</param>
-    /// <param name="timeStep">Length of a step, s.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The scene names a law that there is not.</exception>
+    /// <param name="timeStep">The length of a step, in s.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public LaneDomain(Scene scene, double timeStep)
     {
         _radius = scene.Ball.Radius;
@@ -31,7 +31,7 @@ internal readonly struct LaneDomain
         _bound = DragBound(scene) + SceneLaws.Magnus(scene).Bound + SceneLaws.SpinDecay(scene).Bound;
     }
 
-    /// <summary>The bound of the drag within the domain: the measured law's rises with the speed, without end.</summary>
+    /// <summary>Returns the bound on the drag within the domain. It needs a limit, because the measured law grows with speed.</summary>
     private static RateBound DragBound(Scene scene)
     {
         if (scene.Forces.Drag != ForceLaw.Empirical || scene.Forces.Coefficients != AerodynamicModel.Measured)
@@ -44,18 +44,18 @@ internal readonly struct LaneDomain
         return law.DragBound(GreatestSpeed);
     }
 
-    /// <summary>No flight within the domain is accelerated more strongly, m/s².</summary>
-    /// <param name="airSpeed">|u| at most, m/s.</param>
-    /// <param name="spinRate">Size of the spin at most, rad/s.</param>
+    /// <summary>Returns a bound on the acceleration of flights in the domain, in m/s².</summary>
+    /// <param name="airSpeed">The maximum |u|, in m/s.</param>
+    /// <param name="spinRate">The maximum spin, in rad/s.</param>
     public double AccelerationAtMost(double airSpeed, double spinRate) =>
         _gravity + (airSpeed * ((_bound.PerSpeed * airSpeed) + (_bound.PerSpin * spinRate) + _bound.Constant));
 
-    /// <summary>True when a flight stays within the domain.</summary>
+    /// <summary>Returns true if a flight stays within the domain.</summary>
     /// <param name="airSpeedSquared">|u|² at the launch.</param>
-    /// <param name="spinRate">Size of the spin.</param>
-    /// <param name="drop">How far down it may come, the wind's share not counted, m.</param>
-    /// <param name="windSpeed">Vertical speed of the wind, m/s.</param>
-    /// <param name="duration">How long it may last, s.</param>
+    /// <param name="spinRate">The magnitude of the spin.</param>
+    /// <param name="drop">The maximum descent, without the wind's share, in m.</param>
+    /// <param name="windSpeed">The vertical speed of the wind, in m/s.</param>
+    /// <param name="duration">The longest flight, in s.</param>
     public bool Covers(double airSpeedSquared, double spinRate, double drop, double windSpeed, double duration)
     {
         // In the air's frame only gravity does work.

@@ -1,9 +1,7 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// Where the published drag law jumps, in float: the branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive
-/// (<see cref="DragJump"/>).
-/// </summary>
+/// <summary>The jump of the published drag law (<see cref="DragJump"/>), in float.</summary>
+/// <remarks>The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive.</remarks>
 internal readonly struct LaneJump
 {
     /// <summary>v_c², m²/s².</summary>
@@ -12,7 +10,7 @@ internal readonly struct LaneJump
     /// <summary>(r/0.05)², m².</summary>
     public readonly float PerSpinSquared;
 
-    /// <summary>Size of the acceleration by gravity and buoyancy, m/s²: what bends |u|² along a step.</summary>
+    /// <summary>The acceleration by gravity and buoyancy, in m/s²: it bends |u|² along a step.</summary>
     public readonly float Gravity;
 
     public LaneJump(Scene scene)

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Terms of the spin that a law in lanes computes once a step. No more than four fields: the compiler keeps them in registers.</summary>
+/// <summary>The terms of the spin that a lane law computes once per step. At most four fields, so that the compiler keeps them in registers.</summary>
 #if NET8_0_OR_GREATER
 internal struct LaneSpin<F>
     where F : struct, ILane<F>
@@ -11,12 +11,12 @@ internal struct LaneSpin<TLane>
     /// <summary>|ω| at the start, rad/s.</summary>
     public F Rate;
 
-    /// <summary>1/|ω|, or 0 without spin.</summary>
+    /// <summary>1/|ω|; 0 without spin.</summary>
     public F PerRate;
 
-    /// <summary>The spin's factor of the drag.</summary>
+    /// <summary>The factor of the spin on the drag.</summary>
     public F Drag;
 
-    /// <summary>The spin's factor of the lift.</summary>
+    /// <summary>The factor of the spin on the lift.</summary>
     public F Lift;
 }

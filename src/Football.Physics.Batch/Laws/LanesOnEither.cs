@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Some balls are on the branch with spin, others not.</summary>
+/// <summary>Some balls are on the branch with spin, others are not.</summary>
 #if NET8_0_OR_GREATER
 internal readonly struct LanesOnEither<F> : ILaneBranch<F>
     where F : struct, ILane<F>
@@ -13,7 +13,7 @@ internal readonly struct LanesOnEither<TLane> : ILaneBranch<TLane>
     private readonly F _withSpin;
     private readonly bool _none;
 
-    /// <param name="withSpin">Mask: which are on the branch with spin.</param>
+    /// <param name="withSpin">Mask: balls on the branch with spin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public LanesOnEither(F withSpin)
     {

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>All balls are on the branch with spin: no call is left in the stages of a step, and they stay in registers.</summary>
+/// <summary>All balls are on the branch with spin: the stages of a step then contain no calls, and stay in registers.</summary>
 #if NET8_0_OR_GREATER
 internal readonly struct LanesWithSpin<F> : ILaneBranch<F>
     where F : struct, ILane<F>

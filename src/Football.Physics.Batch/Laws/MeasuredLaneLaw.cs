@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>
-/// The measured laws, side by side: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>,
-/// <see cref="ProportionalSpinDecay"/>, by their own equations; <see cref="MeasuredLaw"/> is their definition.
-/// </summary>
+/// <summary>The measured laws in lanes, by their own equations. <see cref="MeasuredLaw"/> defines them.</summary>
+/// <remarks>They are <see cref="ReynoldsDrag"/>, <see cref="SpinDrag"/>, <see cref="SaturatingLift"/> and <see cref="ProportionalSpinDecay"/>.</remarks>
 #if NET8_0_OR_GREATER
 internal struct MeasuredLaneLaw<F> : ILaneLaw<F>
     where F : struct, ILane<F>
@@ -13,10 +11,10 @@ internal struct MeasuredLaneLaw<F> : ILaneLaw<F>
 internal struct MeasuredLaneLaw<TLane> : ILaneLaw<TLane>
 #endif
 {
-    /// <summary>Below this |u|², m²/s², the spin parameter is taken as if it were this: there no force is left.</summary>
+    /// <summary>The |u|², in m²/s², below which the spin parameter stays constant: there is almost no force.</summary>
     private const float LeastSpeedSquared = 1e-6f;
 
-    /// <summary>2^±this is what a share of the flow is taken for beyond: neither it nor its inverse overflows.</summary>
+    /// <summary>The exponent, as 2^±this, at which a share of the flow is clamped, so that neither it nor its inverse overflows.</summary>
     private const float Beyond = 100f;
 
     private float _dragScale; // ½ ρ A / m, 1/m

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The fitted C_D as published, side by side: it jumps from one branch to the other (<see cref="FittedDrag"/>).</summary>
+/// <summary>The fitted C_D as published, in lanes: it jumps between branches (<see cref="FittedDrag"/>).</summary>
 #if NET8_0_OR_GREATER
 internal readonly struct PublishedLaneFit<F> : ILaneDragFit<F>
     where F : struct, ILane<F>

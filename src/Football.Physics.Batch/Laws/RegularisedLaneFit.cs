@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The fitted C_D with its jumps smoothed, side by side (<see cref="RegularisedDragFit"/>).</summary>
+/// <summary>The fitted C_D with smoothed jumps, in lanes (<see cref="RegularisedDragFit"/>).</summary>
 #if NET8_0_OR_GREATER
 internal readonly struct RegularisedLaneFit<F> : ILaneDragFit<F>
     where F : struct, ILane<F>
@@ -10,7 +10,7 @@ internal readonly struct RegularisedLaneFit<F> : ILaneDragFit<F>
 internal readonly struct RegularisedLaneFit<TLane> : ILaneDragFit<TLane>
 #endif
 {
-    /// <summary>Below this |u|, m/s, the spin parameter is taken as if it were this: there the law with spin has no weight.</summary>
+    /// <summary>The |u|, in m/s, below which the spin parameter stays constant: the law with spin has no weight there.</summary>
     private const float Slowest = 1e-3f;
 
     public bool Jumps

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>No air.</summary>
+/// <summary>The law without air.</summary>
 #if NET8_0_OR_GREATER
 internal struct VacuumLaneLaw<F> : ILaneLaw<F>
     where F : struct, ILane<F>

@@ -1,14 +1,14 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds the best of many passes, in the air or on the ground: the earliest that a team mate reaches before any opponent.</summary>
+/// <summary>Finds the pass that a team mate can reach earliest, before any opponent, in the air or on the ground.</summary>
 /// <remarks>
-/// <para>A pass in the air must be reached before it lands, a pass on the ground before it rests. SIMD lanes simulate the passes in the air; passes on
-/// the ground are stepped. Step by step, the search bounds the earliest time at which any team mate can reach each pass, and detects certain interceptions. It then judges the kicks on
-/// their exact paths, in the order of these bounds, until no other can be better. The result equals that of judging every kick.</para>
+/// A pass in the air must be reached before it lands, a pass on the ground before it rests. SIMD lanes simulate the passes in the air; passes on
+/// the ground are stepped. At each step, the search bounds the earliest time at which any team mate can reach each pass, and detects certain interceptions. It then judges the kicks on
+/// their exact paths, in the order of these bounds, until no other can be better. The result equals that of judging every kick.
 /// <para>Without team mates, it returns the kick that no opponent can reach and that lands, or comes to rest on the ground, closest to a target. A pass
-/// that first hits an object of the scene, such as a post, a board or a net, does not count.</para>
-/// <para>Create one per scene and reuse it: searches with the same duration do not allocate. Not thread-safe. The constructor throws for scenes that
-/// lanes do not support (see <see cref="BallBatch"/>), and for scenes with moving bodies.</para>
+/// that first hits an object of the scene, such as a post, a board or a net, does not count.
+/// Create one per scene and reuse it: searches with the same duration do not allocate. Not thread-safe. The constructor throws for scenes that
+/// lanes do not support (see <see cref="BallBatch"/>), and for scenes with bodies or engine colliders.</para>
 /// </remarks>
 public sealed class PassFan
 {
@@ -111,7 +111,8 @@ public sealed class PassFan
             : _judge.Completed(request, found, opponents, in answer, count, open);
     }
 
-    /// <summary>Computes a lower bound of each kick's score: the time at which it is reached, or its distance from the target; infinite if it is lost.</summary>
+    /// <summary>Computes a lower bound of each kick's score; infinite if the kick is lost.</summary>
+    /// <remarks>The score is the time at which a team mate reaches the ball, or its final distance from the target.</remarks>
     private void Score(PassFanRequest request, in Vector3d from)
     {
         double rolling = RollAcceleration(request);

@@ -53,8 +53,8 @@ public sealed record PassFanRequest
     /// <summary>The lead that a team mate needs over every opponent, in s. At least 0; default 0.1.</summary>
     public double Margin { get; init; } = 0.1;
 
-    /// <summary>The target if there are no team mates, in m: the point to land, or to come to rest on the ground.</summary>
-    /// <remarks>Default: the position of the ball.</remarks>
+    /// <summary>The target if there are no team mates, in m.</summary>
+    /// <remarks>The pass should land there, or on the ground come to rest there. Default: the position of the ball.</remarks>
     public Vector3d? Target { get; init; }
 
     /// <summary>The time within which a player must reach the ball, in s. Above 0, at most 60; default 8.</summary>

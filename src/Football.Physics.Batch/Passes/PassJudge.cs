@@ -53,7 +53,7 @@ internal sealed class PassJudge
     /// <param name="index">The index of the kick.</param>
     /// <param name="mates">The team mates.</param>
     /// <param name="opponents">The opponents.</param>
-    /// <param name="score">The known lower bound. On return the score: the time at which the kick is reached, in s, or its distance from the target, in m; infinite if it is lost.</param>
+    /// <param name="score">The known lower bound; on return the score, infinite if the kick is lost. It is the time of the receipt, in s, or the distance from the target, in m.</param>
     /// <param name="choice">The result for this kick, if it is not lost.</param>
     /// <returns>False if the look-ahead was too short: the score is then an improved lower bound.</returns>
     public bool Judge(PassFanRequest request, int index, Player[] mates, Player[] opponents, ref double score, out PassResult choice)

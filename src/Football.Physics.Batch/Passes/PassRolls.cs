@@ -2,8 +2,8 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Evaluates the kicks of a fan that stay on the ground.</summary>
 /// <remarks>
-/// If all directions are equivalent (no wind across, the same bounce along x and z), kicks of one speed and spin differ only by a rotation about the vertical. One
-/// is stepped, and cached for the next fan. Otherwise each kick is stepped, as far as needed.
+/// All directions are equivalent if there is no wind across, and the bounce is the same along x and z. Kicks of one speed and spin then differ only by a rotation
+/// about the vertical: one of them is stepped, and cached for the next fan. Otherwise each kick is stepped, as far as needed.
 /// </remarks>
 internal sealed class PassRolls
 {
@@ -36,7 +36,7 @@ internal sealed class PassRolls
         _kept = isRound ? new PassTrack?[MostKept] : [];
     }
 
-    /// <summary>Returns true if a kick of a ball on the ground is too flat to leave it, unless its spin lifts it.</summary>
+    /// <summary>Returns true if a kick is too flat to leave the ground, unless its spin lifts the ball.</summary>
     public bool IsFlat(in Vector3d from, in Vector3d velocity) =>
         velocity.Y < _simulator.Scene.Ground.MinimumBounceSpeed && from.Y <= _simulator.ContactHeight;
 

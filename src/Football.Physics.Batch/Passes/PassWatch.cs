@@ -29,7 +29,8 @@ internal sealed class PassWatch : LaneWatch
         _twiceGravity = 2.0 * Math.Abs(Weight.UpwardAcceleration(simulator.Scene));
     }
 
-    /// <summary>For each ball: a lower bound of the time at which a team mate reaches it, in s; infinite if none does, NaN if it is lost.</summary>
+    /// <summary>For each ball: a lower bound of the time at which a team mate reaches it, in s.</summary>
+    /// <remarks>Infinite if no team mate does, NaN if an opponent does before.</remarks>
     public double[] Earliest { get; } = new double[LaneGroup.Size];
 
     /// <summary>Returns true if a ball of the group needs no further steps.</summary>

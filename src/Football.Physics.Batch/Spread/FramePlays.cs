@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Decides which kicks go in.</summary>
 /// <remarks>
-/// A kick that crosses the mouth clear of the frame goes in. A kick that comes near a post or the crossbar is simulated with the frame, until the entire ball is over
+/// A kick that crosses the mouth clear of the frame goes in. A kick that comes near a post or the crossbar is simulated with the frame until the entire ball is over
 /// the line, or it is gone.
 /// </remarks>
 internal sealed class FramePlays

@@ -11,7 +11,7 @@ public sealed class GoalChance
     public const int Flights = 100_000;
 
     /// <summary>Limits of the test kicks at two standard deviations, relative to two standard deviations along the short axis.</summary>
-    /// <remarks>In order: the error of the derivatives, the common bend of both sides (whose mean is corrected), and an absolute distance that does not count, in m.</remarks>
+    /// <remarks>The first limits the error of the derivatives, the second the common bend of both sides, whose mean is corrected. Below the third, in m, neither counts.</remarks>
     private const double LargestError = 0.08;
     private const double LargestBend = 0.25;
     private const double Negligible = 1e-3;

@@ -12,7 +12,7 @@ public readonly record struct GoalChanceResult
     /// <summary>The share of the kicks that cross the plane, 0 … 1; the numbers below refer to these.</summary>
     public double Crosses { get; init; }
 
-    /// <summary>The mean offset to the right of the goal's centre, in m, as seen by a goalkeeper who faces the pitch.</summary>
+    /// <summary>The mean offset to the right of the goal's centre, in m, as the goalkeeper sees it.</summary>
     public double Aside { get; init; }
 
     /// <summary>The mean height of the ball's centre above the goal line, in m.</summary>

@@ -53,7 +53,8 @@ internal struct SceneAir : IFlightAir
 
     public readonly bool Jumps => !_hasField && _laws.Jumps;
 
-    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay. Flight then calls only <see cref="Evaluate"/>.</summary>
+    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay.</summary>
+    /// <remarks>Flight then calls only <see cref="Evaluate"/>.</remarks>
     public readonly bool Varies => _hasField || _own is not null;
 
     /// <summary>True if torques can turn the spin, so that the flight has no constant axis.</summary>
@@ -152,7 +153,7 @@ internal readonly struct RateBound
         Constant = constant;
     }
 
-    /// <summary>Returns the bound, in 1/s, for a speed relative to the air, in m/s, and a spin, in rad/s.</summary>
+    /// <summary>Returns the bound, in 1/s, for an air speed in m/s and a spin in rad/s.</summary>
     public double At(double speed, double spinRate) => (PerSpeed * speed) + (PerSpin * spinRate) + Constant;
 
     public static RateBound operator +(in RateBound a, in RateBound b) =>

@@ -64,8 +64,8 @@ public readonly struct BallEvent : IFormattable
     /// <remarks>If it is not −1, <see cref="ColliderIndex"/> is −1.</remarks>
     public int OtherBall => _other - 1;
 
-    /// <summary>The unit normal of the contact, from the object to the ball. Zero for a rest or the end of a contact.</summary>
-    /// <remarks>For a net or a goal, it is the normal of the plane, towards the side that the ball came from. For a zone, it is the outward normal of the shape.</remarks>
+    /// <summary>The unit normal of the contact, from the object to the ball.</summary>
+    /// <remarks>Zero for a rest or the end of a contact. For a net or a goal, it is the normal of the plane, towards the side that the ball came from. For a zone, it is the outward normal of the shape.</remarks>
     public Vector3d Normal { get; }
 
     /// <summary>The time since the launch, in s.</summary>
@@ -97,7 +97,8 @@ public readonly struct BallEvent : IFormattable
         return (long)Math.Floor(Time / timeStep);
     }
 
-    /// <summary>The speed of the ball along the normal just before the event, in m/s: scale the volume of a bounce by it.</summary>
+    /// <summary>The speed of the ball along the normal just before the event, in m/s.</summary>
+    /// <remarks>Scale the volume of a bounce by it. It ignores the velocity of the object.</remarks>
     public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
     /// <summary>The speed of the ball's centre that the event removed, in m/s.</summary>

@@ -20,7 +20,7 @@ public enum BallEventKind
 
     /// <summary>A goal: the entire ball passed the goal line.</summary>
     /// <remarks>
-    /// The ball's centre passed through the mouth, the plane of the posts' axes, between the posts and below the crossbar, and did not come back through it. It is now
+    /// The mouth is the plane of the posts' axes, between the posts and below the crossbar. The ball's centre passed through it, and did not come back. It is now
     /// one post radius plus one ball radius behind the middle of the line. Reported once per goal, until the ball is kicked or placed.
     /// </remarks>
     Goal = 5,

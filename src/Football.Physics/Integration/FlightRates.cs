@@ -2,7 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The right-hand side in flight, m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D, for a constant axis of the spin.</summary>
+/// <summary>The right-hand side of the equations of flight, for a constant axis of the spin.</summary>
+/// <remarks>m v̇ = F_G + F_B + F_D + F_M and I ω̇ = T_D.</remarks>
 internal static class FlightRates
 {
     /// <summary>Computes the rates at one stage of a step: a = L (ω̂ × u) − D u + g + side, |ω|˙ = −decay.</summary>

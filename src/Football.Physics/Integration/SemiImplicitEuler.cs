@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Semi-implicit (symplectic) Euler: velocity first, then position with the new velocity (thesis 3.8, 3.9). Order 1.</summary>
+/// <summary>Semi-implicit (symplectic) Euler, order 1 (thesis 3.8, 3.9): velocity first, then position with the new velocity.</summary>
 internal readonly struct SemiImplicitEuler : IIntegrator
 {
     public int Stages => 1;

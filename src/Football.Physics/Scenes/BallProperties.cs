@@ -52,25 +52,25 @@ public sealed record BallProperties
     public static BallProperties Tunnel { get; } = new() { DragCurve = DragCurve.Generic };
 
     /// <summary>Adidas Tango 12 (2012).</summary>
-    /// <remarks>Drag measured. Knuckle force 1.6 N: guess from the measured 1.0 … 2.2 N of the Cafusa.</remarks>
+    /// <remarks>Drag measured. Knuckle force 1.6 N (guess, from the measured 1.0 … 2.2 N of the Cafusa).</remarks>
     public static BallProperties Tango12 { get; } = new() { DragCurve = DragCurve.Tango12, KnuckleForce = 1.6 };
 
     /// <summary>Adidas Teamgeist (2006).</summary>
-    /// <remarks>Drag measured. Knuckle force 0.75 N measured (Hong and Asai 2014: 0.6 … 0.9).</remarks>
+    /// <remarks>Drag measured. Knuckle force 0.75 N (measured, Hong and Asai 2014: 0.6 … 0.9).</remarks>
     public static BallProperties Teamgeist { get; } = new() { DragCurve = DragCurve.Teamgeist, KnuckleForce = 0.75 };
 
     /// <summary>Adidas Jabulani (2010).</summary>
-    /// <remarks>Drag measured. Knuckle force 2.1 N measured (Hong and Asai 2014: 1.1 … 3.1).</remarks>
+    /// <remarks>Drag measured. Knuckle force 2.1 N (measured, Hong and Asai 2014: 1.1 … 3.1).</remarks>
     public static BallProperties Jabulani { get; } = new() { DragCurve = DragCurve.Jabulani, KnuckleForce = 2.1 };
 
     /// <summary>Adidas Brazuca (2014).</summary>
-    /// <remarks>Drag measured. Knuckle force 1.5 N guess.</remarks>
+    /// <remarks>Drag measured. Knuckle force 1.5 N (guess).</remarks>
     public static BallProperties Brazuca { get; } = new() { DragCurve = DragCurve.Brazuca, KnuckleForce = 1.5 };
 
     /// <summary>Adidas Telstar 18 (2018), in a wind tunnel.</summary>
     /// <remarks>
     /// Measured: the same crisis as the Brazuca, and long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported). Derived from that: C_D above the crisis
-    /// is 8 % higher. Knuckle force 1.5 N guess.
+    /// is 8 % higher. Knuckle force 1.5 N (guess).
     /// </remarks>
     public static BallProperties Telstar18 { get; } = new()
     {
@@ -78,7 +78,7 @@ public sealed record BallProperties
     };
 
     /// <summary>Nike Flight 2020.</summary>
-    /// <remarks>No measurement found: roughness 0.33, guess (0.25 … 0.5: moulded grooves).</remarks>
+    /// <remarks>No measurement found. Roughness 0.33 (guess, 0.25 … 0.5, for moulded grooves).</remarks>
     public static BallProperties Flight2020 { get; } = new() { DragCurve = DragCurve.OfRoughness(0.33) };
 
     /// <summary>Adidas Al Rihla (2022), in a wind tunnel.</summary>
@@ -86,7 +86,7 @@ public sealed record BallProperties
     public static BallProperties AlRihla { get; } = new() { DragCurve = DragCurve.OfRoughness(0.31) };
 
     /// <summary>Adidas Fussballliebe (2024).</summary>
-    /// <remarks>No measurement found: roughness 0.32, guess (0.25 … 0.45).</remarks>
+    /// <remarks>No measurement found. Roughness 0.32 (guess, 0.25 … 0.45).</remarks>
     public static BallProperties Fussballliebe { get; } = new() { DragCurve = DragCurve.OfRoughness(0.32) };
 
     /// <summary>Adidas Trionda (2026), in a wind tunnel.</summary>
@@ -108,11 +108,11 @@ public sealed record BallProperties
     public static BallProperties Futsal { get; } = new() { Mass = 0.42, Radius = 0.100 };
 
     /// <summary>A beach ball: large, and so light that the air dominates its flight.</summary>
-    /// <remarks>0.1 kg, radius 0.2 m; guess.</remarks>
+    /// <remarks>0.1 kg, radius 0.2 m (guess).</remarks>
     public static BallProperties BeachBall { get; } = Tunnel with { Mass = 0.1, Radius = 0.2 };
 
     /// <summary>A medicine ball: heavy and solid.</summary>
-    /// <remarks>3 kg, radius 0.12 m, guess; α 2/5, derived.</remarks>
+    /// <remarks>3 kg, radius 0.12 m (guess); α 2/5 (derived).</remarks>
     public static BallProperties MedicineBall { get; } = Tunnel with { Mass = 3.0, Radius = 0.12, InertiaFactor = 0.4 };
 
     /// <summary>The presets, by their names in JSON, on the command line and in the engines.</summary>

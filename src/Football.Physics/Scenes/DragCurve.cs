@@ -2,7 +2,7 @@ namespace FootballPhysics.Laws;
 
 /// <summary>The drag coefficient of a ball without spin as a function of the Reynolds number, through the drag crisis.</summary>
 /// <remarks>
-/// <para>Re = 2r|u|/ν. C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ).</para>
+/// Re = 2r|u|/ν. C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ).
 /// <para>The formula and its rows are those of Kiratidis and Leinweber (arXiv:1710.02784). Their wind-tunnel speeds are converted to Reynolds numbers
 /// with their viscosity, 1.51393e-5 m²/s, and diameter, 0.22 m. Measured up to Re 5.1e5 (35 m/s), extrapolated beyond.</para>
 /// </remarks>
@@ -43,7 +43,7 @@ public sealed record DragCurve
     public double RiseTo { get; init; } = 510_000;
 
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
-    /// <remarks>Derived. The rounding keeps the four C_D of Hong and Asai and the flight of Mencke within their errors.</remarks>
+    /// <remarks>Derived. The rounding was chosen to reproduce the four C_D of Hong and Asai, and the flight of Mencke.</remarks>
     public static DragCurve Generic { get; } = new();
 
     /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>
@@ -96,11 +96,11 @@ public sealed record DragCurve
 
     /// <summary>Returns the curve of a ball with a given roughness.</summary>
     /// <remarks>
-    /// <para>The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
-    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.</para>
+    /// The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
+    /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
     /// <para>The balls of the wind tunnel have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
-    /// <see cref="Modern"/>, the flights of one match set the curve.</para>
-    /// <para>Wider seams make a ball rougher (measured: the strongest effect, Hong, Goff and Asai 2020), and so do deeper seams, texture and wear (measured: the crisis
+    /// <see cref="Modern"/>, the flights of one match set the curve.
+    /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). So do deeper seams, texture and wear (measured: the crisis
     /// moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a guess.</para>
     /// </remarks>
     /// <param name="roughness">ρ, 0 … 1. 0: the smoothest match ball; 0.3: a ball with few panels in still air; 1: a worn, spinning ball in turbulent air.</param>

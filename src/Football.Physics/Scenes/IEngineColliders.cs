@@ -2,7 +2,7 @@ namespace FootballPhysics.Engines;
 
 /// <summary>The colliders of a game engine.</summary>
 /// <remarks>
-/// <para>The engine returns the colliders near a straight line. The library then finds the time of contact on the ball's real path.</para>
+/// The engine returns the colliders near a straight line. The library then finds the time of contact on the ball's real path.
 /// <para>The simulator calls it once per segment of motion, on the thread that steps the ball. Threads that step balls at the same time need separate
 /// scenes. Snapshots do not store engine colliders: if you replay steps, move the colliders back first.</para>
 /// </remarks>

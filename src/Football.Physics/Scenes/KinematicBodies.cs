@@ -5,8 +5,8 @@ namespace FootballPhysics;
 
 /// <summary>The bodies of a scene that your game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
-/// <para>Add all bodies before you build the first simulator of the scene, including players who come on later. <see cref="KinematicBody.Withdraw"/> keeps a
-/// substitute out of play, at no cost to the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on.</para>
+/// Add all bodies before you build the first simulator of the scene, including players who come on later. <see cref="KinematicBody.Withdraw"/> keeps a
+/// substitute out of play, at no cost to the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on.
 /// <para>Use one scene with bodies per match, and do not share its simulators between threads. A snapshot of the ball does not store the bodies.
 /// A <see cref="Rollback"/> and a <see cref="Recording"/> store their motions, or call <see cref="FixedStepRunner.MoveBodies"/>.</para>
 /// </remarks>
@@ -151,7 +151,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>Adjusts the times of the bodies when the ball's clock jumps.</summary>
     /// <param name="from">The clock before, in s.</param>
     /// <param name="to">The clock after, in s.</param>
-    /// <param name="isNew">True if the clock restarts: all bodies keep their positions. False for another time of the same clock: only bodies moved for the next step are adjusted.</param>
+    /// <param name="isNew">True if the clock restarts, so that all bodies shift with it. False for another time of the same clock: only moved bodies do.</param>
     internal void MoveClock(double from, double to, bool isNew)
     {
         if (from == to)

@@ -2,8 +2,8 @@ namespace FootballPhysics;
 
 /// <summary>A body that your game moves: a foot, a leg, a head, a keeper's hand.</summary>
 /// <remarks>
-/// <para>Create it with <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Before a step, pass its position and velocity to
-/// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time of contact.</para>
+/// Create it with <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Before a step, pass its position and velocity to
+/// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time of contact.
 /// <para>If it has a mass, an impact changes its velocity until you move it again. If you place it over the ball, the next step pushes the ball out along the
 /// shortest path, without adding speed. The impact then depends on the body's own velocity. Look-aheads extrapolate its current motion without limit.</para>
 /// </remarks>
@@ -67,8 +67,8 @@ public sealed class KinematicBody
 
     /// <summary>Takes the body out of play from the next step on: the ball no longer collides with it.</summary>
     /// <remarks>
-    /// <para>Use it for a substitute who is not on yet, a player who was sent off, or a cone that comes later. A ball on top of it falls. The body keeps its
-    /// position, without velocity and spin, until <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it back.</para>
+    /// Use it for a substitute who is not on yet, a player who was sent off, or a cone that comes later. A ball on top of it falls. The body keeps its
+    /// position, without velocity and spin, until <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it back.
     /// <para>Rollbacks, recordings and look-aheads store whether a body is in play. A withdrawn body adds no measurable cost to a step. Does not allocate.</para>
     /// </remarks>
     public void Withdraw()

@@ -169,7 +169,7 @@ internal readonly struct StraightWay
     /// <param name="velocity">The velocity of the object, in m/s.</param>
     public StraightWay SeenFrom(in Vector3d velocity) => new(From, Velocity - velocity, Time, Duration, Around);
 
-    /// <summary>Returns the time from the start until the path reaches a box, in s, by the slab test; infinite if never.</summary>
+    /// <summary>Returns the time from the start at which the path reaches a box, in s; infinite if never.</summary>
     public double Meets(in Bounds3d box)
     {
         double enter = 0;

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The current motions of the obstacles with a mass, which impacts of the ball change.</summary>
+/// <summary>The current motions of the obstacles with a finite mass, which impacts of the ball change.</summary>
 internal sealed class ObstacleMotions
 {
     private readonly IReadOnlyList<Obstacle> _obstacles;
@@ -16,7 +16,7 @@ internal sealed class ObstacleMotions
         var movable = new List<int>();
         for (int i = 0; i < _placements.Length; i++)
         {
-            // Impacts move only obstacles with a mass; all others stay as the scene defines them.
+            // Impacts move only obstacles with a finite mass; all others stay as the scene defines them.
             Obstacle obstacle = obstacles[i];
             if (obstacle.Mass < double.PositiveInfinity)
             {
@@ -37,13 +37,13 @@ internal sealed class ObstacleMotions
         Read(_start);
     }
 
-    /// <summary>The number of obstacles with a mass.</summary>
+    /// <summary>The number of obstacles with a finite mass.</summary>
     public int Count => _movable.Length;
 
     /// <summary>A counter that changes whenever one of them is pushed or moved.</summary>
     public long Version { get; private set; }
 
-    /// <summary>Returns the placement of an obstacle; null if it has no mass.</summary>
+    /// <summary>Returns the placement of an obstacle; null if its mass is infinite.</summary>
     public Placement? Of(int obstacle) => _placements[obstacle];
 
     /// <summary>Changes the velocity of one obstacle in an impact.</summary>

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Everything a flight depends on except the kick: ball, air, gravity, forces, ground and objects.</summary>
-/// <remarks>Immutable. Build one scene and share it between simulators.</remarks>
+/// <remarks>Immutable, except for the bodies and engine colliders that it refers to.</remarks>
 public sealed record Scene
 {
     /// <summary>The maximum number of nets, and of goals: a state stores one bit per net or goal.</summary>
@@ -90,7 +90,7 @@ public sealed record Scene
     /// <param name="wind">Wind velocity, in m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
-    /// <summary>The motions of the obstacles with a mass, shared by the scenes of several balls. Default: the simulator creates its own.</summary>
+    /// <summary>The motions of the obstacles with a finite mass, shared by the scenes of several balls. Default: the simulator creates its own.</summary>
     internal ObstacleMotions? Motions { get; init; }
 
     /// <summary>True if the ball can hit anything except the ground.</summary>

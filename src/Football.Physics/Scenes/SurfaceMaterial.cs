@@ -19,7 +19,7 @@ public sealed partial record SurfaceMaterial
     public double RestitutionSpeedScale { get; init; } = 20;
 
     /// <summary>The rise η of the restitution for oblique impacts. 0 … 1; default 0.45.</summary>
-    /// <remarks>A grazing ball ploughs less: e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴), where c is the speed along the surface divided by the approach speed.</remarks>
+    /// <remarks>A grazing ball ploughs less: e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴). Here c is the speed along the surface divided by the approach speed.</remarks>
     public double GrazingRestitutionGain { get; init; } = 0.45;
 
     /// <summary>The tangential restitution e_t: a contact that grips multiplies the slip by −e_t. −1 … 1; default −0.15.</summary>

@@ -7,8 +7,8 @@ internal static class SwingOf
     /// <remarks>It is a thousandth of the gap that counts as contact.</remarks>
     private const double OnAxis = 1e-13;
 
-    /// <summary>Returns the greatest speed of any part of a rotating shape, in m/s; 0 if the rotation does not change the shape.</summary>
-    /// <remarks>A sphere moves with its centre and a capsule with its axis: a rotation about these changes nothing.</remarks>
+    /// <summary>Returns the greatest speed of any part of a rotating shape, in m/s.</summary>
+    /// <remarks>It is 0 if the rotation does not change the shape. A sphere moves with its centre, and a capsule with its axis: a rotation about these changes nothing.</remarks>
     /// <param name="shape">The shape.</param>
     /// <param name="spin">Ω in the shape's axes, in rad/s.</param>
     /// <param name="pivot">The pivot in the shape's frame, in m.</param>

@@ -85,7 +85,8 @@ public struct BallState : IFormattable
     /// <summary>An odd key: the scene for which <see cref="ClearUntil"/> holds. An even key: the balls that a ball in a pile touches.</summary>
     internal ulong ClearIn;
 
-    /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step: the next step can skip the search for a free path.</summary>
+    /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step.</summary>
+    /// <remarks>The next step can then skip the search for a free path.</remarks>
     internal const ulong TouchesSeveral = 2;
 
     /// <summary>The distance through the air since the kick, in m, if a knuckle force depends on it; otherwise 0.</summary>

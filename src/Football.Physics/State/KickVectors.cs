@@ -30,7 +30,7 @@ public static class KickVectors
     /// <param name="direction">The direction of the kick. With topspin, its horizontal part must not be zero.</param>
     /// <param name="top">The topspin, in rad/s; negative is backspin.</param>
     /// <param name="side">The sidespin, in rad/s; positive is counter-clockwise seen from above.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A vertical kick has topspin, or a number is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A vertical kick has topspin, or a number is out of range.</exception>
     public static Vector3d Spin(Vector3d direction, double top, double side)
     {
         Check.Within("topSpin", top, -Limits.Spin, Limits.Spin);

@@ -182,7 +182,8 @@ internal readonly struct TableRange
     /// <summary>The highest speed at which the tables hold, with a margin, in m/s.</summary>
     public const double Fastest = 120;
 
-    /// <summary>The largest spin parameter at the start of a step of a smooth law. At 2, one plate of the empirical spin decay stands still.</summary>
+    /// <summary>The largest spin parameter at the start of a step of a smooth law.</summary>
+    /// <remarks>At 2, one plate of the empirical spin decay stands still.</remarks>
     public const double LargestSpinParameter = 1.9;
 
     /// <summary>The share of the velocity that drag, and lift, may each change within a step.</summary>

@@ -13,7 +13,7 @@ internal interface IAirLaw
     /// <summary>Returns the factor of the law in a flow.</summary>
     double Factor(in AirFlow flow);
 
-    /// <summary>An upper bound on the factor, relative to the motion that it changes, in 1/s: per m/s of speed, per rad/s of spin, and constant.</summary>
+    /// <summary>An upper bound on the factor, relative to the motion that it changes, in 1/s.</summary>
     RateBound Bound { get; }
 }
 

@@ -2,13 +2,14 @@ namespace FootballPhysics;
 
 /// <summary>All aerodynamic laws of a scene in a form for tables: functions of speed, functions of the spin parameter, and their combination.</summary>
 /// <remarks>
-/// <para>This is the only definition of a law. <see cref="TableAir{TLaw}"/> uses tables of the functions in their range, and the functions themselves elsewhere.</para>
+/// This is the only definition of a law. <see cref="TableAir{TLaw}"/> uses tables of the functions in their range, and the functions themselves elsewhere.
 /// <para>The spin parameter is S = r|ω⊥|/|u| with the spin across the motion if <see cref="NeedsSpinAcross"/> is true, and with the total spin otherwise. A law that
 /// jumps has regions, one per branch; the functions of each region are smooth on the entire domain.</para>
 /// </remarks>
 internal interface ITableLaw
 {
-    /// <summary>True if S uses the spin across the motion, and lift and decay are proportional to the spin at fixed S. A constant of the type.</summary>
+    /// <summary>True if S uses the spin across the motion.</summary>
+    /// <remarks>Lift and decay are then proportional to the spin at fixed S. A constant of the type.</remarks>
     bool NeedsSpinAcross { get; }
 
     /// <summary>True if the law has regions, so that a step is locked to one and ends where it ends. A constant of the type.</summary>

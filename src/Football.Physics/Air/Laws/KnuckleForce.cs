@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>The side force on a ball with little spin: a smooth, pure function of seed, distance flown, air velocity and spin.</summary>
 /// <remarks>
-/// <para>F_K = κ(|u|, S) (f₁ ê₁ + f₂ ê₂), ê₁ = û × ŷ normalized (ẑ if vertical), ê₂ = ê₁ × û.</para>
+/// F_K = κ(|u|, S) (f₁ ê₁ + f₂ ê₂), ê₁ = û × ŷ normalized (ẑ if vertical), ê₂ = ê₁ × û.
 /// <para>Fitted to Hong and Asai 2014: peak at 2.5 Hz and standard deviation K at 30 m/s, growth from 20 to 30 m/s. The limits in the spin parameter and the
 /// four waves are guesses.</para>
 /// </remarks>

@@ -4,7 +4,8 @@ namespace FootballPhysics;
 /// <remarks>Like |S|, it has a kink at S = 0: the force is continuous there, but its slope is not.</remarks>
 internal static class SpinDrag
 {
-    /// <summary>D, the limit of this part. Measured: up to S = 0.3 between Goff and Carré and Kiratidis and Leinweber, Goff's plateau beyond.</summary>
+    /// <summary>D, the limit of this part.</summary>
+    /// <remarks>Measured: up to S = 0.3 between the values of Goff and Carré and those of Kiratidis and Leinweber; beyond, Goff's plateau.</remarks>
     public const double Limit = 0.30;
 
     /// <summary>S_D, the spin parameter at which this part is D/√2 (same sources).</summary>
