@@ -41,7 +41,7 @@ internal sealed class BoundsTree
         {
             int here = node;
 
-            // What does not touch this box touches nothing of its branch.
+            // A box that misses this node misses its entire branch.
             if (!_bounds[here].Intersects(in box))
             {
                 node = _after[here];
@@ -68,7 +68,7 @@ internal sealed class BoundsTree
         {
             double met = way.Meets(in _bounds[node]);
 
-            // Met later than what was found, or not at all: so is all of its branch.
+            // The path reaches this node too late or not at all, and so its entire branch.
             if (!(met < until))
             {
                 node = _after[node];
@@ -86,7 +86,7 @@ internal sealed class BoundsTree
     /// <returns>The node after it.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {
-        // The box around all items, and that around their centres, which says along which axis to split.
+        // Bounds of all items, and bounds of their centres, which determine the split axis.
         Bounds3d all = boxes[items[from]];
         Bounds3d centers = boxes[items[from]].AtCenter;
         for (int i = from + 1; i < to; i++)
@@ -179,7 +179,8 @@ internal struct NearThings
                 continue;
             }
 
-            // The deepest; of two as deep that from a certain side, for neither the walk nor the scene has an order that means anything.
+            // Take the deepest overlap. Equal depths are decided by the normals, because the order of the walk and of the scene is
+            // arbitrary.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
             overlapsBody |= overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
@@ -231,7 +232,7 @@ internal struct NearThings
     /// <returns>False at the end.</returns>
     public bool NextPassage(out int thing)
     {
-        // They stand still, and have bounds.
+        // Nets and goals are stationary and have bounds, so they are in the tree.
         while (_world.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _world.Leaves[leaf];
@@ -291,7 +292,7 @@ internal struct NearThings
     {
         Collider collider = _world.Colliders[moving];
 
-        // The box that it sweeps in the time.
+        // The box that the collider sweeps in this time.
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);
         if (_duration > 0)
         {

@@ -243,7 +243,7 @@ internal sealed class Collider
     /// <summary>A path as the thing sees it in its own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
-        // Into the frame that moves along, then into its axes: the thing stands still there.
+        // Transform the path to the frame of the moving shape, where the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
         return motion.IsTurned ? seen.InAxes(in motion) : seen;
@@ -365,7 +365,7 @@ internal readonly struct ContactMaterial
             return e;
         }
 
-        // Of the squares' ratio, so that nothing overflows.
+        // Use the ratio of squares, so that it cannot overflow.
         double steep = HalfRise * approach;
         double square = along.LengthSquared / (steep * steep);
         double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
@@ -407,7 +407,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
-        // e₀ = e₆ √(1 + (6/V_e)²)
+        // e₀ = e₆ √(1 + (6/V_e)²).
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

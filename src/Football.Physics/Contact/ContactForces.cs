@@ -18,7 +18,7 @@ internal static unsafe class ContactForces
     {
         if (system.Bearer >= 0)
         {
-            // ω̇_n = −(c_ω/I) (ω − Ω)·n
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
             spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }
@@ -94,7 +94,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref w, rows, size);
         }
 
-        // The eliminated contact responds to the free motion, and to a unit of every other force.
+        // Compute the response of the eliminated contact to the free motion, and to a unit of every other force.
         ForceRow own = default;
         if (stuck >= 0)
         {
@@ -160,7 +160,7 @@ internal static unsafe class ContactForces
             return ContactRows.Eliminate(g, x, size, ContactRows.Singular * largest);
         }
 
-        // Two contacts that stick: along the line from one contact point to the other both conditions are the same.
+        // For two sticking contacts, the conditions along the line between the contact points coincide.
         for (int i = 0; i < size; i++)
         {
             z[i] = 0;
@@ -256,7 +256,8 @@ internal static unsafe class ContactForces
             size += system.Contacts[i].Bears ? SetRows(in system, i, in spin, rows + size) : 0;
         }
 
-        // The resistance that holds a standing ball, and its spin, must not count in the sum of squares of the forces. So it is eliminated first.
+        // Eliminate the resistance that holds a ball at a standstill, and its spin, first: they must not enter the sum of squares of the
+        // forces.
         Vector3d normal = system.Bearer >= 0 ? system.Contacts[system.Bearer].Normal : Vector3d.Zero;
         Vector3d turning = Vector3d.Cross(in normal, in system.Along) / system.World.Ball.Radius;
         double held = 0;

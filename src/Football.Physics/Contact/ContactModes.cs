@@ -43,7 +43,7 @@ internal static unsafe class ContactModes
         Forget(ref system);
         if (likely >= 0)
         {
-            // From a standstill the load is not known yet: then the bearer is looked for.
+            // At a standstill the load is not known yet, so search for the bearer.
             system.Bearer = likely;
             Roll(ref system, in at, default);
             system.Pinned = false;
@@ -197,7 +197,7 @@ internal static unsafe class ContactModes
             return;
         }
 
-        // From a standstill: held, or off where the push leads.
+        // At a standstill, the ball is held, or it starts to roll along the push.
         double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
         system.Along = push < 0 ? -system.Along : system.Along;
         system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
@@ -233,7 +233,7 @@ internal static unsafe class ContactModes
 
         if (!isLine)
         {
-            // One normal alone: along the velocity.
+            // A single normal: the free direction is that of the velocity.
             Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
             double speed = rolling.Length;
             return speed > 0 ? rolling / speed : Vector3d.Zero;
@@ -273,7 +273,7 @@ internal static unsafe class ContactModes
     /// <returns>False where all can.</returns>
     private static bool Change(ref ContactSystem system, double sticking)
     {
-        // What pulls most is let go.
+        // Open the contact with the most negative load.
         int worst = -1;
         double least = SurfaceForces.Least;
         for (int i = 0; i < system.Count; i++)
@@ -293,7 +293,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // What would be entered bears.
+        // Activate the contact that would be penetrated fastest.
         least = -SurfaceForces.Least;
         for (int i = 0; i < system.Count; i++)
         {
@@ -312,7 +312,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // What needs more friction than there is slips: at zero slip against the friction that it needed.
+        // The contact that exceeds its friction cone most starts to slip: at zero slip, against the friction that it would need.
         double most = 0;
         for (int i = 0; i < system.Count; i++)
         {
@@ -326,7 +326,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Drilling friction cannot hold the spin: it begins against what held it.
+            // Drilling friction cannot hold the spin, so it starts against the holding torque.
             system.HoldsSpin = false;
             system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
             return true;
@@ -334,7 +334,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Nor can rolling resistance hold the ball: it rolls against what held it.
+            // Rolling resistance cannot hold the ball either, so it starts to roll against the holding force.
             system.Pinned = false;
             system.Along = system.Held > 0 ? -system.Along : system.Along;
             return true;
@@ -357,7 +357,8 @@ internal static unsafe class ContactModes
     /// <param name="push">What acts on the ball at rest, relative to its carrier, m/s².</param>
     public static bool Hold(in ContactSystem system, in Vector3d push)
     {
-        // The push is projected onto what the contacts leave free: no load, one, two or three of them, which take all of it.
+        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three take all of the
+        // push.
         PushProjection free = Project(in system, in push);
         return free.TakesAll || (free.First < 0 ? push.Length <= SurfaceForces.Least
             : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));

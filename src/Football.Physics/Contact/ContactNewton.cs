@@ -22,7 +22,7 @@ internal static class ContactNewton
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
-        // Per mass: a tangential impulse turns the ball by 1/(α r), and takes (1 + α)/α of itself from the slip.
+        // Per mass: a tangential impulse changes the spin by 1/(α r) times itself, and the slip by (1 + α)/α times itself.
         double r = ball.Radius;
         double perTurn = 1.0 / (ball.InertiaFactor * r);
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
@@ -37,7 +37,7 @@ internal static class ContactNewton
         Span<Row> rows = stackalloc Row[size];
         Span<double> system = stackalloc double[size * (size + 1)];
 
-        // What each unknown asks for at the impulses as they are: the residual, and how it depends on changes of v and ω.
+        // Set up a row per unknown: its residual, and the derivatives with respect to v and ω.
         for (int i = 0; i < contacts; i++)
         {
             ref readonly Contact contact = ref set[pressing[i]];
@@ -45,12 +45,12 @@ internal static class ContactNewton
             Vector3d t1 = Tangent(in n);
             Vector3d t2 = Vector3d.Cross(in n, in t1);
 
-            // A load that bears must end the closing; one that does not must be zero.
+            // A loaded contact must stop closing. The load of any other contact must be zero.
             double closing = ContactSolver.Closing(in contact, duration, in v);
             bool bears = contact.Load - closing > 0;
             rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
 
-            // s = u_t + r n × ω, a push F turns by −n × F/(α r).
+            // s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
             Vector3d relative = v - contact.Velocity;
             Couple(
                 rows.Slice((3 * i) + 1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
@@ -61,7 +61,7 @@ internal static class ContactNewton
 
         if (bearer >= 0)
         {
-            // r ω_t, which a push turns by itself.
+            // r ω_t, which rolling resistance changes directly.
             ref readonly Contact contact = ref set[resistance.Bearer];
             Vector3d t1 = Tangent(in contact.Normal);
             Vector3d t2 = Vector3d.Cross(in contact.Normal, in t1);
@@ -74,20 +74,20 @@ internal static class ContactNewton
             rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
-        // Residual + derivative × change = 0: one linear system for the changes of all impulses.
+        // Residual + derivative × change = 0: a linear system for the changes of all impulses.
         Fill(system, rows, size);
         if (!Eliminate(system, size))
         {
             return;
         }
 
-        // The impulses change, and with them what they do.
+        // Apply the changes of the impulses to v and ω.
         for (int i = 0; i < size; i++)
         {
             double change = system[(i * (size + 1)) + size];
             bool isLoad = i < 3 * contacts && i % 3 == 0;
 
-            // No load becomes less than none.
+            // Keep every load at zero or above.
             change = isLoad ? Math.Max(change, -set[pressing[i / 3]].Load) : change;
             v += change * rows[i].PushV;
             w += change * rows[i].PushW;
@@ -139,13 +139,13 @@ internal static class ContactNewton
     /// <summary>Resistance to the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
     private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
     {
-        // ω_n = (ω_n − D)/(1 + k) ∓ c N
+        // ω_n = (ω_n − D)/(1 + k) ∓ c N.
         double about = Vector3d.Dot(in w, in contact.Normal);
         double damping = TurningResistance.Damping(in contact, ball, duration);
         double perLoad = TurningResistance.DrillingPerLoad(in contact, ball);
         double damped = (about - drilling) / (1.0 + damping);
 
-        // Within what the load allows the spin about the normal ends; else it is damped, and loses that.
+        // If the load allows it, drilling friction stops the spin about the normal. Otherwise the spin is damped and reduced by that limit.
         bool ends = Math.Abs(damped) <= perLoad * contact.Load;
         double resisted = damped > 0 ? perLoad : -perLoad;
         return new Row
@@ -165,7 +165,7 @@ internal static class ContactNewton
         Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
         in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
     {
-        // T = F − g s: no longer than μ N, it grips and the slip must vanish; longer, F must be μ N T/|T|.
+        // T = F − g s. If |T| ≤ μ N, the contact grips and the slip must vanish; otherwise F = μ N T/|T|.
         double first = push.First - (grip * slip.First);
         double second = push.Second - (grip * slip.Second);
         double size = Math.Sqrt((first * first) + (second * second));
@@ -211,7 +211,7 @@ internal static class ContactNewton
     /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
     private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
-        // How each asks for what each of them does.
+        // Compute the response of every row to a unit of every impulse.
         Span<double> motions = stackalloc double[size * size];
         for (int i = 0; i < size; i++)
         {
@@ -223,7 +223,7 @@ internal static class ContactNewton
             }
         }
 
-        // Row by row: what the motion does, the unknown itself, the load that bounds it, the turning of its direction.
+        // Sum per row: the motion, the unknown itself, the load that bounds it, and the turn of its direction.
         for (int i = 0; i < size; i++)
         {
             ref readonly Row row = ref rows[i];
@@ -242,7 +242,7 @@ internal static class ContactNewton
 
             if (row.Turns > 0)
             {
-                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction counts.
                 int second = i + row.Other;
                 Span<double> other = motions.Slice(second * size, size);
                 double across = row.Turns * row.Across;
@@ -267,7 +267,7 @@ internal static class ContactNewton
         int width = size + 1;
         for (int column = 0; column < size; column++)
         {
-            // The largest of the column is the pivot: the smaller ones would magnify rounding.
+            // Choose the largest pivot in the column, because a small one would amplify rounding errors.
             int pivot = column;
             for (int i = column + 1; i < size; i++)
             {
@@ -289,7 +289,7 @@ internal static class ContactNewton
                 own[j] = value;
             }
 
-            // The rows below lose their part in this column.
+            // Eliminate this column from the rows below.
             Span<double> pivoted = own.Slice(column);
             for (int i = column + 1; i < size; i++)
             {

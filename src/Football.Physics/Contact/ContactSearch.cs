@@ -80,7 +80,8 @@ internal readonly struct ContactSearch
             return best;
         }
 
-        // Broad phase: an engine's cast, and what the box of the path touches. Narrow phase: a walk along the gap of each.
+        // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along the gap of each
+        // collider.
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
@@ -88,7 +89,7 @@ internal readonly struct ContactSearch
             bool seam = false;
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
-            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            // For simultaneous contacts, take the first collider of the scene, whatever the order of the walk.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
@@ -132,7 +133,7 @@ internal readonly struct ContactSearch
         int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
 
-        // Nets reach beyond their edges as far as the ball is deep in one of them.
+        // A net extends beyond its edges by the depth of the ball in another net, so expand the search by it.
         int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
         double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
@@ -143,7 +144,7 @@ internal readonly struct ContactSearch
             double at = double.PositiveInfinity;
             Separation gap = default;
 
-            // Nets that it is not in may be met; mouths that it has not come through may be entered, until the line was passed.
+            // Consider nets that the ball is not in, and mouths that it has not entered and whose line it has not passed.
             if (thing < goals)
             {
                 int net = thing - nets;
@@ -156,7 +157,7 @@ internal readonly struct ContactSearch
                 at = EntersMouth(in gap, until);
             }
 
-            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            // For simultaneous passages, take the first net or goal of the scene, whatever the order of the walk.
             if (at < best || (at == best && thing < bestThing))
             {
                 best = at;
@@ -165,7 +166,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // A net that the ball is in has grown with it, and is left wherever the ball is.
+        // A net that the ball is in follows the ball, so check for leaving it at any position.
         for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
@@ -177,7 +178,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // In the mouth of a goal it passes the line, or leaves, wherever it is.
+        // In the mouth of a goal, check for passing the line and for leaving, at any position.
         for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
@@ -220,7 +221,7 @@ internal readonly struct ContactSearch
         double shortest = ShortestOf(in _path);
         double t = 0;
 
-        // At the start of a piece it may be behind the mouth by what the last one was corrected by, when it was put back onto what carries it.
+        // At its start the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
         bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
         while (t <= until)
         {
@@ -231,7 +232,7 @@ internal readonly struct ContactSearch
                 return t;
             }
 
-            // The plane is next reached from whichever side the ball is on.
+            // The ball may reach the plane next from either side.
             isBefore = gap > Touching || (isBefore && rate >= -Approaching);
             double step = gap > Touching ? Safe(gap, rate, _bend) : gap < -Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
             t += Math.Max(step, shortest);
@@ -249,7 +250,7 @@ internal readonly struct ContactSearch
         {
             plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-            // Beyond the plane, or on it and going on.
+            // Beyond the plane, or on it and moving on.
             if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
             {
                 return t;
@@ -277,7 +278,7 @@ internal readonly struct ContactSearch
             return RotatingSearch.FirstContact(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, until);
         }
 
-        // What moves sees the path in its own frame, where it stands still itself.
+        // Transform the path to the frame of a moving collider, where the collider is stationary.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
         if (collider.Moves)
@@ -291,7 +292,7 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
-        // M: the path bends by its own acceleration, and the wall of a hollow towards it by |v|² κ/(1 − κ d); a convex one bends away.
+        // M bounds the bend: the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
@@ -305,7 +306,7 @@ internal readonly struct ContactSearch
             double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
             if (gap <= Touching && rate < -Approaching)
             {
-                // At a flush seam nothing happens: on, until the ball is over the face and the normals are one.
+                // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
                 double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
                 if (!(passage > 0))
                 {
@@ -330,19 +331,21 @@ internal readonly struct ContactSearch
 
             if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
             {
-                // Along a straight path it says nothing that the ball, which is not pressed there, comes closer: if it is in it at the end, it is put out of it.
+                // On a straight path, ignore a closing contact without load. If the ball ends up inside the surface, it is pushed out.
                 return double.PositiveInfinity;
             }
 
             if ((t == 0 || crosses) && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap - path.ClimbAlong(at.Normal, t)), until, t) <= until))
             {
-                // What is convex lies behind the plane of its nearest point, and the path does not come to that: so it is along a wall, however the path bends.
+                // A convex shape lies behind the tangent plane at its nearest point. If the path never reaches the plane, there is no
+                // contact.
                 return double.PositiveInfinity;
             }
 
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
 
-            // Far from a hollow M does not hold, but the gap closes no faster than at full speed; near it, only until it may be far again.
+            // Far from a concave surface M is not valid, so bound the closing by the speed. Near it, use M only until the ball may be far
+            // again.
             if (hollow > 0)
             {
                 double bySpeed = Math.Max(gap, 0) / speed;
@@ -385,7 +388,7 @@ internal readonly struct ContactSearch
     {
         double next = t + Math.Max(step, shortest);
 
-        // A step that was stretched must not leap over the end of the path, where the gap may have closed.
+        // A lengthened step must not skip the end of the path, where the gap may have closed.
         next = next > until && t + step <= until && t < until ? until : next;
         t = next;
         return next <= until;
@@ -400,7 +403,7 @@ internal readonly struct ContactSearch
         {
             sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-            // Closed and falling is what is sought; closed and at rest falls nowhere.
+            // A closed gap that still falls is the event. A closed gap at rest does not fall.
             if (gap <= Touching)
             {
                 if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
@@ -438,7 +441,7 @@ internal readonly struct ContactSearch
             Vector3d velocity = _path.VelocityAt(t);
             Vector3d place = net.PlaceInFrame(in at);
 
-            // The side from which it comes is the one on which it is when the slab is met.
+            // The ball comes from the side on which it is when it reaches the slab.
             side = place.Z < 0 ? -1.0 : 1.0;
             double step = 0;
             Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
@@ -462,7 +465,7 @@ internal readonly struct ContactSearch
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
         double bend = condition.Bends * _bend;
 
-        // Until it may close; just closed and not falling, until it may go on; closed, no time.
+        // Advance while the gap stays open, or, if it just closed without falling, until it may fall. Otherwise the step is zero.
         double safe = value > Touching ? Safe(value, rate, bend)
             : value > -Touching && rate >= 0 ? Along(rate, bend)
             : 0;
@@ -488,7 +491,7 @@ internal readonly struct ContactSearch
     /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
     internal static double Safe(double gap, double rate, double bend)
     {
-        // s = (f' + √(f'² + 2 M f))/M, which for f' < 0 is 2 f/(√(…) − f').
+        // s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
         return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
     }

@@ -47,7 +47,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces. What stands still now does not come back.
+            // Keep contacts that neither close nor leave, (v − V)·n ≈ 0, and slow movers that may come back. A stationary object does not.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
@@ -71,7 +71,7 @@ internal static class ContactSet
         int count = 0;
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
 
-        // Broad phase by boxes, then the distance itself.
+        // Broad phase by bounding boxes, then the exact distance.
         var near = NearThings.Within(world, s.Position, s.Time, reach);
         while (near.NextCollider(out int i))
         {
@@ -85,7 +85,7 @@ internal static class ContactSet
 
             var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
 
-            // Of surfaces with one normal, one stands for all.
+            // Merge surfaces with the same normal into one contact.
             int place = PlaceOf(in contact, room.Slice(0, count), world, carrier);
             if (place >= 0)
             {
@@ -195,7 +195,7 @@ internal static class ContactSet
         int heaviest = -1;
         for (int i = 0; i < set.Length; i++)
         {
-            // Of two that bear the same, to rounding, it is the first.
+            // If two loads are equal to within rounding, the first contact counts.
             heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + SetContact.SameLoad)) ? i : heaviest;
         }
 
@@ -226,7 +226,7 @@ internal static class ContactSet
         PutOntoTwo(world, ref s, set);
         bool moved = true;
 
-        // Projections in turn until none moves the ball; what stands still comes last in a round, so that it is never entered.
+        // Repeat projections until the ball no longer moves. Project stationary surfaces last, so that the ball does not enter them.
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
@@ -266,7 +266,7 @@ internal static class ContactSet
                 return;
             }
 
-            // The shortest way that closes both: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
+            // The shortest displacement that closes both gaps: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
             s.Position += (((cosine * other) - gap) / square * one.Normal) + (((cosine * gap) - other) / square * two.Normal);
         }
     }
@@ -277,7 +277,7 @@ internal static class ContactSet
     {
         Span<Contact> room = stackalloc Contact[Room];
 
-        // With what lies beside it: out of one thing the ball must not be put into another.
+        // Include nearby surfaces: pushed out of one object, the ball must not enter another.
         Span<Contact> set = Near(world, in s, Beside, room, world.Room);
         foreach (ref readonly Contact contact in set)
         {
@@ -328,7 +328,7 @@ internal static class ContactSet
         ShapePoint at = collider.At(s.Position, s.Time);
         if (contact.IsFlat && collider.HasFaces && !at.IsFlat)
         {
-            // Just beyond the edge of a flat face the ball is still on its plane.
+            // Just beyond the edge of a flat face, the ball is still on the plane of the face.
             return false;
         }
 
@@ -336,7 +336,8 @@ internal static class ContactSet
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
-        // What bears keeps the ball on itself, with no speed off it; all else only keeps it out. A gap that is left of a contact closes, unless that leads into another one.
+        // A loaded contact holds the ball on its surface with zero normal speed; the others only keep it out. Close remaining gaps if
+        // possible.
         s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;

@@ -95,7 +95,7 @@ internal static class ContactSolver
         int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
-            // A round of projected Gauss–Seidel, which may be the last.
+            // An iteration of projected Gauss–Seidel; it may converge.
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
             if (change <= settled)
             {
@@ -104,7 +104,7 @@ internal static class ContactSolver
 
             if (change > before.Change)
             {
-                // It was wrong about what bears, grips and slips: back, and on by rounds alone.
+                // Newton guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel alone.
                 kept.CopyTo(set);
                 v = before.Velocity;
                 w = before.Spin;
@@ -115,7 +115,7 @@ internal static class ContactSolver
                 continue;
             }
 
-            // Close, and rounds gain little more: so it is with loads that are not determined.
+            // Nearly converged, and more iterations gain little, as with undetermined loads: stop.
             if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
@@ -123,7 +123,7 @@ internal static class ContactSolver
 
             before.Change = double.PositiveInfinity;
 
-            // Once in a while a step of Newton's method. What it begins from is kept, for it may take a contact that slips for one that grips.
+            // Now and then try a Newton step. Keep the state before it, because it may guess the wrong modes.
             if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
             {
                 next = round + between;
@@ -153,7 +153,7 @@ internal static class ContactSolver
     /// <summary>The impulses that the contacts have already.</summary>
     private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
     {
-        // Warm start: velocity and spin as the impulses that are there leave them.
+        // Warm start: apply the stored impulses to the velocity and the spin.
         foreach (ref readonly Contact contact in set)
         {
             v += (contact.Load * contact.Normal) + contact.Friction;
@@ -174,7 +174,7 @@ internal static class ContactSolver
             scale += contact.Load;
         }
 
-        // Rolling resistance and drilling act on the heaviest contact alone.
+        // Rolling resistance and drilling friction only act at the contact with the greatest load.
         change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
         return change > 0 ? change / scale : 0;
     }
@@ -183,7 +183,7 @@ internal static class ContactSolver
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Closing(in Contact contact, double duration, in Vector3d v)
     {
-        // (v − V)·n + gap/h: the gap may close in the time; where there is none, only what touches counts.
+        // (v − V)·n + gap/h: a gap may close within the time. Over zero time, only touching surfaces count.
         double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactSearch.Touching ? double.MaxValue : 0;
         return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
     }
@@ -196,13 +196,13 @@ internal static class ContactSolver
         double r = ball.Radius;
         Vector3d n = contact.Normal;
 
-        // J_n: the ball goes away at least as fast as its gap allows.
+        // J_n: the ball must separate at least as fast as the gap requires.
         double load = Math.Max(0, contact.Load - Closing(in contact, duration, in v));
         double pushed = load - contact.Load;
         v += pushed * n;
         contact.Load = load;
 
-        // J_t: what ends the slip s = u_t + r n × ω, as far as friction goes.
+        // J_t: the impulse that stops the slip s = u_t + r n × ω, limited by friction.
         Vector3d relative = v - contact.Velocity;
         Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
         Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
@@ -253,7 +253,7 @@ internal struct TurningResistance
     {
         int heaviest = ContactSet.Heaviest(set);
 
-        // Another contact is the heaviest now: what was resisted on the last one is given back.
+        // Another contact now has the greatest load: undo the resistance at the old one.
         if (heaviest != Bearer)
         {
             w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
@@ -270,7 +270,7 @@ internal struct TurningResistance
         ref readonly Contact contact = ref set[heaviest];
         Vector3d n = contact.Normal;
 
-        // About the normal: ω_n/(1 + k) by damping, k = c_ω h/I, then drilling towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I, then drilling friction brings it towards zero by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
         double most = DrillingPerLoad(in contact, ball) * contact.Load;
@@ -279,7 +279,7 @@ internal struct TurningResistance
         Drilling += drilled;
         w += drilled * n;
 
-        // Across it: against the rolling, by no more than the load allows, and not beyond its end.
+        // Across the normal: resistance against the rolling, limited by the load, which never reverses the rolling.
         double resistance = MostRolling(in contact, ball, in v);
         Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
         double size = turning.Length;

@@ -82,7 +82,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
 
-        // a_air = L (ω × u) − D u; how much of it counts is the ground's to say.
+        // a_air = L (ω × u) − D u; the ground's settings determine how much of it counts.
         Vector3d push = air.Acceleration;
         if (World.AirActs)
         {
@@ -97,7 +97,7 @@ internal unsafe struct ContactSystem : IMotionSystem
 
         if (!World.SharesAir && sticks)
         {
-            // The air moves a ball that rolls without a share for its spin, which follows: ω̇_t = n × a_air/r.
+            // Without a share for the spin, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
             ref readonly SetContact bearer = ref Contacts[Bearer];
             Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
             spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);

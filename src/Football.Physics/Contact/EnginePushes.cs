@@ -25,7 +25,7 @@ internal sealed class EnginePushes
     /// <summary>A collider is about to be pushed.</summary>
     public void Note(EngineCollider collider)
     {
-        // Pushes count until the engine's time goes on: those of earlier times are over.
+        // Pushes are valid until the engine's time advances: remove those of earlier times.
         for (int i = _pushed.Count - 1; i >= 0; i--)
         {
             if (_pushed[i] == collider)
@@ -69,7 +69,7 @@ internal sealed class EnginePushes
             _pushed.Add(kept[i].Collider);
         }
 
-        // A look ahead is over; a step may be tried again.
+        // A look-ahead is finished, but a step may be repeated.
         if (memory == OfLook)
         {
             kept.Clear();
@@ -109,7 +109,7 @@ internal sealed class EnginePushes
 
     private bool IsKept(EngineCollider collider)
     {
-        // Of a match that goes on after a look ahead at later times.
+        // The push belongs to the step that continues after a look-ahead at later times.
         for (int i = 0; i < _kept[OfLook].Count; i++)
         {
             if (_kept[OfLook][i].Collider == collider)

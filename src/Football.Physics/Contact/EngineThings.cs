@@ -101,7 +101,7 @@ internal sealed class EngineThings
     /// <summary>Finds what is near a place, by a distance, m, where the last cast has not been there.</summary>
     public void LookAt(in Vector3d position, double time, double distance)
     {
-        // Within what the last cast has covered nothing new can be found.
+        // Inside the volume of the last cast there are no new colliders to find.
         if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
             Look(in position, in position, _ballRadius + distance, time, 0);
@@ -196,7 +196,7 @@ internal sealed class EngineThings
         Vector3d to = from + (way.Duration * way.Velocity);
         Look(in from, in to, way.Around, way.Time, way.Duration);
 
-        // A cast finds what is near the way; whether the way meets it is asked of its box, which sees the way go by.
+        // The cast finds colliders near the path. Whether the path reaches one is tested against its moving box.
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _world.Colliders[_found[i]];
@@ -216,14 +216,14 @@ internal sealed class EngineThings
         _around = around + Beside;
         _isKnown = true;
 
-        // The engine has its colliders where they are at one time: until the ball passes they may have moved.
+        // The engine's colliders have their positions at one time, and may have moved when the ball passes. Expand the cast by that motion.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
         Cast(in from, in to, moved);
         double asked = moved;
 
-        // A rotating one that is found for the first time may have gone farther than was allowed for: others like it too.
+        // A newly found rotating collider may have moved farther than the cast allowed for, so cast again with the larger margin.
         if (NoteRotating() && Moved(apart) is var farther && farther > moved)
         {
             Cast(in from, in to, farther);
@@ -237,7 +237,7 @@ internal sealed class EngineThings
             Array.Resize(ref _found, _hits.Count);
         }
 
-        // An engine may answer with all that it has. A collider outside the box of the cast need not be in the answer, so it gets no place.
+        // An engine may return all its colliders. One outside the box of the cast is optional in its answer, so skip it.
         Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
@@ -248,7 +248,7 @@ internal sealed class EngineThings
                 continue;
             }
 
-            // A collider keeps its place from cast to cast: the index of a carrier stays good.
+            // A collider keeps its index from cast to cast, so that the index of a carrier stays valid.
             _found[Count++] = IndexOf(PlaceOf(hit));
         }
     }
@@ -290,7 +290,7 @@ internal sealed class EngineThings
             EngineCollider hit = _hits.At(i);
             if (hit.Placement.Motion.Rotates && _isRotating.Add(hit))
             {
-                // An engine may make new ones for ever: those beyond twice an answer were found before it, and the first of them is forgotten.
+                // An engine may create new colliders without end, so drop the oldest one beyond twice the size of an answer.
                 if (_rotating.Count >= Math.Max(Room, 2 * _hits.Count))
                 {
                     _isRotating.Remove(_rotating[0]);
@@ -318,7 +318,7 @@ internal sealed class EngineThings
             Extend(2 * _used);
         }
 
-        // What is in a place from a step before may be the same collider, which is known then.
+        // The slot may still contain the same collider from an earlier step, which is then known.
         place = _used++;
         _places.Add(hit, place);
         if (!ReferenceEquals(_colliders[place].Engine, hit))
@@ -349,7 +349,7 @@ internal sealed class EngineThings
     /// <summary>Remembers who has a number.</summary>
     private void Know(EngineCollider collider)
     {
-        // An engine may make new ones for ever: then the oldest are forgotten with all others, and found again.
+        // An engine may create new colliders without end, so clear the cache when it is full. Colliders in use are found again.
         if (_known.Count >= MostKnown && !_known.ContainsKey(collider.Number))
         {
             _known.Clear();
@@ -363,7 +363,7 @@ internal sealed class EngineThings
         Vector3d way = _to - _from;
         double square = way.LengthSquared;
 
-        // The nearest point of the segment that was cast along.
+        // The nearest point on the segment of the last cast.
         double share = square > 0 ? Vector3d.Dot(position - _from, in way) / square : 0;
         return (position - (_from + (Math.Min(1, Math.Max(0, share)) * way))).Length;
     }

@@ -51,7 +51,7 @@ internal static class Flush
                 continue;
             }
 
-            // Touched, with the same normal, and not closed on itself; and closed on no faster than the normals differ, |u| |n₁ × n₂|.
+            // Flush: touched, with the same normal, and the ball closes no faster than the normals differ, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
@@ -64,12 +64,13 @@ internal static class Flush
             Vector3d along = velocity - other.ShapeVelocity(position - (r * on.Normal), time);
             double closingOnOther = -Vector3d.Dot(in along, on.Normal);
 
-            // A ball closes on the surfaces that it keeps by the error of its path between the ends of a piece. Another surface there is closed on as fast.
+            // Between the ends of a piece, the path error makes the ball close on its own contacts. Allow the same speed for a flush
+            // surface.
             bool carries = i == carrier || ContactSet.Has(held, i);
             double explained = (speed * sine) + ContactSearch.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
             if (closing <= explained && (carries || closingOnOther <= ContactSearch.Approaching))
             {
-                // Until the ball has gone over the edge: r sin θ along the surface; and until convex surfaces that coincide here can have parted: ½ |u|² t²/r.
+                // Advance past the edge, r sin θ along the surface, and until coinciding convex surfaces can separate: ½ |u|² t²/r.
                 double apart = carries && sine <= Coincident ? Math.Sqrt(2.0 * Parted * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }
@@ -173,7 +174,7 @@ internal static class Flush
                 continue;
             }
 
-            // The walk has no order: the rule decides, whichever is found first.
+            // The walk has no defined order, so the rule decides and not the first hit.
             bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
             if (wins)
             {

@@ -29,7 +29,7 @@ internal static class GroundPlace
     {
         if (world.IsLevel)
         {
-            // To the last bit: heights of a ball on level ground are compared with that.
+            // Set the exact height: other code compares heights on level ground exactly.
             return position.Y < world.LevelContact ? new Vector3d(position.X, world.LevelContact, position.Z) : position;
         }
 
@@ -48,8 +48,8 @@ internal static class GroundPlace
             return new Vector3d(position.X, world.LevelContact, position.Z);
         }
 
-        // d(y) = r by Newton's method: d' = n_y. A plane takes one step. On uneven ground n_y is 0.7 … 1 and changes by less than a third within the ball's
-        // reach, and the lower bound that stands for d far off never carries a step past the root: it converges from everywhere.
+        // Newton's method for d(y) = r with d' = n_y: one step on a plane. On uneven ground n_y is 0.7 … 1 and changes by less than a third
+        // within the ball's reach; far off, the lower bound used for d never overshoots the root. So it always converges.
         Vector3d at = position;
         for (int i = 0; i < MostSteps; i++)
         {

@@ -34,7 +34,7 @@ internal static class Passages
         {
             ulong bit = 1UL << i;
 
-            // Before the mouth it is out; behind it in, where it came through the opening.
+            // In front of the mouth the ball is outside; behind it, inside if it came through the opening.
             if (world.Goals[i].BeforeMouth(s.Position) > 0)
             {
                 s.GoalsEntered &= ~bit;

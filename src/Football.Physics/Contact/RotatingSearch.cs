@@ -33,7 +33,7 @@ internal readonly struct MovingShape
     /// <summary>Distance of a point from it, and the rate of that, m/s, for a point with a velocity.</summary>
     public double Distance(in Vector3d position, in Vector3d velocity, double time, out double rate)
     {
-        // Along n the shape has at the point the speed that it has at its nearest point.
+        // Along n, this point of the rotating shape moves at the same speed as the shape's nearest point.
         ShapePoint at = _motion.At(_shape, in position, time);
         rate = Vector3d.Dot(velocity - _motion.SurfaceVelocity(in position, time), at.Normal);
         return at.Distance;
@@ -61,18 +61,18 @@ internal static class RotatingSearch
     /// <param name="until">Where the search ends, s from the start of the path.</param>
     public static double FirstContact(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, double until)
     {
-        // w = v − V and ρ, the ball's distance from the pivot, at most.
+        // Upper bounds of |w|, w = v − V, and of ρ, the ball's distance from the pivot.
         PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
         Bounds3d box = seen.Bounds;
         double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
         double speed = seen.FastestSpeed;
         double spin = shape.SpinRate;
 
-        // The gap closes at |w| + |Ω × ...| at most: of the ball about the pivot, or of the shape.
+        // The gap closes at most at |w| plus the rotation speed: that of the ball about the pivot, or that of the shape if smaller.
         double around = spin * farthest;
         double closing = speed + Math.Min(around, shape.Swing);
 
-        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). What is convex bends away from the path; the wall of a hollow bends towards it by |q̇|² κ/(1 − κ d).
+        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path; a concave one bends towards it by |q̇|² κ/(1 − κ d).
         double whole = speed + around;
         double bend = acceleration + (spin * ((2.0 * speed) + around));
         bend += hollow > 0 ? whole * whole * hollow / (1.0 - ((1.0 + ContactSearch.NearHollow) * radius * hollow)) : 0;
@@ -86,7 +86,8 @@ internal static class RotatingSearch
                 return t;
             }
 
-            // Both bounds are safe; far from a hollow only that of the rate is, and near it that of the bend until the ball may be far again.
+            // Take the longer of two safe steps. Far from a concave surface only the speed bound is valid; near it, limit the step by the
+            // bend.
             double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? Sink : 0), rate, bend);
             byBend = !(hollow > 0) ? byBend : gap < ContactSearch.NearHollow * radius ? Math.Min(byBend, ((ContactSearch.NearHollow * radius) - gap) / whole) : 0;
             if (!ContactSearch.Advance(ref t, Math.Max(byBend, Math.Max(gap, 0) / closing), shortest, until))

@@ -135,7 +135,7 @@ internal struct SetContact
         Damping = material.SpinDamping / ball.MomentOfInertia;
         Drilling = material.DrillingLength * material.SlidingFriction * ball.Mass / ball.MomentOfInertia;
 
-        // A plane, or a flat face, that does not rotate is the same all along the piece.
+        // A plane or a flat face that does not rotate is constant throughout the piece.
         IsFixed = contact.IsFlat && collider.Spin == Vector3d.Zero && (collider.HasFaces || collider.IsPlane);
         Surface = contact.Velocity;
         Turn(contact.Normal);

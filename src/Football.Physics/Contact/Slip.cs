@@ -54,12 +54,12 @@ internal readonly struct SlipDecay
         double size = slip.Length;
         double c = push.Length;
 
-        // k|s| + c·s falls at the rate k² − |c|², and is zero at the end; ∫ŝ = (s₀ + c t)/k there.
+        // k|s| + c·s falls at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
         double left = (k * k) - (c * c);
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
         Direction = (slip + (Time * push)) / k;
 
-        // ∫s dt: c·s from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
+        // ∫s dt: c·s follows from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
         Vector3d area = 0.5 * Time * slip;
         if (c > 1e-3 * k)
         {
@@ -70,7 +70,7 @@ internal readonly struct SlipDecay
             area = (alongArea * along) + (((2.0 * k * size) + (c * alongSlip)) / ((4.0 * k * k) - (c * c)) * across);
         }
 
-        // ∫∫ŝ = (s₀ t − ∫s + c t²/2)/k
+        // ∫∫ŝ = (s₀ t − ∫s + c t²/2)/k.
         Twice = ((Time * slip) - area + ((0.5 * Time * Time) * push)) / k;
     }
 }

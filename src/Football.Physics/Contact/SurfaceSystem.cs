@@ -58,7 +58,7 @@ internal struct SurfaceSystem : IMotionSystem
     {
         if (HasEnded(in at.Spin))
         {
-            // Past zero the decay goes on as before, so that the piece's end shows it, but there is no spin to lift the ball.
+            // Beyond zero, continue the decay so that the end of the piece can be located, but with no spin to lift the ball.
             var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
             SurfaceForces held = ForcesOn(time, in still);
             rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
@@ -89,7 +89,7 @@ internal struct SurfaceSystem : IMotionSystem
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
 
-        // One that is faster at the end has ended on the way, where a stage found it next to zero and pointing anywhere.
+        // A spin that is greater at the end has passed zero, because a stage saw it near zero with an arbitrary direction.
         Vector3d spin = step.End.Spin;
         bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
         s.SpinAxis = ended ? Vector3d.Zero : spin;
@@ -109,17 +109,17 @@ internal struct SurfaceSystem : IMotionSystem
     {
         Unsafe.SkipInit(out SurfaceForces on);
 
-        // n, ṅ and qᵀHq − A_s·n of the carrier under the ball.
+        // n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
         ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
         Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         Vector3d n = on.Normal;
 
-        // N/m = −(a_b − A_s)·n − qᵀHq: what the surface must give so that the ball follows it.
+        // N/m = −(a_b − A_s)·n − qᵀHq: the load that makes the ball follow the surface.
         Vector3d body = Around.Weight;
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 
-        // a_air = L (ω × u) − D u and own forces; along n it counts in the load where the air loads.
+        // a_air = L (ω × u) − D u plus custom forces. Its normal part counts in the load if the profile says so.
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
@@ -133,7 +133,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // Of a net all counts along the surface, and across it what presses the ball on.
+        // A net's force counts in full along the surface; across it, only the part that presses the ball on.
         double pressing = 0;
         if (Nets != 0)
         {
@@ -143,12 +143,13 @@ internal struct SurfaceSystem : IMotionSystem
             on.Torque += nets.SpinAcceleration;
         }
 
-        // Where less of the air counts on a surface than in flight, and a net's pull off it does not, what would press the ball onto it in flight keeps it there too, without friction.
+        // Forces that count in flight but not on a surface also keep the ball on it, without friction. Otherwise it would leave and return
+        // at once.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
         if (Around.Air.HasSide && on.FreeLoad <= SurfaceForces.Least)
         {
-            // A knuckle force acts in flight alone. It would press the ball back at once, so the ball stays.
+            // A knuckle force only acts in flight. If it would press the ball back at once, the ball stays.
             on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
         }
 
@@ -192,7 +193,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - carrier.Velocity), in n);
         if (carrier.Rotates)
         {
-            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q
+            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
             Vector3d q = at.Velocity - material;
             Vector3d bent = point.Curvature * q;
             on.Velocity = q;
@@ -201,7 +202,7 @@ internal struct SurfaceSystem : IMotionSystem
                 - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
         }
 
-        // A = Ω × (ċ − V), ċ = v − r ṅ
+        // A = Ω × (ċ − V), ċ = v − r ṅ.
         on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n);
     }
 
@@ -230,7 +231,7 @@ internal struct SurfaceSystem : IMotionSystem
     {
         double alpha = World.Ball.InertiaFactor;
 
-        // (a_b + a_air + α r T × n)/(1 + α); where the air is not shared with the spin, a_b/(1 + α) + a_air.
+        // (a_b + a_air + α r T × n)/(1 + α). If the spin does not share the air's force: a_b/(1 + α) + a_air.
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
         Vector3d drive = shared / (1.0 + alpha);
         return World.SharesAir ? drive : drive + on.Air;
@@ -275,16 +276,16 @@ internal struct SurfaceSystem : IMotionSystem
     {
         Vector3d n = on.Normal;
 
-        // ŝ, and the direction at the start where a stage has passed zero: friction must not push the slip on beyond it.
+        // Use ŝ, or the direction at the start if a stage has passed zero: friction must not accelerate the slip beyond it.
         Vector3d slip = SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
 
-        // A ball without spin is held by the air as friction begins to turn it, and no more than that.
+        // For a ball without spin, the air's torque reduces the torque of friction, but never reverses it.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
 
-        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n
+        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n.
         Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
@@ -301,14 +302,14 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d sliding = at.Velocity - on.Surface;
         Vector3d rolling = Vector3d.Cross(in n, in sliding) / r;
 
-        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ
+        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ.
         double aboutRate = AboutNormal(AboutCarrier(in at.Spin, in n), in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
         if (Pinned && Carrier.Spin == Vector3d.Zero)
         {
             return new MotionRates(Vector3d.Zero, aboutRate * n);
         }
 
-        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂; one that stands on its spot goes as the carrier's material does.
+        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂. A pinned ball accelerates like the carrier's material.
         double speed = on.Rolling.Length;
         bool goesOn = speed > 0 && !LocksDirection && Vector3d.Dot(in on.Rolling, in Direction) > 0;
         Vector3d direction = goesOn ? on.Rolling / speed : Direction;
@@ -318,7 +319,7 @@ internal struct SurfaceSystem : IMotionSystem
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
                 - (RollingFriction(in on, speed) * direction);
 
-        // ω = n × (v−V_c)/r + ω_n n, and so ω̇
+        // ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }

@@ -47,7 +47,7 @@ internal readonly unsafe struct Touched
     /// <returns>Their number; 0 if the ball may come to something else.</returns>
     public static int Find(World world, in BallState s, double dt, double reach, Touched* set)
     {
-        // An engine is asked for more than it has told already only if the ball touches several surfaces.
+        // Query the engine further only if the ball touches several surfaces.
         if (world.Engine is { } engine)
         {
             if (reach > ContactSearch.Touching && Find(world, in s, dt, ContactSearch.Touching, set) < 2)
@@ -68,7 +68,7 @@ internal readonly unsafe struct Touched
                 return 0;
             }
 
-            // No moving surface may come near, and no stationary one that the ball does not touch.
+            // Require that no moving surface comes near, and no stationary one that the ball does not touch.
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;

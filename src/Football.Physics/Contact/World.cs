@@ -36,7 +36,7 @@ internal sealed class World
             Ground = colliders[0];
         }
 
-        // Also if there are none yet: one that is added later would not be met.
+        // Do this even if there are no bodies yet, so that a body added later is detected.
         scene.Bodies?.Use();
         IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
@@ -45,7 +45,7 @@ internal sealed class World
         IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
 
-        // In the order of their numbers: ground, obstacles and frames of goals, bodies, an engine's places; then nets and goals.
+        // In the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
@@ -56,7 +56,7 @@ internal sealed class World
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
-        // Each collider is met as what moves, what has no bounds, or a box of the tree.
+        // Classify each collider: moving, unbounded, or a leaf of the tree.
         Colliders = colliders.ToArray();
         FirstPassage = Colliders.Length;
         _zones = scene.Zones.Count;
@@ -74,7 +74,7 @@ internal sealed class World
         var leaves = new List<int>();
         for (int i = 0; i < Colliders.Length; i++)
         {
-            // A collider that the ball ignores keeps its number, and is found nowhere.
+            // A collider that the ball ignores keeps its index, but no search finds it.
             Collider collider = Colliders[i];
             if (Ignores(collider))
             {
@@ -95,7 +95,7 @@ internal sealed class World
             }
         }
 
-        // Nets and goals stand still, and are in the tree as well.
+        // Nets and goals are stationary, so they are in the tree as well.
         for (int i = 0; i < Nets.Length + Goals.Length; i++)
         {
             leaves.Add(FirstPassage + i);
@@ -105,7 +105,7 @@ internal sealed class World
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
 
-        // The broad phase of all that stands still and has bounds.
+        // Broad phase of all stationary objects with bounds.
         var boxes = new Bounds3d[Leaves.Length];
         for (int i = 0; i < boxes.Length; i++)
         {
@@ -327,7 +327,7 @@ internal sealed class World
         Colliders = colliders;
     }
 
-    // What a bare pitch does not need stands by itself: its first use costs a game nothing.
+    // Keep code that a bare pitch does not need in its own method, so that games without obstacles need not compile it.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
@@ -352,12 +352,12 @@ internal sealed class World
     /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
     public double FreeFor(in StraightWay way)
     {
-        // Most ways touch no box at all, and that is soon seen.
+        // Most paths reach no box at all, so test that first.
         Bounds3d box = way.Box;
         int node = 0;
         double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
 
-        // What has no box is asked how far it is from the middle of the way.
+        // Shapes without a bounding box: compare their distance from the midpoint of the path.
         Vector3d middle = way.Middle;
         double half = 0.5 * way.Duration;
         double reach = (half * way.Velocity.Length) + way.Around;
@@ -366,7 +366,7 @@ internal sealed class World
             Collider collider = Colliders[Unbounded[i]];
             if (!(collider == Ground && IsLevel) && !(collider.At(in middle).Distance > reach))
             {
-                // Closer it is asked from the start: no faster than at this speed can it be met.
+                // If that is too close, use the distance from the start: the ball cannot reach the shape before it covers it.
                 double distance = collider.At(way.From).Distance - way.Around;
                 free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
             }
@@ -408,7 +408,7 @@ internal sealed class World
 
         foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
         {
-            // What has no bounds is told by what it says of two points.
+            // Hash an unbounded shape by its values at two points.
             ShapePoint low = collider.At(Vector3d.Zero);
             ShapePoint high = collider.At(new Vector3d(11, 7, 5));
             key.Add(low.Distance);
@@ -475,7 +475,7 @@ internal sealed class World
     /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
     public Collider CarrierOf(in BallState s)
     {
-        // Between steps an engine's collider is known by its number.
+        // Between steps, an engine collider is identified by its own number.
         long index = ColliderOf(s.Carrier, s.Position, s.Time);
         return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
@@ -487,7 +487,7 @@ internal sealed class World
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
 
-        // p + (r − d) n, and no speed off the surface.
+        // p + (r − d) n, and zero speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
         if (IsLevel && collider == Ground)
@@ -545,10 +545,10 @@ internal sealed class World
                 // c of a part c/λ, from |ȧ| c⁴/(120 λ²) = ε.
                 double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
 
-                // Also where a net without stiffness makes that no number.
+                // A net with zero stiffness makes this NaN; the comparison then picks the default.
                 change = change > UsualChangeInNets ? Math.Min(LargestChangeInNets, change) : UsualChangeInNets;
 
-                // As deep as it may come within the part p: p λ(δ + p v) = c, quadratic in p.
+                // Use the maximum depth within the part p: p λ(δ + p v) = c, quadratic in p.
                 double bend = Nets[i].RatePerDepth * speed;
                 longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
             }
@@ -566,7 +566,7 @@ internal sealed class World
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                // As deep as it may come within the piece p: p λ(δ + p v) = n c.
+                // Use the maximum depth within the piece p: p λ(δ + p v) = n c.
                 double change = parts * UsualChangeInNets;
                 double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(s.Position, SideOf(s.NetSides, i))));
                 double bend = Nets[i].RatePerDepth * speed;

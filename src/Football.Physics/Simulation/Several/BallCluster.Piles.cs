@@ -58,12 +58,12 @@ internal sealed partial class BallCluster
 
     private void Take(int i, BallState[] states, BallPile pile, double time)
     {
-        // It may have joined already, and not begun.
+        // The ball may have joined the cluster already without having started its step.
         Join(i);
         int at = Array.IndexOf(_cluster, i, _begun, _clusterCount - _begun);
         if (at >= 0)
         {
-            // It begins now: in its place is the first that has not.
+            // Start its step now: swap it with the first ball that has not started.
             Begin(states, i);
             (_cluster[_begun], _cluster[at]) = (i, _cluster[_begun]);
             _begun++;

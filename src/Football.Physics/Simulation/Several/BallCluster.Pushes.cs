@@ -28,7 +28,7 @@ internal sealed partial class BallCluster
     /// <returns>Whether it ends the step.</returns>
     private bool Push(BallState[] states, in Happening met, double end)
     {
-        // The ball goes up to what it pushes, which then moves differently.
+        // Move the ball to the object that it pushes; the push changes the object's motion.
         _pushed.ReadBefore();
         StepLog own = _current[met.Ball];
         own.HaltsAtPush = true;
@@ -42,7 +42,7 @@ internal sealed partial class BallCluster
             return true;
         }
 
-        // Balls that may find it elsewhere go to that time while it is where it was, and look again.
+        // Move balls that may reach the object to that time while its motion is still the old one. Then recompute their paths.
         _pushed.ReadAfter();
         for (int k = 0; k < _clusterCount; k++)
         {

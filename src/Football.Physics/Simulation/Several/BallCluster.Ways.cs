@@ -15,7 +15,7 @@ internal sealed partial class BallCluster
     /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
     private void Try(BallState[] states, int i, double end)
     {
-        // A try pushes what has a mass as the step would: afterwards that is put back.
+        // A trial pushes objects with a mass like the step itself, so restore their motions afterwards.
         _pushed.Keep();
         _trials[i].Run(_simulators[i], in states[i], _span.Left(in states[i], end), _stopAt, _shares[i], in _current[i].Spent);
         _pushed.PutBack();
@@ -33,7 +33,7 @@ internal sealed partial class BallCluster
             return;
         }
 
-        // With room, so that the next time it need not be looked who else there is.
+        // Add a margin to the reach, so that later calls need not search for further balls.
         reach *= MoreReach;
         for (int k = 0; k < _isIn.Length; k++)
         {
@@ -61,7 +61,7 @@ internal sealed partial class BallCluster
                 int j = _meets.Second(pair);
                 if (!_piles.AreOne(i, j))
                 {
-                    // Not beyond where one of the two halts, or a pile is at the end of its part.
+                    // Search only as far as both paths are known: up to a halt, or to the end of a pile's part.
                     double until = Math.Min(Math.Min(KnownUntil(i), KnownUntil(j)), end);
                     first = Happening.Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
                 }

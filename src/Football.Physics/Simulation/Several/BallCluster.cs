@@ -125,7 +125,7 @@ internal sealed partial class BallCluster
     /// <returns>Whether an event ended the step.</returns>
     public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
-        // First find the balls that share an object that is pushed: an observer sees one play only.
+        // First find the balls that share a pushed object: an observer must see only one pass.
         bool mayPush = _simulators[0].World.MayGiveWay;
         bool ended = false;
         for (int k = 0; watched is null || mayPush; k++)
@@ -153,13 +153,13 @@ internal sealed partial class BallCluster
         _stopAt = stopAt;
         double end = _span.End;
 
-        // By number: of what happens at one time the first that is asked for counts.
+        // Sort by index: of simultaneous events, the first one found counts.
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
         _piles.Clear();
         _meets.Forget();
 
-        // What they pushed in the first try goes back with them.
+        // Undo the pushes of the first trial as well.
         motions.Read();
         motions.PutBack();
         int impacts = 0;
@@ -168,7 +168,7 @@ internal sealed partial class BallCluster
         bool ended = false;
         while (!ended)
         {
-            // A ball that joins later begins at the step's start, as it was there.
+            // A ball that joins later starts from its state at the start of the step.
             BeginNew(states);
             if (PlanPiles(states, out double planned))
             {
@@ -177,7 +177,7 @@ internal sealed partial class BallCluster
                 break;
             }
 
-            // Up to the first thing that happens every ball goes as if it were alone, and every pile to the end of its part.
+            // Up to the first event, every ball moves as if alone, and every pile moves to the end of its part.
             Happening first = FindFirst(end);
             BallPile? pile = _piles.First(end);
             bool spent = impacts >= MostImpacts * _clusterCount;
@@ -197,7 +197,7 @@ internal sealed partial class BallCluster
             impacts++;
             if (first.IsMeeting)
             {
-                // As many impacts at one instant as contacts and some more, as in a pile: the rest of it without restitution.
+                // After too many impacts at one instant, resolve the rest of the instant without restitution, as in a pile.
                 bool presses = atOnce > MostAtOnce + (_clusterCount * (_clusterCount - 1) / 2);
                 ended = Collide(states, in first, presses);
             }
@@ -207,7 +207,7 @@ internal sealed partial class BallCluster
             }
         }
 
-        // Nothing more happens: on to the end of the step, or up to what ended it.
+        // No further event: move all balls to the end of the step, or to the event that ended it.
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -235,7 +235,7 @@ internal sealed partial class BallCluster
     /// <summary>Puts balls that are new in the cluster back to where they were before the step, those that lie on each other into piles, and looks where the others go.</summary>
     private void BeginNew(BallState[] states)
     {
-        // Where one of them goes others may join.
+        // The path of a ball may add further balls to the cluster.
         for (int k = _begun; _begun < _clusterCount || k < _begun; k++)
         {
             for (; _begun < _clusterCount; _begun++)
@@ -283,7 +283,7 @@ internal sealed partial class BallCluster
         double left = _span.Left(in s, time);
         StepLog own = _current[i];
 
-        // Where the ball goes has been computed: as far as it is known to go by itself, or to where it touches another.
+        // Reuse a computed path if one exists: the trial to the end of the step, or the path to the contact with another ball.
         if (_touch.TryTake(i, ref s, time, own) || (time == _span.End && _trials[i].TryTake(ref s, time, own)))
         {
             return;
@@ -294,7 +294,7 @@ internal sealed partial class BallCluster
             _simulators[i].Advance(ref s, left, own);
         }
 
-        // A path whose memory is full ends a step early, not the ball.
+        // A path with a full buffer ends a step early, but the ball must go on.
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;
@@ -318,7 +318,7 @@ internal sealed partial class BallCluster
         BallProperties other = _simulators[j].Scene.Ball;
         BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
 
-        // Gently they press each other, and so do those that meet again and again: solved as one, without a restitution that nobody sees.
+        // Slow contacts, and balls that hit each other repeatedly, are in sustained contact: solve them as a pile without restitution.
         if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
         {
             _current[i].UnreportedImpacts++;

@@ -104,7 +104,7 @@ internal static class ClusterProjection
         s.Position += (ball.Radius - at.Distance) * at.Normal;
         if (ball.World.IsLevel && collider == ball.World.Ground)
         {
-            // Heights of a ball on level ground are exact.
+            // Set the exact height of a ball on level ground.
             s.Position = new Vector3d(s.Position.X, ball.World.LevelContact, s.Position.Z);
         }
     }

@@ -58,7 +58,7 @@ internal sealed partial class ClusterSystem
         switch (method.Order)
         {
             case 4:
-                // The rates at the start, twice in the middle and at the end, as in ClassicalRungeKutta.
+                // Evaluate the rates at the start, twice at the middle and at the end, as in ClassicalRungeKutta.
                 for (int i = 0; i < Count; i++)
                 {
                     ref ClusterBall ball = ref Balls[i];
@@ -109,7 +109,7 @@ internal sealed partial class ClusterSystem
 
                 break;
             default:
-                // Of order one: the place with the velocity at the start, or with the new one.
+                // First order: the position uses the velocity at the start (Euler) or the new one (semi-implicit Euler).
                 for (int i = 0; i < Count; i++)
                 {
                     ref ClusterBall ball = ref Balls[i];
@@ -180,7 +180,7 @@ internal sealed partial class ClusterSystem
         ref readonly MotionRates k3 = ref ball.ThirdRates;
         ref readonly MotionRates k4 = ref ball.Rates;
 
-        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
+        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
         var end = new Motion(
             from.Position + (sixth * (from.Velocity + (2.0 * (ball.Second.Velocity + ball.Third.Velocity)) + ball.At.Velocity)),
             from.Velocity + (sixth * (k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration)),
@@ -210,7 +210,7 @@ internal sealed partial class ClusterSystem
             return;
         }
 
-        // ṅ = (v₁ − v₂)_t/|p₁ − p₂|
+        // ṅ = (v₁ − v₂)_t/|p₁ − p₂|.
         ref readonly ClusterBall other = ref Balls[contact.Second];
         Vector3d apart = ball.At.Position - other.At.Position;
         double distance = apart.Length;

@@ -58,7 +58,7 @@ internal sealed class PilePhase
         Vector3d w = atRest ? Vector3d.Zero : s.Spin;
         Vector3d u = v - _around.Wind;
 
-        // The drag law is locked to the branch at the start of the part: its jump is not located here.
+        // Lock the drag law to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
@@ -66,7 +66,7 @@ internal sealed class PilePhase
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + own forces. Of a carried ball's air no more counts than on one surface: what it does along the carrier, or nothing.
+        // a = L (ω × u) − D u + custom forces. For a supported ball only the share of the air counts that acts on one surface.
         Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
         Vector3d acceleration = air.Acceleration + flow;
         if (carried && !_world.SharesAir)
@@ -144,7 +144,7 @@ internal sealed class PilePhase
             return;
         }
 
-        // Onto it, to the last bit; without slip the spin is that of pure rolling.
+        // Project the ball onto the surface exactly. Without slip, set the spin of pure rolling.
         Collider on = _world.Colliders[carrier];
         MotionState before = s.Motion;
         bool same = _world.ColliderOf(s.Carrier, s.Position, s.Time) == carrier;

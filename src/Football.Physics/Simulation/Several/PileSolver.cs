@@ -57,7 +57,7 @@ internal sealed class PileSolver
         double before = 0;
         for (int round = 0; round < mostRounds && change > settled; round++)
         {
-            // Up and down in turn: what a ball on top gives reaches the ground in one round.
+            // Alternate the order: the load of a ball on top then reaches the ground in one iteration.
             change = 0;
             double square = 0;
             for (int i = 0; i < ContactCount; i++)
@@ -81,7 +81,8 @@ internal sealed class PileSolver
                 return;
             }
 
-            // The round's change is minus a gradient: on along the conjugate direction, but where that leads astray, and not from the last round.
+            // The change of an iteration approximates a negative gradient: extrapolate along the conjugate direction, except after the last
+            // one.
             if (round < mostRounds - 1 && change > settled)
             {
                 Extrapolate(square <= before ? square / before : 0);
@@ -130,7 +131,7 @@ internal sealed class PileSolver
         double most = 0;
         for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
         {
-            // Of two that bear the same, to rounding, it is the first.
+            // If two loads are equal to within rounding, the first contact counts.
             if (Contacts[i].Load > most * (1.0 + 1e-9))
             {
                 most = Contacts[i].Load;
@@ -148,7 +149,7 @@ internal sealed class PileSolver
         ref readonly PileMember a = ref Members[contact.First];
         Vector3d n = contact.Normal;
 
-        // u = v₁ − r₁ ω₁ × n − V; of a ball V = v₂ + r₂ ω₂ × n.
+        // u = v₁ − r₁ ω₁ × n − V; for a ball, V = v₂ + r₂ ω₂ × n.
         Vector3d turning = a.Radius * a.W;
         Vector3d relative = a.V;
         double perMass = a.PerMass;
@@ -164,19 +165,19 @@ internal sealed class PileSolver
             relative -= contact.Velocity;
         }
 
-        // J_n: they go apart at least as fast as the gap allows.
+        // J_n: the surfaces must separate at least as fast as the gap requires.
         double rate = Vector3d.Dot(in relative, in n);
         double load = Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
         if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
         {
-            // Near, and not pressed.
+            // The contact is near but has no load.
             return 0;
         }
 
         double pushed = load - contact.Load;
         contact.Load = load;
 
-        // J_t: what ends the slip s, as far as friction goes.
+        // J_t: the impulse that stops the slip s, limited by friction.
         Vector3d slip = relative - (rate * n) - Vector3d.Cross(in turning, in n);
         Vector3d rub = contact.Rub - (contact.SlipMass * slip);
         double most = contact.Friction * load;
@@ -192,7 +193,7 @@ internal sealed class PileSolver
         Give(in contact, (pushed * n) + rubbed, in rubbed);
         if (contact.Second >= 0)
         {
-            // About the normal: what ends the turning of one against the other, at most b μ J_n.
+            // About the normal: the impulse that stops the relative spin, at most b μ J_n.
             double about = Vector3d.Dot(a.W - Members[contact.Second].W, in n);
             double twist = contact.Twist - (contact.TwistMass * about);
             double mostTwist = contact.DrillingLength * most;
@@ -208,7 +209,7 @@ internal sealed class PileSolver
     /// <summary>Gives an impulse to the ball of a contact, and the opposite one to the other.</summary>
     private void Give(in PileContact contact, in Vector3d impulse, in Vector3d rub)
     {
-        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J
+        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
         Vector3d turned = Vector3d.Cross(in contact.Normal, in rub);
         ref PileMember a = ref Members[contact.First];
         a.V += a.PerMass * impulse;
@@ -245,7 +246,7 @@ internal sealed class PileSolver
             load = Math.Max(load, Contacts[i].Load);
         }
 
-        // Another contact is the heaviest now: what was resisted on the last one is given back.
+        // Another contact now has the greatest load: undo the resistance at the old one.
         if (bearer != ball.Bearer)
         {
             ball.W -= ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
@@ -263,7 +264,7 @@ internal sealed class PileSolver
         Vector3d n = contact.Normal;
         double perLoad = contact.Load * ball.PerInertia;
 
-        // About the normal: ω_n/(1 + c_ω h/I) by damping, then drilling towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + c_ω h/I), then drilling friction brings it towards zero by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in ball.W, in n);
         double damped = (about - ball.Drilling) / (1.0 + (h * contact.SpinDamping * ball.PerInertia));
         double most = contact.DrillingLength * contact.Friction * perLoad;
@@ -271,7 +272,7 @@ internal sealed class PileSolver
         double drilled = kept - about;
         ball.Drilling += drilled;
 
-        // Across it, where it sticks: (1 + α)(c₀ + c₁ |v|) r J_n/I against the rolling, and not beyond its end.
+        // Across the normal, if the contact sticks: rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the rolling.
         double share = contact.RollingFriction + (contact.RollingFrictionBySpeed * (ball.V - contact.Velocity).Length);
         double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * share * ball.Radius * perLoad : 0;
         Vector3d rolling = ball.W - (about * n) - ball.Rolling;

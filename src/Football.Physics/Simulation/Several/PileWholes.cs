@@ -94,7 +94,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             log.Evaluations += system.Evaluations;
             if (log.IsWatched)
             {
-                // A path whose memory is full ends a step early, not the pile.
+                // A path with a full buffer ends its own step early, but not the pile's.
                 log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
                 log.Halted = false;
             }
