@@ -1,7 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>The broad phase: a tree of boxes around what stands still, built once. It answers in boxes alone; what is inside them is asked after.</summary>
-/// <remarks>Nodes lie in the order of a walk from the root, each with the node that follows its whole branch: a walk needs no stack.</remarks>
+/// <summary>The broad phase: a tree of boxes around what stands still, built once.</summary>
+/// <remarks>
+/// It answers in boxes alone; what is inside them is asked after.
+/// Nodes lie in the order of a walk from the root, each with the node that follows its whole branch: a walk needs no stack.
+/// </remarks>
 internal sealed class BoundsTree
 {
     private const int NoItem = -1;
@@ -195,10 +198,11 @@ internal struct NearThings
         return deepest;
     }
 
-    /// <summary>
-    /// True if the first of two contacts comes before the second: by their sides, and of two on one side the first of the scene. Height and sizes count first, so that a
-    /// mirrored scene has the same order unless the two are mirror images of each other.
-    /// </summary>
+    /// <summary>True if the first of two contacts comes before the second: by their sides, and of two on one side the first of the
+    /// scene.</summary>
+    /// <remarks>
+    /// Height and sizes count first, so that a mirrored scene has the same order unless the two are mirror images of each other.
+    /// </remarks>
     public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider)
     {
         double x = Math.Abs(normal.X) - Math.Abs(other.X);

@@ -87,16 +87,17 @@ internal sealed class Collider
     /// <summary>Ω of its material, rad/s.</summary>
     public Vector3d Spin => Motion.Spin;
 
-    /// <summary>
-    /// True when the shape itself rotates within a step: bodies and engine colliders. The spin of an obstacle moves only its surface, and so does a spin that leaves
-    /// the shape as it is.
-    /// </summary>
+    /// <summary>True when the shape itself rotates within a step: bodies and engine colliders.</summary>
+    /// <remarks>
+    /// The spin of an obstacle moves only its surface, and so does a spin that leaves the shape as it is.
+    /// </remarks>
     public bool Rotates => Motion.Rotates;
 
     /// <summary>True if it has no velocity and no spin in this step: a ball may rest on it.</summary>
     public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
 
-    /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
+    /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates.</summary>
+    /// <remarks>A gap to the ball changes by the ball's velocity relative to this one.</remarks>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
 
     /// <summary>V_p, the velocity of its material, continued to a point, m/s.</summary>
@@ -352,9 +353,8 @@ internal readonly struct ContactMaterial
     /// <summary>True if an impact may add energy.</summary>
     public bool IsBumper => _most > 1 || MinimumExitSpeed > 0;
 
-    /// <summary>
-    /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1, except of a bumper, whose e does not rise.
-    /// </summary>
+    /// <summary>e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less.</summary>
+    /// <remarks>At most 1, except of a bumper, whose e does not rise.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
     public double RestitutionAt(double approach, in Vector3d along)
@@ -391,7 +391,8 @@ internal readonly struct ContactMaterial
         return largest;
     }
 
-    /// <summary>The speed off a bumper after an impact, m/s: e v_n or more. It is never faster than 1000 m/s, unless it came so fast.</summary>
+    /// <summary>The speed off a bumper after an impact, m/s: e v_n or more.</summary>
+    /// <remarks>It is never faster than 1000 m/s, unless it came so fast.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>
     /// <param name="share">How much of it counts.</param>

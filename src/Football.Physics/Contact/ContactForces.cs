@@ -2,11 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for each contact that sticks.
-/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
-/// So one equation is left for each contact that slips, and three for each further contact that sticks.
-/// </summary>
+/// <summary>The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for
+/// each contact that sticks.</summary>
+/// <remarks>
+/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is −α/(1+α) of
+/// the slip rate that it prevents. So one equation is left for each contact that slips, and three for each further contact that sticks.
+/// </remarks>
 internal static unsafe class ContactForces
 {
     /// <summary>Adds the forces of the contacts to the accelerations, and stores the load and the friction of each contact.</summary>

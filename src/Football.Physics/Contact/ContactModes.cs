@@ -2,10 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The modes of a contact set at one instant: which contacts bear a load, and which of them stick. Beginning with all of them, what would pull is let go, what
-/// would need more friction than there is slips, and what would be entered bears again, until all of Coulomb's conditions hold.
-/// </summary>
+/// <summary>The modes of a contact set at one instant: which contacts bear a load, and which of them stick.</summary>
+/// <remarks>
+/// Beginning with all of them, what would pull is let go, what would need more friction than there is slips, and what would be entered
+/// bears again, until all of Coulomb's conditions hold.
+/// </remarks>
 internal static unsafe class ContactModes
 {
     /// <summary>Changes of mode after which the conditions have no solution that this finds.</summary>
@@ -65,10 +66,9 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>
-    /// Lets go the contacts that the push does not lead into, of three contacts that surround the ball in one plane: a ball between a player and a board on the ground. If all of them bore,
-    /// their loads would not be determined.
-    /// </summary>
+    /// <summary>Lets go the contacts that the push does not lead into, of three contacts that surround the ball in one plane: a ball
+    /// between a player and a board on the ground.</summary>
+    /// <remarks>If all of them bore, their loads would not be determined.</remarks>
     [SkipLocalsInit]
     private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
@@ -136,10 +136,11 @@ internal static unsafe class ContactModes
         return changed;
     }
 
-    /// <summary>
-    /// Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads. Rolling resistance may take so much load off its
-    /// contact that another contact has the greater load, whichever of the two is the bearer. Then both count as equal, and the first one is the bearer.
-    /// </summary>
+    /// <summary>Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads.</summary>
+    /// <remarks>
+    /// Rolling resistance may take so much load off its contact that another contact has the greater load, whichever of the two is the
+    /// bearer. Then both count as equal, and the first one is the bearer.
+    /// </remarks>
     private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
         int before = -1;

@@ -1,10 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the impulses are the solution of
-/// one linear system. Where they are not determined, as the forces of a ball that grips both sides of a gutter along the line between them, it is the change
+/// <summary>A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the
+/// impulses are the solution of one linear system.</summary>
+/// <remarks>
+/// Where they are not determined, as the forces of a ball that grips both sides of a gutter along the line between them, it is the change
 /// with the least squares.
-/// </summary>
+/// </remarks>
 internal static class ContactNewton
 {
     /// <summary>Added to the diagonal: what makes a system without a unique solution one with the least squares.</summary>

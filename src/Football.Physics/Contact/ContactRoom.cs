@@ -2,11 +2,12 @@ using System.Collections.Concurrent;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Memory for contact sets of more contacts than a caller has room for on its stack. Stationary surfaces are never left out of a set, however many a ball touches. The
-/// memory is kept, so that a step with as many contacts as one before it allocates nothing. Each set that is in use at the same time requires its own. Threads that
-/// share a simulator have a memory each.
-/// </summary>
+/// <summary>Memory for contact sets of more contacts than a caller has room for on its stack.</summary>
+/// <remarks>
+/// Stationary surfaces are never left out of a set, however many a ball touches. The memory is kept, so that a step with as many contacts
+/// as one before it allocates nothing. Each set that is in use at the same time requires its own. Threads that share a simulator have a
+/// memory each.
+/// </remarks>
 internal sealed class ContactRoom
 {
     private readonly ConcurrentDictionary<int, Contact[]> _contacts = new();

@@ -2,10 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The linear system of the forces of a contact set: G x = b, at most a few unknowns. Where it has no unique solution, as for a ball that sticks to both sides of
-/// a gutter, the one with the least sum of squares (several.md, 2).
-/// </summary>
+/// <summary>The linear system of the forces of a contact set: G x = b, at most a few unknowns.</summary>
+/// <remarks>
+/// Where it has no unique solution, as for a ball that sticks to both sides of a gutter, the one with the least sum of squares (several.md,
+/// 2).
+/// </remarks>
 internal static unsafe class ContactRows
 {
     /// <summary>Unknowns of one ball at most: loads, and two friction components for each contact that sticks.</summary>
@@ -55,10 +56,9 @@ internal static unsafe class ContactRows
         return isUnique;
     }
 
-    /// <summary>
-    /// Solves G x = b where the conditions of two sticking contacts depend on each other by a known vector y, yᵀ G = 0 and yᵀ b = 0: (G + y yᵀ) has an inverse, which also
-    /// maps y onto the vector z of the forces that move nothing, G z = 0. The least x has no part along z.
-    /// </summary>
+    /// <summary>Solves G x = b where the conditions of two sticking contacts depend on each other by a known vector y, yᵀ G = 0 and yᵀ b =
+    /// 0: (G + y yᵀ) has an inverse, which also maps y onto the vector z of the forces that move nothing, G z = 0.</summary>
+    /// <remarks>The least x has no part along z.</remarks>
     /// <param name="g">G, row by row; overwritten.</param>
     /// <param name="b">b; replaced by x.</param>
     /// <param name="y">y; replaced by z.</param>

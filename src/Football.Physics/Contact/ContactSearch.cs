@@ -1,9 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Looks along a path for the first thing that it meets. Every gap is walked by conservative advancement: from a gap f that changes at the rate f'
-/// and bends by M at most, nothing can happen before f + f' s − ½ M s² is zero. Near a contact that is Newton's method, from the safe side.
-/// </summary>
+/// <summary>Looks along a path for the first thing that it meets.</summary>
+/// <remarks>
+/// Every gap is walked by conservative advancement: from a gap f that changes at the rate f' and bends by M at most, nothing can happen
+/// before f + f' s − ½ M s² is zero. Near a contact that is Newton's method, from the safe side.
+/// </remarks>
 internal readonly struct ContactSearch
 {
     /// <summary>Below this gap, m, the ball touches.</summary>

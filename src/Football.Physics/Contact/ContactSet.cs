@@ -2,16 +2,17 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. The order in which the ball came to them decides nothing;
-/// of flat ones side by side, as boards are, one stands for all.
-/// </summary>
+/// <summary>All contacts of a ball at one instant: the ground and a board, two boards, a player and a post.</summary>
+/// <remarks>
+/// The order in which the ball came to them decides nothing; of flat ones side by side, as boards are, one stands for all.
+/// </remarks>
 internal static class ContactSet
 {
     /// <summary>Contacts that a caller has room for on its stack. A set with more is in a <see cref="ContactRoom"/>.</summary>
     public const int Room = 8;
 
-    /// <summary>Contacts that a set is solved with again and again. If more remain, moving ones without a load are left out; stationary ones never are.</summary>
+    /// <summary>Contacts that a set is solved with again and again.</summary>
+    /// <remarks>If more remain, moving ones without a load are left out; stationary ones never are.</remarks>
     public const int Most = 16;
 
     /// <summary>Onto what it touches a ball is put so often at most.</summary>
@@ -202,7 +203,9 @@ internal static class ContactSet
         return heaviest;
     }
 
-    /// <summary>The contact that names the carrier: the one that bears most, or the carrier so far as long as it bears at least half as much. So two equal contacts do not alternate.</summary>
+    /// <summary>The contact that names the carrier: the one that bears most, or the carrier so far as long as it bears at least half as
+    /// much.</summary>
+    /// <remarks>So two equal contacts do not alternate.</remarks>
     /// <param name="set">The contacts, with their loads.</param>
     /// <param name="carrier">The collider that carries the ball so far.</param>
     /// <returns>The index of the contact; −1 if no contact bears anything.</returns>

@@ -2,12 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The impulses of a contact set over a short time, Coulomb's law at all of them at once: J_n ≥ 0, no contact closes, |J_t| ≤ μ J_n against the slip that is
-/// left. Rounds of projected Gauss–Seidel find which contacts bear, grip and slip; <see cref="ContactNewton"/> then knows the impulses, and another round
-/// says whether they are right. On a sphere a normal impulse turns nothing and a tangential one meets the mass m α/(1 + α) whatever its direction, so in a
-/// round each contact is solved in closed form.
-/// </summary>
+/// <summary>The impulses of a contact set over a short time, Coulomb's law at all of them at once: J_n ≥ 0, no contact closes, |J_t| ≤ μ
+/// J_n against the slip that is left.</summary>
+/// <remarks>
+/// Rounds of projected Gauss–Seidel find which contacts bear, grip and slip; <see cref="ContactNewton"/> then knows the impulses, and
+/// another round says whether they are right. On a sphere a normal impulse turns nothing and a tangential one meets the mass m α/(1 + α)
+/// whatever its direction, so in a round each contact is solved in closed form.
+/// </remarks>
 internal static class ContactSolver
 {
     /// <summary>Rounds after which what still changes has no answer, as between two things that close in on the ball.</summary>
@@ -28,7 +29,10 @@ internal static class ContactSolver
     /// </summary>
     private const double Known = 1e-8;
 
-    /// <summary>Slower than this, m/s, contacts may close that are solved. Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.</summary>
+    /// <summary>Slower than this, m/s, contacts may close that are solved.</summary>
+    /// <remarks>
+    /// Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.
+    /// </remarks>
     private const double LargestClosing = 1e-6;
 
     /// <summary>Larger sets are solved by rounds alone.</summary>

@@ -1,10 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set). With n, ṅ, V_c and A of each contact,
-/// v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r): a contact that bears keeps touching, n·v̇ = −(qᵀHq − A_s·n); one that sticks keeps its slip at zero,
-/// (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0; one that slips has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
-/// </summary>
+/// <summary>A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set).</summary>
+/// <remarks>
+/// With n, ṅ, V_c and A of each contact, v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r): a contact that bears keeps touching, n·v̇ = −(qᵀHq
+/// − A_s·n); one that sticks keeps its slip at zero, (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0; one that slips has F = −μ_s N ŝ. One linear
+/// system gives all loads and friction forces.
+/// </remarks>
 internal unsafe struct ContactSystem : IMotionSystem
 {
     /// <summary>Contacts that a set holds at most.</summary>

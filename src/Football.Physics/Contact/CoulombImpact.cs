@@ -1,9 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot hold it.
+/// <summary>An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot
+/// hold it.</summary>
+/// <remarks>
 /// Without a limit by friction these are the thesis' four coefficients of restitution (2.16 to 2.18).
-/// </summary>
+/// </remarks>
 internal static class CoulombImpact
 {
     /// <summary>So many halvings find the share of a restitution to a billionth.</summary>
@@ -43,7 +44,8 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
 
-    /// <summary>An impact with so much less restitution that the ball is no faster than allowed; with none if that is not enough. Impulse, friction and spin obey the same laws.</summary>
+    /// <summary>An impact with so much less restitution that the ball is no faster than allowed; with none if that is not enough.</summary>
+    /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="material">What it hits.</param>
     /// <param name="other">How easily that gives way.</param>

@@ -19,7 +19,10 @@ internal sealed class EnginePushes
     private readonly List<EngineCollider> _pushed = [];
     private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], [], [], [], []];
 
-    /// <summary>Those of an engine. Several simulators may have it, as those of a match and of its look-aheads do, and its colliders are one thing to all of them.</summary>
+    /// <summary>Those of an engine.</summary>
+    /// <remarks>
+    /// Several simulators may have it, as those of a match and of its look-aheads do, and its colliders are one thing to all of them.
+    /// </remarks>
     public static EnginePushes Of(IEngineColliders engine) => s_all.GetValue(engine, _ => new EnginePushes());
 
     /// <summary>A collider is about to be pushed.</summary>

@@ -9,7 +9,10 @@ namespace FootballPhysics;
 /// </remarks>
 internal sealed class EngineThings
 {
-    /// <summary>Places from the start. If a step finds more colliders, the table grows; a step that finds as many again allocates nothing.</summary>
+    /// <summary>Places from the start.</summary>
+    /// <remarks>
+    /// If a step finds more colliders, the table grows; a step that finds as many again allocates nothing.
+    /// </remarks>
     public const int Room = 256;
 
     /// <summary>So many numbers are remembered with who had them last, to tell their names.</summary>

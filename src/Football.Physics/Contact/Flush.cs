@@ -1,15 +1,16 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall. A ball that slides along one of them crosses onto the next
-/// without an impact. Only the material and the velocity of the surface change.
-/// </summary>
+/// <summary>Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall.</summary>
+/// <remarks>
+/// A ball that slides along one of them crosses onto the next without an impact. Only the material and the velocity of the surface change.
+/// </remarks>
 internal static class Flush
 {
-    /// <summary>
-    /// Normals are one where n₁·n₂ is closer to 1 than this. The edge of the next tile is first touched, 1e-10 m before the ball is on it, at 4e-5 rad; that of a tile that is
-    /// 1e-10 m higher at 6e-5, where n₁·n₂ is 1 − 1.8e-9.
-    /// </summary>
+    /// <summary>Normals are one where n₁·n₂ is closer to 1 than this.</summary>
+    /// <remarks>
+    /// The edge of the next tile is first touched, 1e-10 m before the ball is on it, at 4e-5 rad; that of a tile that is 1e-10 m higher at
+    /// 6e-5, where n₁·n₂ is 1 − 1.8e-9.
+    /// </remarks>
     public const double SameNormal = 4e-9;
 
     /// <summary>Over the edge of its carrier a ball is handed on to a surface that is no lower than this, m.</summary>
@@ -135,10 +136,10 @@ internal static class Flush
         return isGround || world.Colliders[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
     }
 
-    /// <summary>
-    /// The surface that carries a ball if several with the same normal touch it. The order: a face under the ball, the deepest, any object before the ground, the carrier so
-    /// far, the first of the scene.
-    /// </summary>
+    /// <summary>The surface that carries a ball if several with the same normal touch it.</summary>
+    /// <remarks>
+    /// The order: a face under the ball, the deepest, any object before the ground, the carrier so far, the first of the scene.
+    /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball, on a surface.</param>
     /// <returns>Index of the collider.</returns>

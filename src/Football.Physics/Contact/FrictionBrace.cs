@@ -1,9 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact points, without moving. If the least
-/// forces leave a friction cone, the smallest change along that line brings them back into both cones.
-/// </summary>
+/// <summary>Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact
+/// points, without moving.</summary>
+/// <remarks>
+/// If the least forces leave a friction cone, the smallest change along that line brings them back into both cones.
+/// </remarks>
 internal static unsafe class FrictionBrace
 {
     /// <summary>Forces that are brought back into a friction cone are so far inside, as a share of the square.</summary>

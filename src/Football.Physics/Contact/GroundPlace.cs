@@ -1,6 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Places on the ground: where a ball lies above a point of the map, and how far one in the ground is raised. Vertical: x and z stay as they are.</summary>
+/// <summary>Places on the ground: where a ball lies above a point of the map, and how far one in the ground is raised.</summary>
+/// <remarks>Vertical: x and z stay as they are.</remarks>
 internal static class GroundPlace
 {
     /// <summary>A smaller overlap is rounding, or counts as touching, and is left alone, m.</summary>

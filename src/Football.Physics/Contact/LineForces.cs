@@ -1,10 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot, in closed form: the general law of <see cref="ContactForces"/> where no normal
-/// turns. The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer. The conditions along the line and those across it part.
-/// </summary>
-/// <remarks>With b = n × a, m the normal of the other surface, c = m·n and s = m·b; A and T are the accelerations without contacts.</remarks>
+/// <summary>Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot, in closed form: the general law of
+/// <see cref="ContactForces"/> where no normal turns.</summary>
+/// <remarks>
+/// The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer. The conditions along the line and those across it
+/// part.
+/// With b = n × a, m the normal of the other surface, c = m·n and s = m·b; A and T are the accelerations without contacts.
+/// </remarks>
 internal unsafe struct LineForces
 {
     /// <summary>Two normals leave a line where |n₁ × n₂| is more than this.</summary>
@@ -85,7 +87,8 @@ internal unsafe struct LineForces
         SpinPerSpeed = 1.0 / (_radius * (1.0 + _cosine)) * (_across + _otherAcross);
     }
 
-    /// <summary>A third surface bears too, and closes the line: the ball only spins. A unit of load does d = m_t − μ (1 − c) t along n's plane, t = ± m × n/|m × n|.</summary>
+    /// <summary>A third surface bears too, and closes the line: the ball only spins.</summary>
+    /// <remarks>A unit of load does d = m_t − μ (1 − c) t along n's plane, t = ± m × n/|m × n|.</remarks>
     /// <param name="third">The third contact, which slips like the second one.</param>
     /// <param name="sign">The sign of ψ.</param>
     /// <returns>False if the loads are not determined.</returns>
@@ -189,10 +192,11 @@ internal unsafe struct LineForces
         rates.HoldSpin = Ample;
     }
 
-    /// <summary>
-    /// Both contacts stick. With loads N, friction P along b and Q along a: P₁ + P₂ = −α r T·a leaves one force p that presses the surfaces apart and moves nothing but by the
-    /// bearer's resistance; the least squares take it, or the nearest that is in both cones.
-    /// </summary>
+    /// <summary>Both contacts stick.</summary>
+    /// <remarks>
+    /// With loads N, friction P along b and Q along a: P₁ + P₂ = −α r T·a leaves one force p that presses the surfaces apart and moves
+    /// nothing but by the bearer's resistance; the least squares take it, or the nearest that is in both cones.
+    /// </remarks>
     private readonly void Wedge(in Vector3d push, in Vector3d torque, double speed, out LineRates rates)
     {
         double c = _cosine;

@@ -73,7 +73,9 @@ internal sealed class NetSheet
     /// <summary>b δ̈, 1/s.</summary>
     public double TensionRate(in Vector3d acceleration, double side) => _damping * DepthRate(in acceleration, side);
 
-    /// <summary>How far from its centre a ball may be that came into it at a speed, m: where all of its energy is in the net, in every direction. Infinite without stiffness.</summary>
+    /// <summary>How far from its centre a ball may be that came into it at a speed, m: where all of its energy is in the net, in every
+    /// direction.</summary>
+    /// <remarks>Infinite without stiffness.</remarks>
     public double FarthestIn(double speed) => HalfLength + HalfWidth + (2.0 * _radius) + (speed / Math.Sqrt(_stiffness));
 
     /// <summary>How fast the net changes the motion at a depth, 1/s.</summary>

@@ -1,9 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Which nets a ball is in, on which side of each, and which goals it has come through: what a state keeps of the ball's way. A ball that is put down has none, and is in
-/// what it lies in; a kick, and another scene with the same nets and goals, change nothing of it.
-/// </summary>
+/// <summary>Which nets a ball is in, on which side of each, and which goals it has come through: what a state keeps of the ball's
+/// way.</summary>
+/// <remarks>
+/// A ball that is put down has none, and is in what it lies in; a kick, and another scene with the same nets and goals, change nothing of
+/// it.
+/// </remarks>
 internal static class Passages
 {
     /// <summary>Of a ball that is put where it is: it is in the nets whose slab it lies in, on the side of its centre.</summary>

@@ -40,10 +40,11 @@ internal readonly struct MovingShape
     }
 }
 
-/// <summary>
-/// When a ball first touches a shape that rotates: conservative advancement as in <see cref="ContactSearch"/>. Bounds of the rate and of the bend of the gap are those
-/// of the path in the frame that rotates with the shape, in which the shape is at rest.
-/// </summary>
+/// <summary>When a ball first touches a shape that rotates: conservative advancement as in <see cref="ContactSearch"/>.</summary>
+/// <remarks>
+/// Bounds of the rate and of the bend of the gap are those of the path in the frame that rotates with the shape, in which the shape is at
+/// rest.
+/// </remarks>
 internal static class RotatingSearch
 {
     /// <summary>A gap that closes more slowly than this, m/s, ...</summary>

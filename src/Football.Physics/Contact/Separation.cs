@@ -56,10 +56,11 @@ internal readonly struct Separation
     /// <summary>The depth in a net.</summary>
     public static Separation OfLeavingNet(World world, int net, double side) => new(world, SeparationKind.NetLeft, net, 2, side);
 
-    /// <summary>
-    /// Distance left until a ball in a net is off its edge: beyond it by its radius and by the depth in the net that it is deepest in. So a ball that one net holds
-    /// runs over that one's edge, and a ball that two hold is not let through where they are joined.
-    /// </summary>
+    /// <summary>Distance left until a ball in a net is off its edge: beyond it by its radius and by the depth in the net that it is deepest
+    /// in.</summary>
+    /// <remarks>
+    /// So a ball that one net holds runs over that one's edge, and a ball that two hold is not let through where they are joined.
+    /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
     /// <param name="axis">Beside it: 0 or 1.</param>

@@ -1,9 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Loads and friction of a ball that slips on both of two stationary surfaces whose normals stay the same: the general law of <see cref="ContactForces"/> in closed form. The
-/// ball has the velocity x a, with a across both normals, and any spin.
-/// </summary>
+/// <summary>Loads and friction of a ball that slips on both of two stationary surfaces whose normals stay the same: the general law of <see cref="ContactForces"/> in closed form.</summary>
+/// <remarks>The ball has the velocity x a, with a across both normals, and any spin.</remarks>
 internal struct SlideForces
 {
     /// <summary>The loads are determined where the determinant is more than this: friction of one surface may press the ball onto the other.</summary>

@@ -31,10 +31,11 @@ internal static class Slip
         (Vector3d.Cross(in normal, in velocity) / radius) + (aboutNormal * normal);
 }
 
-/// <summary>
-/// The end of a slide in closed form. With a constant push c on the slip, ṡ = −k ŝ + c has the integrals
-/// k|s| + c·s, which falls at the rate k² − |c|², and ∫ŝ dt = (s₀ − s + c t)/k, whatever way the slip's direction turns.
-/// </summary>
+/// <summary>The end of a slide in closed form.</summary>
+/// <remarks>
+/// With a constant push c on the slip, ṡ = −k ŝ + c has the integrals k|s| + c·s, which falls at the rate k² − |c|², and ∫ŝ dt = (s₀ − s +
+/// c t)/k, whatever way the slip's direction turns.
+/// </remarks>
 internal readonly struct SlipDecay
 {
     /// <summary>When the slip ends, s.</summary>

@@ -12,7 +12,8 @@ internal struct SurfaceForces
     /// <summary>q, the velocity relative to the shape, m/s.</summary>
     public Vector3d Velocity;
 
-    /// <summary>v − V_p, the velocity relative to the carrier's material, m/s: rolling friction acts against it. It is q where nothing rotates.</summary>
+    /// <summary>v − V_p, the velocity relative to the carrier's material, m/s: rolling friction acts against it.</summary>
+    /// <remarks>It is q where nothing rotates.</remarks>
     public Vector3d Rolling;
 
     /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>

@@ -2,13 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball that slides or rolls on a surface (world.md, Carried by any surface). With n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p
-/// the velocities of the carrier's material at the contact point and at the ball's centre, A the rate of V_c, a_t what acts along the surface and
-/// N/m = max(0, −(a_b − A_s)·n − qᵀHq), less the air's part along n where it counts:
-/// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂,
-/// ω_t = n × (v−V_c)/r. The normal part of v̇ keeps the ball on the surface.
-/// </summary>
+/// <summary>A ball that slides or rolls on a surface (world.md, Carried by any surface).</summary>
+/// <remarks>
+/// With n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p the velocities of the carrier's material at the
+/// contact point and at the ball's centre, A the rate of V_c, a_t what acts along the surface and N/m = max(0, −(a_b − A_s)·n − qᵀHq), less
+/// the air's part along n where it counts: sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α
+/// (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r. The normal part of v̇ keeps the ball on the
+/// surface.
+/// </remarks>
 internal struct SurfaceSystem : IMotionSystem
 {
     public Surroundings Around;
@@ -51,7 +52,8 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>The spin at the piece's start, rad/s.</summary>
     public Vector3d StartSpin;
 
-    /// <summary>Spin decay by the air while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
+    /// <summary>Spin decay by the air while the ball slides, where that is more than friction can add, rad/s²; else 0.</summary>
+    /// <remarks>Then the spin can only get slower.</remarks>
     private double _ending;
 
     public void Rates(double time, in Motion at, out MotionRates rates)
@@ -119,7 +121,7 @@ internal struct SurfaceSystem : IMotionSystem
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 
-        // a_air = L (ω × u) − D u plus custom forces. Its normal part counts in the load if the profile says so.
+        // a_air = L (ω × u) − D u plus custom forces. In the measured profile its normal part adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
@@ -237,7 +239,8 @@ internal struct SurfaceSystem : IMotionSystem
         return World.SharesAir ? drive : drive + on.Air;
     }
 
-    /// <summary>True when rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
+    /// <summary>True when rolling friction holds a ball that has come to a halt.</summary>
+    /// <remarks>Where the air is not shared with the spin, a ball at rest stays whatever the wind.</remarks>
     public readonly bool Rests(in SurfaceForces on) =>
         (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= RollingFriction(in on, 0);
 

@@ -1,8 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// All that a ball can meet in a scene: colliders (the ground first), nets, goals. Built once; nothing of it changes but where the game puts its bodies.
-/// </summary>
+/// <summary>All that a ball can meet in a scene: colliders (the ground first), nets, goals.</summary>
+/// <remarks>Built once; nothing of it changes but where the game puts its bodies.</remarks>
 internal sealed class World
 {
     /// <summary>Nets change the motion in a part of a step by no more than this share, ...</summary>
@@ -125,7 +124,8 @@ internal sealed class World
     /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The number of the first net; goals follow nets, zones follow goals. An engine's places that were added later come after them.</summary>
+    /// <summary>The number of the first net; goals follow nets, zones follow goals.</summary>
+    /// <remarks>An engine's places that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
     /// <summary>True if a number is that of a net, a goal or a zone, and not of a collider.</summary>
@@ -300,10 +300,11 @@ internal sealed class World
     /// <summary>Memory for contact sets that no phase of a step owns.</summary>
     public ContactRoom Room { get; } = new();
 
-    /// <summary>
-    /// True if the first of two colliders that touch the ball comes before the second. Bodies and engine colliders come in the order of their sides: the order in which a
-    /// game adds or an engine finds them must not decide where the ball goes. All others come in the order of the scene.
-    /// </summary>
+    /// <summary>True if the first of two colliders that touch the ball comes before the second.</summary>
+    /// <remarks>
+    /// Bodies and engine colliders come in the order of their sides: the order in which a game adds or an engine finds them must not decide
+    /// where the ball goes. All others come in the order of the scene.
+    /// </remarks>
     public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
         IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
 
@@ -480,7 +481,8 @@ internal sealed class World
         return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
 
-    /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error. Heights on level ground are exact.</summary>
+    /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error.</summary>
+    /// <remarks>Heights on level ground are exact.</remarks>
     /// <returns>The normal there.</returns>
     public Vector3d Hold(ref BallState s, Collider collider)
     {
@@ -528,9 +530,8 @@ internal sealed class World
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>
-    /// The longest part of a step in which nets change the motion by no more than a small share, s. RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.
-    /// </summary>
+    /// <summary>The longest part of a step in which nets change the motion by no more than a small share, s.</summary>
+    /// <remarks>RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.</remarks>
     public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk)
     {
         double longest = double.PositiveInfinity;

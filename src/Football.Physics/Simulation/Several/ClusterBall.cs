@@ -45,10 +45,12 @@ internal struct ClusterBall
     public double HeldSpin;
 }
 
-/// <summary>A contact of a cluster: of one ball with a thing that stands still, or of two balls. Loads and friction of it are forces, N.</summary>
+/// <summary>A contact of a cluster: of one ball with a thing that stands still, or of two balls.</summary>
+/// <remarks>Loads and friction of it are forces, N.</remarks>
 internal struct ClusterContact
 {
-    /// <summary>What it is to the first ball. Of two balls the collider is −1, and rates are those of one relative to the other.</summary>
+    /// <summary>What it is to the first ball.</summary>
+    /// <remarks>Of two balls the collider is −1, and rates are those of one relative to the other.</remarks>
     public SetContact On;
 
     /// <summary>The balls; the second is −1 where there is none.</summary>

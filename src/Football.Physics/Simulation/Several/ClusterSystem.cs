@@ -1,10 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Balls that press each other, as one system, with the contacts and their modes locked (contacts.md, Balls on balls). With n and ṅ of the line of centres two balls
-/// keep touching, n·(v̇₁ − v̇₂) = −ṅ·(v₁ − v₂); where they stick their slip v₁ − v₂ + n × (r₁ ω₁ + r₂ ω₂) stays zero; where they slip F = −μ N ŝ. Contacts with
-/// what stands still are those of <see cref="ContactSystem"/>. One linear system gives all loads and friction forces; the method advances all balls together.
-/// </summary>
+/// <summary>Balls that press each other, as one system, with the contacts and their modes locked (contacts.md, Balls on balls).</summary>
+/// <remarks>
+/// With n and ṅ of the line of centres two balls keep touching, n·(v̇₁ − v̇₂) = −ṅ·(v₁ − v₂); where they stick their slip v₁ − v₂ + n × (r₁
+/// ω₁ + r₂ ω₂) stays zero; where they slip F = −μ N ŝ. Contacts with what stands still are those of <see cref="ContactSystem"/>. One linear
+/// system gives all loads and friction forces; the method advances all balls together.
+/// </remarks>
 internal sealed partial class ClusterSystem
 {
     /// <summary>Balls that are solved together at most, and unknown forces of them.</summary>

@@ -159,7 +159,8 @@ internal sealed class PilePhase
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
     }
 
-    /// <summary>What moves has not left the ball yet: put onto that at once, the ball would be in another one. It goes out of it no faster than a squeezed ball may.</summary>
+    /// <summary>What moves has not left the ball yet: put onto that at once, the ball would be in another one.</summary>
+    /// <remarks>It goes out of it no faster than a squeezed ball may.</remarks>
     private void StaySqueezed(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;

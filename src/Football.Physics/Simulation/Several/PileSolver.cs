@@ -1,9 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// The impulses of all contacts of a pile over a short time, Coulomb's law at all of them at once: no contact closes by more than its gap, none pulls, and friction is at
-/// most μ times the load. Projected Gauss–Seidel, one contact after the other in an order that the places of the balls decide, up and down in turn, with conjugate gradients between the rounds.
-/// </summary>
+/// <summary>The impulses of all contacts of a pile over a short time, Coulomb's law at all of them at once: no contact closes by more than
+/// its gap, none pulls, and friction is at most μ times the load.</summary>
+/// <remarks>
+/// Projected Gauss–Seidel, one contact after the other in an order that the places of the balls decide, up and down in turn, with conjugate
+/// gradients between the rounds.
+/// </remarks>
 internal sealed class PileSolver
 {
     /// <summary>So often it is asked whether all balls stand still.</summary>
@@ -330,7 +332,8 @@ internal struct PileMember
     public int FirstContact;
     public int OwnContacts;
 
-    /// <summary>The contact that resists its turning; −1 for none. What that took of the rolling, and of the spin about its normal, rad/s.</summary>
+    /// <summary>The contact that resists its turning; −1 for none.</summary>
+    /// <remarks>What that took of the rolling, and of the spin about its normal, rad/s.</remarks>
     public int Bearer;
     public Vector3d Rolling;
     public double Drilling;
