@@ -1,31 +1,31 @@
 namespace FootballPhysics;
 
-/// <summary>Looks along a path for the first thing that it meets.</summary>
+/// <summary>Finds the first contact along a path.</summary>
 /// <remarks>
-/// Every gap is walked by conservative advancement: from a gap f that changes at the rate f' and bends by M at most, nothing can happen
-/// before f + f' s − ½ M s² is zero. Near a contact that is Newton's method, from the safe side.
+/// It follows every gap by conservative advancement: a gap f with the rate f' and a bend of at most M stays open until
+/// f + f' s − ½ M s² is zero. Near a contact this is Newton's method, which never oversteps the contact.
 /// </remarks>
 internal readonly struct ContactSearch
 {
-    /// <summary>Below this gap, m, the ball touches.</summary>
+    /// <summary>The ball touches a surface if the gap is below this, m.</summary>
     public const double Touching = 1e-10;
 
-    /// <summary>Slower than this, m/s, nothing comes closer.</summary>
+    /// <summary>A closing speed below this counts as zero, m/s.</summary>
     public const double Approaching = 1e-9;
 
-    /// <summary>Slower than this, m/s, nothing goes away: in a microsecond that is 5e-12 m.</summary>
+    /// <summary>A separating speed below this counts as zero, m/s: 5e-12 m in a microsecond.</summary>
     public const double Leaving = 5e-6;
 
-    /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
+    /// <summary>The bend of the gap to a concave surface is bounded up to this gap, as a share of the radius.</summary>
     internal const double NearHollow = 0.1;
 
-    /// <summary>Putting a ball back onto what carries it after a piece moves it by less than this, m.</summary>
+    /// <summary>Upper bound of the projection onto the carrier after a piece, m.</summary>
     private const double Corrected = 1e-6;
 
-    /// <summary>No walk takes steps shorter than this share of the path.</summary>
+    /// <summary>Minimum step of a search, as a share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
-    /// <summary>Shortest piece, s: in a shorter one nothing is met but at its start.</summary>
+    /// <summary>Minimum duration of a piece, s. A shorter one has contacts only at its start.</summary>
     private const double ShortestStep = 1e-300;
 
     private readonly World _world;
@@ -34,10 +34,10 @@ internal readonly struct ContactSearch
     private readonly double _time;
     private readonly double _bend;
 
-    /// <summary>A search along a path.</summary>
+    /// <summary>Prepares a search along a path.</summary>
     /// <param name="world">The world.</param>
     /// <param name="path">The path.</param>
-    /// <param name="time">Time at its start, s.</param>
+    /// <param name="time">Start time, s.</param>
     public ContactSearch(World world, in PathCubic path, double time)
     {
         _world = world;
@@ -47,31 +47,31 @@ internal readonly struct ContactSearch
         _bend = path.GreatestAcceleration;
     }
 
-    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="first">The contact or passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double First(in BallState s, int carrier, out Separation first) => First(in s, carrier, default, out first);
 
-    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="held">Contacts that it keeps, which are not met.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
+    /// <param name="first">The contact or passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double First(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
         double at = FirstContact(in s, carrier, held, out first);
         return carrier >= 0 && _world.IsPlaneAlone ? at : FirstPassage(in s, at, ref first);
     }
 
-    /// <summary>The first thing that the ball touches on the path; nets and goals are not asked for.</summary>
+    /// <summary>Finds the first contact on the path, without nets and goals.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="held">Contacts that it keeps, which are not met.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
+    /// <param name="first">The contact.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double FirstContact(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
         first = default;
@@ -101,7 +101,7 @@ internal readonly struct ContactSearch
         return best;
     }
 
-    /// <summary>True if the first of two colliders that are met at one instant comes before the second.</summary>
+    /// <summary>True if the first of two simultaneous contacts has priority.</summary>
     private bool ComesFirst(int first, int second, double at)
     {
         if (!_world.IsByside(first, second))
@@ -113,10 +113,10 @@ internal readonly struct ContactSearch
         return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
     }
 
-    /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>
+    /// <summary>Finds the first net or goal that the ball enters or leaves on the path, without contacts.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="first">The passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double FirstPassage(in BallState s, out Separation first)
     {
         first = default;
@@ -192,7 +192,7 @@ internal readonly struct ContactSearch
         return best;
     }
 
-    /// <summary>Takes the leaving of a net, where it comes before all else.</summary>
+    /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
     {
         int thing = _world.FirstPassage + net.Index;
@@ -205,7 +205,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>Takes what happens at a plane of a goal, where it comes before all else.</summary>
+    /// <summary>Keeps an event at a plane of a goal if it is the earliest so far.</summary>
     private void Take(in Separation plane, ref double best, ref Separation first)
     {
         double at = PassesPlane(in plane, Math.Min(best, _path.Length));
@@ -216,7 +216,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball comes through the opening of a mouth; infinite where it does not.</summary>
+    /// <summary>Returns the time at which the ball enters the mouth of a goal; infinite if it does not.</summary>
     private double EntersMouth(in Separation mouth, double until)
     {
         double shortest = ShortestOf(in _path);
@@ -242,7 +242,8 @@ internal readonly struct ContactSearch
         return double.PositiveInfinity;
     }
 
-    /// <summary>When a ball in the mouth of a goal passes one of its planes, or is found to have done so; infinite where it does not.</summary>
+    /// <summary>Returns the time at which a ball in the mouth of a goal passes one of its planes; infinite if it does not.</summary>
+    /// <remarks>A plane that the ball has already passed counts at once.</remarks>
     private double PassesPlane(in Separation plane, double until)
     {
         double shortest = ShortestOf(in _path);
@@ -263,7 +264,8 @@ internal readonly struct ContactSearch
         return double.PositiveInfinity;
     }
 
-    /// <summary>When the ball touches a collider first, coming closer, or when that begins to carry it at a seam; infinite where neither happens.</summary>
+    /// <summary>Returns the time of the first closing contact with a collider, or of a seam at which it becomes the carrier; infinite if
+    /// there is none.</summary>
     private double FirstContact(int thing, int carrier, Span<Contact> held, double until, out bool seam)
     {
         seam = false;
@@ -360,7 +362,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball touches a plane first, coming closer; infinite where it does not.</summary>
+    /// <summary>Returns the time of the first closing contact with a plane; infinite if there is none.</summary>
     private double FirstContact(in PathDistance distance, double until, double from = 0)
     {
         double bend = distance.GreatestFall;
@@ -383,7 +385,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>Goes on along the path; a step that had to be made longer ends at its end.</summary>
+    /// <summary>Advances along the path. A step that was lengthened to the minimum stops at the end of the path.</summary>
     /// <returns>False beyond the end.</returns>
     internal static bool Advance(ref double t, double step, double shortest, double until)
     {
@@ -395,7 +397,8 @@ internal readonly struct ContactSearch
         return next <= until;
     }
 
-    /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
+    /// <summary>Returns the time at which a gap that is linear in the position falls to zero; infinite if it does not, or already
+    /// has.</summary>
     private double Fall(in Separation sought, double until)
     {
         double shortest = ShortestOf(in _path);
@@ -427,7 +430,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball meets a net: it is in the slab of its radius about the sheet, and inside the rectangle.</summary>
+    /// <summary>Returns the time at which the ball reaches a net: within its radius of the sheet, and inside the rectangle.</summary>
     private double MeetsNet(int index, int deepest, double deepestSide, double until, out Separation gap)
     {
         NetSheet net = _world.Nets[index];
@@ -460,7 +463,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>How long one condition of a net cannot hold yet: the longest such time is safe for all.</summary>
+    /// <summary>Computes how long one condition of a net stays unmet. The longest such time is safe for all conditions.</summary>
     private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step, ref Separation gap)
     {
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
@@ -482,14 +485,15 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>The shortest step of a walk along a path, s: so that every walk ends.</summary>
+    /// <summary>Returns the minimum step of a search along a path, s, so that every search ends.</summary>
     internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
 
-    /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
+    /// <summary>Returns a safe step for a closed gap that does not shrink: until it may shrink, or by the contact tolerance, ½ M
+    /// s².</summary>
     private static double Along(double rate, double bend) =>
         bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
 
-    /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
+    /// <summary>Returns the positive root of f + f' s − ½ M s², without cancellation.</summary>
     internal static double Safe(double gap, double rate, double bend)
     {
         // s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').

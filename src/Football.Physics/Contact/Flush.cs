@@ -6,37 +6,39 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class Flush
 {
-    /// <summary>Normals are one where n₁·n₂ is closer to 1 than this.</summary>
+    /// <summary>Two normals are equal if 1 − n₁·n₂ is below this.</summary>
     /// <remarks>
-    /// The edge of the next tile is first touched, 1e-10 m before the ball is on it, at 4e-5 rad; that of a tile that is 1e-10 m higher at
-    /// 6e-5, where n₁·n₂ is 1 − 1.8e-9.
+    /// The ball touches the edge of the next tile 1e-10 m before it is on it, at an angle of 4e-5 rad. For a tile that is 1e-10 m higher,
+    /// the angle is
+    /// 6e-5 rad, where n₁·n₂ is 1 − 1.8e-9.
     /// </remarks>
     public const double SameNormal = 4e-9;
 
-    /// <summary>Over the edge of its carrier a ball is handed on to a surface that is no lower than this, m.</summary>
+    /// <summary>Beyond the edge of its carrier, a ball is handed over to a surface that is at most this much lower, m.</summary>
     public const double LowerBy = 3.0 * ContactSearch.Touching;
 
     /// <summary>Two depths are equal within this, m.</summary>
     private const double SameDepth = 1e-12;
 
-    /// <summary>Two surfaces with one normal part by no more than this, m, until they are compared again.</summary>
+    /// <summary>Maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
     private const double Parted = 1e-8;
 
-    /// <summary>Normals closer than this, as the sine of their angle, are those of one face or of two surfaces that coincide.</summary>
+    /// <summary>Normals whose angle has a smaller sine than this belong to one face or to coinciding surfaces.</summary>
     private const double Coincident = 1e-8;
 
-    /// <summary>The ball is over the face of the next surface after so many times the distance to its edge.</summary>
+    /// <summary>The ball is over the face of the next surface after this multiple of the distance to its edge.</summary>
     private const double OverTheEdge = 2.0;
 
-    /// <summary>How long a ball goes on until the normals are one, s: it comes to the edge of a surface that is flush with one that it touches already.</summary>
+    /// <summary>Returns the time until the normals agree, s, if the ball reaches the edge of a surface that is flush with one it
+    /// touches.</summary>
     /// <param name="world">The world.</param>
-    /// <param name="thing">The collider that it comes to.</param>
-    /// <param name="position">Where it touches that, m.</param>
+    /// <param name="thing">The collider that it reaches.</param>
+    /// <param name="position">Position of the ball at the contact, m.</param>
     /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="carrier">The collider that carries the ball; −1 if none does.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
     /// <param name="held">Contacts that the ball keeps.</param>
-    /// <returns>0 where the contact is an impact.</returns>
+    /// <returns>0 if the contact is an impact.</returns>
     public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time, int carrier = -1, Span<Contact> held = default)
     {
         Collider next = world.Colliders[thing];
@@ -80,7 +82,7 @@ internal static class Flush
         return 0;
     }
 
-    /// <summary>True if two contacts have the same normal, and neither surface moves against the other along it.</summary>
+    /// <summary>True if two contacts have the same normal, and neither surface moves relative to the other along it.</summary>
     /// <param name="first">One contact.</param>
     /// <param name="second">The other contact.</param>
     public static bool IsFlush(in Contact first, in Contact second)
@@ -93,7 +95,7 @@ internal static class Flush
         return MovesAlong(first.Velocity - second.Velocity, in first.Normal, in second.Normal);
     }
 
-    /// <summary>True if neither of two surfaces moves against the other along their normal.</summary>
+    /// <summary>True if two surfaces do not move relative to each other along their normal.</summary>
     private static bool MovesAlong(World world, int first, int second, in Vector3d position, in ShapePoint on, in ShapePoint at, double time)
     {
         Collider one = world.Colliders[first];
@@ -108,15 +110,16 @@ internal static class Flush
         return MovesAlong(in difference, on.Normal, at.Normal);
     }
 
-    /// <summary>True if the difference of two velocities is along surfaces with these normals: at the edge of a tile those differ a little, and ΔV·n is at most |ΔV| |n₁ × n₂|.</summary>
+    /// <summary>True if the difference of two velocities has no normal component.</summary>
+    /// <remarks>At an edge the normals differ slightly, so ΔV·n may be up to |ΔV| |n₁ × n₂|.</remarks>
     private static bool MovesAlong(in Vector3d difference, in Vector3d first, in Vector3d second) =>
         Math.Abs(Vector3d.Dot(in difference, in first)) <= ContactSearch.Approaching + (difference.Length * Vector3d.Cross(in first, in second).Length);
 
-    /// <summary>True if the first of two contacts with the same normal stands for both.</summary>
+    /// <summary>True if the first of two contacts with the same normal represents both.</summary>
     /// <param name="world">The world.</param>
     /// <param name="first">One contact.</param>
     /// <param name="second">The other contact.</param>
-    /// <param name="carrier">The collider that carries the ball; −1 for none.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
     public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier) =>
         ComesBefore(world, first.Collider, first.IsFlat, second.Collider, second.IsFlat, second.Gap - first.Gap, carrier);
 
@@ -136,9 +139,9 @@ internal static class Flush
         return isGround || world.Colliders[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
     }
 
-    /// <summary>The surface that carries a ball if several with the same normal touch it.</summary>
+    /// <summary>Returns the carrier if several surfaces with the same normal touch the ball.</summary>
     /// <remarks>
-    /// The order: a face under the ball, the deepest, any object before the ground, the carrier so far, the first of the scene.
+    /// Priority: a face below the ball, the deepest, any object before the ground, the current carrier, scene order.
     /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball, on a surface.</param>
