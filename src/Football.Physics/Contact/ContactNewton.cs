@@ -1,24 +1,24 @@
 namespace FootballPhysics;
 
-/// <summary>A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the
-/// impulses are the solution of one linear system.</summary>
+/// <summary>A semi-smooth Newton step on the impulses of a contact set.</summary>
 /// <remarks>
-/// Where they are not determined, as the forces of a ball that grips both sides of a gutter along the line between them, it is the change
-/// with the least squares.
+/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it takes the
+/// change with
+/// the least sum of squares. An example is a ball that grips both sides of a gutter.
 /// </remarks>
 internal static class ContactNewton
 {
-    /// <summary>Added to the diagonal: what makes a system without a unique solution one with the least squares.</summary>
+    /// <summary>Regularisation of the diagonal: selects the least-squares solution if there are several.</summary>
     private const double Least = 1e-11;
 
-    /// <summary>More contacts than this that press are left to rounds of the solver: the cost of a step grows with the third power of their number.</summary>
+    /// <summary>Larger sets are left to Gauss–Seidel: the cost of a step grows with the third power of the number of contacts.</summary>
     private const int Most = 12;
 
     /// <summary>Improves impulses, velocity and spin.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="resistance">What resists the turning on one of them.</param>
+    /// <param name="resistance">Rolling and drilling resistance at one of them.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
@@ -111,8 +111,8 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>The contacts that have impulses, or are about to: all others have none after the step either.</summary>
-    /// <returns>The number of these contacts; more than <see cref="Most"/> if there are too many.</returns>
+    /// <summary>Finds the contacts that have impulses or are about to get them. All others have none after the step either.</summary>
+    /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {
         int count = 0;
@@ -137,7 +137,8 @@ internal static class ContactNewton
         return count;
     }
 
-    /// <summary>Resistance to the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
+    /// <summary>Sets the row of drilling friction: it stops the spin about the normal, or damps it and removes as much as the load
+    /// allows.</summary>
     private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
     {
         // ω_n = (ω_n − D)/(1 + k) ∓ c N.
@@ -161,7 +162,7 @@ internal static class ContactNewton
         };
     }
 
-    /// <summary>A pair of unknowns that are bounded together: they end a slip, or are at their bound μ N against it.</summary>
+    /// <summary>Sets a pair of rows with a common bound: they stop a slip, or equal μ N against it.</summary>
     private static void Couple(
         Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
         in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
@@ -209,7 +210,7 @@ internal static class ContactNewton
         };
     }
 
-    /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
+    /// <summary>Builds the system: per unknown, the derivatives of its residual, and the negative residual.</summary>
     private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
         // Compute the response of every row to a unit of every impulse.
@@ -261,8 +262,8 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Gaussian elimination with pivots from the column; the solution replaces the right-hand side.</summary>
-    /// <returns>False where there is none.</returns>
+    /// <summary>Gaussian elimination with partial pivoting; the solution replaces the right-hand side.</summary>
+    /// <returns>False if there is no solution.</returns>
     private static bool Eliminate(Span<double> system, int size)
     {
         int width = size + 1;
@@ -316,7 +317,7 @@ internal static class ContactNewton
         return true;
     }
 
-    /// <summary>A direction across a normal.</summary>
+    /// <summary>Returns a direction perpendicular to a normal.</summary>
     private static Vector3d Tangent(in Vector3d n)
     {
         Vector3d across = Math.Abs(n.X) < 0.6 ? new Vector3d(1, 0, 0) : Vector3d.Up;
@@ -336,10 +337,10 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>An unknown: what it does to the ball, and what its row of the system says.</summary>
+    /// <summary>An unknown: its effect on the ball, and its row of the system.</summary>
     private struct Row
     {
-        /// <summary>How what it asks for changes with v and with ω.</summary>
+        /// <summary>Derivatives of its condition with respect to v and ω.</summary>
         public Vector3d AlongV;
         public Vector3d AlongW;
 
@@ -350,16 +351,16 @@ internal static class ContactNewton
         /// <summary>Residual to be brought to zero.</summary>
         public double Residual;
 
-        /// <summary>How much of it is the motion, and how much the unknown itself.</summary>
+        /// <summary>Weights of the motion and of the unknown itself in the condition.</summary>
         public double OfMotion;
         public double OfItself;
 
-        /// <summary>The load that bounds it, by how much, and the row of the other of its pair.</summary>
+        /// <summary>The row of the load that bounds it, the bound per load, and the row of the other component.</summary>
         public int LoadRow;
         public double PerLoad;
         public int Other;
 
-        /// <summary>μ N/|T|, the component across T, and what T takes of the slip.</summary>
+        /// <summary>μ N/|T|, the component across T, and the weight of the slip in T.</summary>
         public double Turns;
         public double Across;
         public double Grip;

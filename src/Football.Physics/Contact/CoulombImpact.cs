@@ -1,17 +1,16 @@
 namespace FootballPhysics;
 
-/// <summary>An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot
-/// hold it.</summary>
-/// <remarks>
-/// Without a limit by friction these are the thesis' four coefficients of restitution (2.16 to 2.18).
-/// </remarks>
+/// <summary>An impact by Coulomb's law: normal restitution, and a tangential impulse that grips, or slips if friction cannot hold
+/// it.</summary>
+/// <remarks>Without a friction limit, these are the thesis' four coefficients of restitution (2.16 to 2.18).</remarks>
 internal static class CoulombImpact
 {
-    /// <summary>So many halvings find the share of a restitution to a billionth.</summary>
+    /// <summary>Number of bisections: locates the share of a restitution to a billionth.</summary>
     private const int Halvings = 30;
 
-    /// <summary>Velocity and spin just after an impact with something that nothing moves.</summary>
-    /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out Vector3d, out Vector3d)"/>
+    /// <summary>Computes velocity and spin just after an impact with an immovable object.</summary>
+    /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out
+    /// Vector3d, out Vector3d)"/>
     public static void Apply(
         BallProperties ball,
         in ContactMaterial material,
@@ -23,10 +22,11 @@ internal static class CoulombImpact
         out Vector3d spin) =>
         Apply(ball, in material, default, in n, in surface, in v, in w, out velocity, out spin);
 
-    /// <summary>Velocity and spin just after an impact; the impulse on the ball is m (v' − v), that on what it hits the opposite.</summary>
+    /// <summary>Computes velocity and spin just after an impact.</summary>
+    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite.</remarks>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it hits.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="n">Normal of the contact.</param>
     /// <param name="surface">Velocity of the surface there, m/s.</param>
     /// <param name="v">Velocity before, m/s; towards the surface.</param>
@@ -44,16 +44,17 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
 
-    /// <summary>An impact with so much less restitution that the ball is no faster than allowed; with none if that is not enough.</summary>
+    /// <summary>Computes an impact with reduced restitution, so that the ball is not faster than allowed; with zero restitution if
+    /// needed.</summary>
     /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it hits.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="n">Normal of the contact.</param>
     /// <param name="surface">Velocity of the surface there, m/s.</param>
     /// <param name="v">Velocity before, m/s; towards the surface.</param>
     /// <param name="w">Spin before, rad/s.</param>
-    /// <param name="fastest">The speed that is allowed, m/s.</param>
+    /// <param name="fastest">The allowed speed, m/s.</param>
     /// <param name="velocity">Velocity after, m/s.</param>
     /// <param name="spin">Spin after, rad/s.</param>
     public static void ApplySoftened(
@@ -83,10 +84,10 @@ internal static class CoulombImpact
         Apply(ball, in material, in other, in n, in surface, in v, in w, low, out velocity, out spin);
     }
 
-    /// <summary>The energy that a bumper has added to the motion along the normal, J; 0 for what is none, or has added none.</summary>
+    /// <summary>Returns the energy that a bumper has added along the normal, J; 0 for other surfaces.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it has hit.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="before">(v − V)·n, m/s.</param>
     /// <param name="after">(v' − V')·n, m/s.</param>
     public static double Added(BallProperties ball, in ContactMaterial material, in GivingWay other, double before, double after) =>
@@ -144,7 +145,7 @@ internal static class CoulombImpact
     }
 }
 
-/// <summary>How easily the other thing of an impact gives way, by how easily the ball does: m/M₂; 0 for what nothing moves.</summary>
+/// <summary>The recoil of the other object in an impact: the mass ratio m/M₂; 0 for an immovable object.</summary>
 internal readonly struct GivingWay
 {
     /// <summary>m/M₂.</summary>
@@ -152,8 +153,8 @@ internal readonly struct GivingWay
 
     private GivingWay(double ratio) => Ratio = ratio;
 
-    /// <summary>Something with a mass behind its surface, which moves without turning.</summary>
+    /// <summary>Creates the recoil of an object with a mass behind its surface, which moves without rotating.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="mass">M₂, kg; infinite for what nothing moves.</param>
+    /// <param name="mass">M₂, kg; infinite for an immovable object.</param>
     public static GivingWay Of(BallProperties ball, double mass) => new(ball.Mass / mass);
 }

@@ -1,19 +1,23 @@
 namespace FootballPhysics;
 
-/// <summary>Checks that a state that came from elsewhere is one that a ball can have in a scene: what it names is there, and the ball is where that can be.</summary>
-/// <remarks>What the game or an engine moves, and what the ball has pushed, may be anywhere: a state does not hold it.</remarks>
+/// <summary>Validates that a state read from elsewhere fits a scene: its references exist, and the position of the ball is
+/// possible.</summary>
+/// <remarks>Moved and pushed objects may have any position, because a state does not store them.</remarks>
 internal static class SceneCheck
 {
-    /// <summary>So far, m, a ball may be off what carries it, for each metre that its coordinates are large: rounding, and what an integrator leaves.</summary>
+    /// <summary>Maximum distance of a ball from its carrier, per metre of its coordinates, m: rounding and the integrator's
+    /// error.</summary>
     private const double Touching = 1e-6;
 
-    /// <summary>No ball comes into a net faster, m/s: more than from the highest fall.</summary>
+    /// <summary>Maximum speed of a ball in a net, m/s: more than from the highest fall.</summary>
     private const double FastestInNets = 1e4;
 
-    /// <summary>A ball that has come through a mouth, and not passed the line, is no farther behind that, m: something may have pushed it there.</summary>
+    /// <summary>Maximum distance behind the line of a ball that entered a goal without passing the line, m.</summary>
+    /// <remarks>An object may have pushed it there.</remarks>
     private const double BehindLine = 2.0;
 
-    /// <summary>The field in which a state is none of a ball in a scene, with its value and what is allowed; null where it is one.</summary>
+    /// <summary>Returns the field of a state that does not fit the scene, with its value and the allowed values; null if the state
+    /// fits.</summary>
     public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
     {
         // Fast path for the most common state: on level ground or in the air, in no net and no goal.
