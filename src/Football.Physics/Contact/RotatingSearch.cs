@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>A shape and its motion, described from a time on.</summary>
+/// <summary>A shape and its motion, relative to a start time.</summary>
 internal readonly struct MovingShape
 {
     private readonly IShape _shape;
     private readonly RigidMotion _motion;
 
-    /// <summary>A shape that moves.</summary>
+    /// <summary>Describes a moving shape.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="motion">Its motion.</param>
-    /// <param name="time">The time from which it is described: 0 here.</param>
+    /// <param name="time">The start time, which becomes time 0.</param>
     public MovingShape(IShape shape, in RigidMotion motion, double time)
     {
         _shape = shape;
@@ -30,7 +30,7 @@ internal readonly struct MovingShape
     /// <summary>The greatest speed that the rotation gives to any part of it, m/s.</summary>
     public double Swing => _motion.Swing;
 
-    /// <summary>Distance of a point from it, and the rate of that, m/s, for a point with a velocity.</summary>
+    /// <summary>Returns the distance of a moving point from the shape, and its rate, m/s.</summary>
     public double Distance(in Vector3d position, in Vector3d velocity, double time, out double rate)
     {
         // Along n, this point of the rotating shape moves at the same speed as the shape's nearest point.
@@ -40,26 +40,26 @@ internal readonly struct MovingShape
     }
 }
 
-/// <summary>When a ball first touches a shape that rotates: conservative advancement as in <see cref="ContactSearch"/>.</summary>
+/// <summary>Finds the first contact with a rotating shape by conservative advancement, as in <see cref="ContactSearch"/>.</summary>
 /// <remarks>
-/// Bounds of the rate and of the bend of the gap are those of the path in the frame that rotates with the shape, in which the shape is at
-/// rest.
+/// The rate and the bend of the gap are bounded for the path in the rotating frame, where the shape is at rest.
 /// </remarks>
 internal static class RotatingSearch
 {
-    /// <summary>A gap that closes more slowly than this, m/s, ...</summary>
+    /// <summary>Maximum closing speed of a slow gap, m/s.</summary>
     private const double Slow = 0.01;
 
-    /// <summary>... may close by so much more, m, before it is looked at: so a ball that touches a drum costs few looks.</summary>
+    /// <summary>Extra closing allowed for a slow gap before the next evaluation, m.</summary>
+    /// <remarks>It saves evaluations for a ball that touches a drum.</remarks>
     private const double Sink = 1e-8;
 
-    /// <summary>When the ball touches the shape first, coming closer; infinite where it does not.</summary>
-    /// <param name="shape">The shape, from the start of the path on.</param>
-    /// <param name="hollow">The strongest curvature of its hollows, 1/m.</param>
+    /// <summary>Returns the time of the first closing contact; infinite if there is none.</summary>
+    /// <param name="shape">The shape, from the start of the path.</param>
+    /// <param name="hollow">Its largest concave curvature, 1/m.</param>
     /// <param name="path">The path.</param>
-    /// <param name="acceleration">Not less than the acceleration on it, m/s².</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
     /// <param name="radius">Radius of the ball, m.</param>
-    /// <param name="until">Where the search ends, s from the start of the path.</param>
+    /// <param name="until">End of the search, s from the start of the path.</param>
     public static double FirstContact(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, double until)
     {
         // Upper bounds of |w|, w = v − V, and of ρ, the ball's distance from the pivot.
