@@ -201,8 +201,8 @@ internal struct NearThings
 
     /// <summary>True if the first of two contacts has priority: by normal, and for equal normals by scene order.</summary>
     /// <remarks>
-    /// The height of the normal and the sizes of its components count first. A mirrored scene then has the same order, unless the two are
-    /// mirror images of each other.
+    /// The lower normal comes first, then the smaller |x| and |z|. A mirrored scene thus has the same order, unless the two normals are
+    /// mirror images.
     /// </remarks>
     public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider)
     {

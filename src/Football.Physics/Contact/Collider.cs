@@ -117,7 +117,7 @@ internal sealed class Collider
     /// <summary>True if it has several materials.</summary>
     public bool HasPatches => _patches.Length > 0;
 
-    /// <summary>True if its shape is a plane, or the tangent plane of one.</summary>
+    /// <summary>True if its shape is a plane, or a local approximation of a surface, which may be flat.</summary>
     public bool IsPlane => _shape is PlaneShape or TangentShape;
 
     /// <summary>True if its shape has flat faces with borders, such as a box.</summary>

@@ -159,8 +159,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     {
         bool rolls = default(TMotion).Rolls;
 
-        // Copy the motion to the plane's axes component by component. The last step wrote single components, and a wide load would stall on
-        // them.
+        // Copy the motion to the plane's axes by components, as the last step wrote them: one wide load would stall.
         // A rolling ball only needs its spin about the normal.
         ref FlightMotion motion = ref s.Flight;
         PlaneMotion start;

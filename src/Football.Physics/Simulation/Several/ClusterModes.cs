@@ -16,7 +16,7 @@ internal static class ClusterModes
     /// <summary>A ball that rolls more slowly than this has no direction of roll, m/s.</summary>
     private const double Standing = 1e-6;
 
-    /// <summary>Maximum number of mode changes, per contact and in addition to that. After that the search fails.</summary>
+    /// <summary>Maximum number of mode changes per contact, and maximum number of iterations to find the bearers.</summary>
     private const int ChangesOfContact = 3;
     private const int MostBearers = 4;
 

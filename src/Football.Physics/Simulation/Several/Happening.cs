@@ -18,7 +18,7 @@ internal readonly struct Happening(double time, int ball, int other)
     /// <summary>True if two balls touch.</summary>
     public bool IsMeeting => Other != NoOther;
 
-    /// <summary>Returns the earlier of two events; if they are simultaneous, the first argument to be found.</summary>
+    /// <summary>Returns the earlier of two events; if they are simultaneous, <paramref name="first"/>.</summary>
     /// <remarks>The search goes by ball index: contacts with other balls first, in the order of their indices.</remarks>
     public static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;
 }
