@@ -167,7 +167,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // A net that the ball is in follows the ball, so check for leaving it at any position.
+        // A net stretches with the ball in it, so check for leaving it at any position.
         for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)

@@ -48,7 +48,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor leave, (v − V)·n ≈ 0, and slow movers that may come back. A stationary object does not.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is stationary now does not come back.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))

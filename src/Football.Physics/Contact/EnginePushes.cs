@@ -69,7 +69,7 @@ internal sealed class EnginePushes
             _pushed.Add(kept[i].Collider);
         }
 
-        // A look-ahead is finished, but a step may be repeated.
+        // A look-ahead is over, so discard its memory. A step may be repeated, so keep the others.
         if (memory == OfLook)
         {
             kept.Clear();

@@ -96,7 +96,7 @@ internal sealed class BodyPush
         BallState pushed = s;
         pushed.Position = from;
 
-        // Search the push as a straight path of nearly zero duration for a stationary object.
+        // Treat the push as a straight path of nearly zero duration, and search it for a stationary object.
         var path = PathCubic.Line(in from, (s.Position - from) / Displacement.AtOnce, Displacement.AtOnce);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= Displacement.AtOnce
