@@ -1,7 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>The broad phase: a tree of boxes around what stands still, built once. It answers in boxes alone; what is inside them is asked after.</summary>
-/// <remarks>Nodes lie in the order of a walk from the root, each with the node that follows its whole branch: a walk needs no stack.</remarks>
+/// <summary>The broad phase: a tree of bounding boxes of stationary objects, built once.</summary>
+/// <remarks>
+/// It only tests boxes; the caller tests the objects inside. Nodes are in depth-first order, each with the index of the node after its
+/// branch,
+/// so a walk needs no stack.
+/// </remarks>
 internal sealed class BoundsTree
 {
     private const int NoItem = -1;
@@ -30,10 +34,10 @@ internal sealed class BoundsTree
         }
     }
 
-    /// <summary>Walks on to the next box that touches another.</summary>
-    /// <param name="box">The other box.</param>
-    /// <param name="node">Where the walk is: 0 to begin with.</param>
-    /// <param name="item">Index of the box that was found.</param>
+    /// <summary>Advances to the next box that intersects a given one.</summary>
+    /// <param name="box">The given box.</param>
+    /// <param name="node">Position of the walk; 0 at the start.</param>
+    /// <param name="item">Index of the box found.</param>
     /// <returns>False at the end.</returns>
     public bool Next(in Bounds3d box, ref int node, out int item)
     {
@@ -41,7 +45,7 @@ internal sealed class BoundsTree
         {
             int here = node;
 
-            // What does not touch this box touches nothing of its branch.
+            // A box that misses this node misses its entire branch.
             if (!_bounds[here].Intersects(in box))
             {
                 node = _after[here];
@@ -60,7 +64,7 @@ internal sealed class BoundsTree
         return false;
     }
 
-    /// <summary>When a straight way comes near the first of the boxes, s; or this long, if it comes near none before.</summary>
+    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if it reaches none before.</summary>
     public double FirstMet(in StraightWay way, double until)
     {
         int node = 0;
@@ -68,7 +72,7 @@ internal sealed class BoundsTree
         {
             double met = way.Meets(in _bounds[node]);
 
-            // Met later than what was found, or not at all: so is all of its branch.
+            // The path reaches this node too late or not at all, and so its entire branch.
             if (!(met < until))
             {
                 node = _after[node];
@@ -82,11 +86,11 @@ internal sealed class BoundsTree
         return until;
     }
 
-    /// <summary>Builds the branch of some items, split at the median along the axis on which their centres lie furthest apart.</summary>
+    /// <summary>Builds the branch of some items, split at the median along the axis with the widest spread of centres.</summary>
     /// <returns>The node after it.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {
-        // The box around all items, and that around their centres, which says along which axis to split.
+        // Bounds of all items, and bounds of their centres, which determine the split axis.
         Bounds3d all = boxes[items[from]];
         Bounds3d centers = boxes[items[from]].AtCenter;
         for (int i = from + 1; i < to; i++)
@@ -121,7 +125,7 @@ internal sealed class BoundsTree
     }
 }
 
-/// <summary>A walk over the things of a world that a box touches, in no order: what has no bounds, the tree of what stands still, what moves.</summary>
+/// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded ones, the tree, and moving ones.</summary>
 internal struct NearThings
 {
     private readonly World _world;
@@ -133,11 +137,11 @@ internal struct NearThings
     private int _moving;
     private int _engine;
 
-    /// <summary>A walk. What an engine finds is that of its last cast.</summary>
+    /// <summary>Starts an enumeration. Engine colliders are those of the last cast.</summary>
     /// <param name="world">The world.</param>
     /// <param name="box">The box.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="duration">How long, s.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="duration">The duration, s.</param>
     public NearThings(World world, in Bounds3d box, double time, double duration)
     {
         _world = world;
@@ -150,20 +154,20 @@ internal struct NearThings
         _engine = 0;
     }
 
-    /// <summary>Things that touch a ball, or nearly, at a place.</summary>
+    /// <summary>Enumerates the objects that may touch a ball at a position.</summary>
     public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactSearch.Touching);
 
-    /// <summary>Things that may be closer to a ball at a place than a distance, m.</summary>
+    /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m.</summary>
     public static NearThings Within(World world, in Vector3d position, double time, double distance)
     {
         world.Engine?.LookAt(in position, time, distance);
         return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);
     }
 
-    /// <summary>The collider that a ball overlaps most, but for what carries it; −1 where it overlaps nothing.</summary>
+    /// <summary>Returns the collider with the deepest overlap, except the carrier; −1 if there is none.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
-    /// <param name="overlapsBody">Whether it overlaps any body.</param>
+    /// <param name="overlapsBody">Whether the ball overlaps a body.</param>
     public static int Deepest(World world, in BallState s, out bool overlapsBody)
     {
         overlapsBody = false;
@@ -179,7 +183,8 @@ internal struct NearThings
                 continue;
             }
 
-            // The deepest; of two as deep that from a certain side, for neither the walk nor the scene has an order that means anything.
+            // Take the deepest overlap. Equal depths are decided by the normals, because the order of the walk and of the scene is
+            // arbitrary.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
             overlapsBody |= overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
@@ -194,10 +199,11 @@ internal struct NearThings
         return deepest;
     }
 
-    /// <summary>
-    /// True if the first of two contacts comes before the second: by their sides, and of two on one side the first of the scene. Height and sizes count first, so that a
-    /// mirrored scene has the same order unless the two are mirror images of each other.
-    /// </summary>
+    /// <summary>True if the first of two contacts has priority: by normal, and for equal normals by scene order.</summary>
+    /// <remarks>
+    /// The lower normal comes first, then the smaller |x| and |z|. A mirrored scene thus has the same order, unless the two normals are
+    /// mirror images.
+    /// </remarks>
     public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider)
     {
         double x = Math.Abs(normal.X) - Math.Abs(other.X);
@@ -210,7 +216,7 @@ internal struct NearThings
             : collider < otherCollider;
     }
 
-    /// <summary>Goes on to the next collider.</summary>
+    /// <summary>Advances to the next collider.</summary>
     /// <param name="collider">Its index.</param>
     /// <returns>False at the end.</returns>
     public bool NextCollider(out int collider)
@@ -226,12 +232,12 @@ internal struct NearThings
         return false;
     }
 
-    /// <summary>Goes on to the next net or goal.</summary>
-    /// <param name="thing">Its number.</param>
+    /// <summary>Advances to the next net or goal.</summary>
+    /// <param name="thing">Its index.</param>
     /// <returns>False at the end.</returns>
     public bool NextPassage(out int thing)
     {
-        // They stand still, and have bounds.
+        // Nets and goals are stationary and have bounds, so they are in the tree.
         while (_world.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _world.Leaves[leaf];
@@ -245,8 +251,8 @@ internal struct NearThings
         return false;
     }
 
-    /// <summary>Goes on to the next thing: colliders are numbered first, then nets, then goals.</summary>
-    /// <param name="thing">Its number.</param>
+    /// <summary>Advances to the next object.</summary>
+    /// <param name="thing">Its index: colliders first, then nets, then goals.</param>
     /// <returns>False at the end.</returns>
     public bool Next(out int thing)
     {
@@ -291,7 +297,7 @@ internal struct NearThings
     {
         Collider collider = _world.Colliders[moving];
 
-        // The box that it sweeps in the time.
+        // The box that the collider sweeps in this time.
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);
         if (_duration > 0)
         {

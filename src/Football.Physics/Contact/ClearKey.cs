@@ -1,11 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>A hash of all numbers that a clear flight depends on, FNV-1a over their bits: what was clear in one scene need not be in another.</summary>
+/// <summary>A hash of all values that a clear flight depends on (FNV-1a over their bits).</summary>
+/// <remarks>A result is valid only in the scene with the same hash.</remarks>
 internal struct ClearKey
 {
     private ulong _hash;
 
-    /// <summary>The hash so far; not 0.</summary>
+    /// <summary>The hash so far; never 0.</summary>
     public readonly ulong Value => _hash | 1;
 
     /// <summary>Adds a number.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A thing that can be hit, ready to be asked: the ground is one, and every obstacle, post and body.</summary>
+/// <summary>An object that the ball can hit, prepared for queries: the ground, an obstacle, a post or a body.</summary>
 internal sealed class Collider
 {
     private readonly RigidMotion _motion;
@@ -58,7 +58,7 @@ internal sealed class Collider
         _placement = body.Placement;
     }
 
-    /// <summary>A place for one that an engine finds.</summary>
+    /// <summary>Creates an empty slot for an engine collider.</summary>
     public Collider(Placement none, EnginePushes pushes, BallProperties ball)
     {
         _bounce = ball.Bounce;
@@ -72,13 +72,14 @@ internal sealed class Collider
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
 
-    /// <summary>Its layer; −1 for what is in none: the ground, the frames of goals, and places of an engine, whose colliders are sorted out when they are found.</summary>
+    /// <summary>Its layer; −1 for none: the ground, goal frames, and engine slots, whose colliders are filtered when they are
+    /// found.</summary>
     public int Layer { get; init; } = -1;
 
-    /// <summary>The engine's collider that it stands for; null where it does for none.</summary>
+    /// <summary>The engine collider in this slot; null if there is none.</summary>
     public EngineCollider? Engine { get; private set; }
 
-    /// <summary>Nothing that it is made of is narrower, m; infinite where it is the same everywhere.</summary>
+    /// <summary>Width of its narrowest material patch, m; infinite if it has one material.</summary>
     public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.MinimumWidth;
 
     /// <summary>V, m/s.</summary>
@@ -87,22 +88,21 @@ internal sealed class Collider
     /// <summary>Ω of its material, rad/s.</summary>
     public Vector3d Spin => Motion.Spin;
 
-    /// <summary>
-    /// True when the shape itself rotates within a step: bodies and engine colliders. The spin of an obstacle moves only its surface, and so does a spin that leaves
-    /// the shape as it is.
-    /// </summary>
+    /// <summary>True if the shape itself rotates within a step: bodies and engine colliders.</summary>
+    /// <remarks>The spin of an obstacle moves only its surface. The same holds for a spin that leaves the shape unchanged.</remarks>
     public bool Rotates => Motion.Rotates;
 
-    /// <summary>True if it has no velocity and no spin in this step: a ball may rest on it.</summary>
+    /// <summary>True if it has no velocity and no spin in this step, so that a ball may rest on it.</summary>
     public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
 
-    /// <summary>Velocity of the shape at a point, m/s: with Ω where the shape itself rotates. A gap to the ball changes by the ball's velocity relative to this one.</summary>
+    /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
+    /// <remarks>The gap to the ball changes at the ball's velocity relative to this one.</remarks>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
 
-    /// <summary>V_p, the velocity of its material, continued to a point, m/s.</summary>
+    /// <summary>Returns V_p, the velocity of its material continued to a point, m/s.</summary>
     public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
 
-    /// <summary>Where a point that moves along with its material is after a time, m.</summary>
+    /// <summary>Returns the position of a point that moves along with its material, after a time, m.</summary>
     public Vector3d CarriedTo(in Vector3d point, double time, double after)
     {
         ref readonly RigidMotion motion = ref Motion;
@@ -110,46 +110,48 @@ internal sealed class Collider
         return pivot + (after * motion.Velocity) + Quaterniond.FromRotationVector(after * motion.Spin).Rotate(point - pivot);
     }
 
-    /// <summary>How far a point is inside the border of the flat face that it is over, m; negative beyond it, infinite where the shape has no such border.</summary>
+    /// <summary>Returns the distance of a point inside the border of the flat face below it, m; negative beyond it, infinite without a
+    /// border.</summary>
     public double FaceMargin(in Vector3d position, double time) => _shape is BoxShape box ? box.FaceMargin(Motion.ToShape(in position, time)) : double.PositiveInfinity;
 
-    /// <summary>True when it is made of several materials.</summary>
+    /// <summary>True if it has several materials.</summary>
     public bool HasPatches => _patches.Length > 0;
 
-    /// <summary>True when its shape is a plane everywhere, or, where it is flat, like one.</summary>
+    /// <summary>True if its shape is a plane, or a local approximation of a surface, which may be flat.</summary>
     public bool IsPlane => _shape is PlaneShape or TangentShape;
 
-    /// <summary>True when its shape has flat faces with borders, as a box does.</summary>
+    /// <summary>True if its shape has flat faces with borders, such as a box.</summary>
     public bool HasFaces => _shape is BoxShape;
 
-    /// <summary>The greatest speed of any part of it, m/s. For a shape without bounds, only its velocity counts.</summary>
+    /// <summary>The greatest speed of any part of it, m/s. For an unbounded shape, only its velocity counts.</summary>
     public double GreatestSpeed => Motion.GreatestSpeed;
 
-    /// <summary>Mass behind its surface, kg; infinite where the ball does not move it.</summary>
+    /// <summary>Mass behind its surface, kg; infinite if the ball does not move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>True when the ball moves it.</summary>
+    /// <summary>True if the ball moves it.</summary>
     public bool GivesWay => Mass < double.PositiveInfinity;
 
-    /// <summary>The motion that the scene gives it; none for what the game, or an engine, moves.</summary>
+    /// <summary>The motion that the scene gives it; default for objects that the game or an engine moves.</summary>
     public ref readonly RigidMotion Given => ref _motion;
 
-    /// <summary>True when the game, or an engine, moves it.</summary>
+    /// <summary>True if the game or an engine moves it.</summary>
     public bool IsBody => _placement is not null && _obstacles is null;
 
-    /// <summary>True when the game has taken it out of play.</summary>
+    /// <summary>True if the game has withdrawn it.</summary>
     public bool IsWithdrawn => _body is { IsWithdrawn: true };
 
-    /// <summary>True when it may be elsewhere at another time.</summary>
+    /// <summary>True if its position may change.</summary>
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 
-    /// <summary>The plane that it is, where it stands still; else null: a path's distance from it is one cubic.</summary>
+    /// <summary>Its plane if it is a stationary plane; otherwise null.</summary>
+    /// <remarks>The distance of a path from it is a single cubic.</remarks>
     public PlaneShape? StandingPlane => Moves ? null : _plane;
 
-    /// <summary>The strongest curvature of its hollows, 1/m; 0 where it is convex.</summary>
+    /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
     public double HollowCurvature => _shape.MaximumConcaveCurvature;
 
-    /// <summary>A box around it in its own frame: for what the game does not move, where it was at time 0.</summary>
+    /// <summary>Its bounding box in its own frame; for objects that the game does not move, at time 0.</summary>
     public ref readonly Bounds3d Bounds => ref _bounds;
 
     private ref readonly RigidMotion Motion
@@ -165,7 +167,7 @@ internal sealed class Collider
         }
     }
 
-    /// <summary>Stands for an engine's collider from now on.</summary>
+    /// <summary>Assigns an engine collider to this slot.</summary>
     public void Become(EngineCollider collider)
     {
         Engine = collider;
@@ -178,7 +180,7 @@ internal sealed class Collider
         Mass = collider.Mass;
     }
 
-    /// <summary>An impact of the ball gives it an impulse, N s: it goes on with V + J/M.</summary>
+    /// <summary>Applies the impulse of an impact, N s: its velocity becomes V + J/M.</summary>
     public void Push(in Vector3d impulse, double time)
     {
         Vector3d velocity = Velocity + (impulse / Mass);
@@ -197,17 +199,17 @@ internal sealed class Collider
         }
     }
 
-    /// <summary>Which of its materials is under a place; −1 for its own.</summary>
+    /// <summary>Returns the index of the material patch at a position; −1 for its main material.</summary>
     public int PatchAt(in Vector3d position)
     {
         int patch = _pattern is null ? -1 : _pattern.At(position.X, position.Z);
         return (uint)patch < (uint)_patches.Length ? patch : -1;
     }
 
-    /// <summary>The given materials: its own, then those of its parts. Empty for an engine's.</summary>
+    /// <summary>The given materials: the main one, then those of its patches. Empty for an engine collider.</summary>
     public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [];
 
-    /// <summary>Materials: its own, then those of its parts.</summary>
+    /// <summary>Contact materials: the main one, then those of its patches.</summary>
     public ContactMaterial[] Materials
     {
         get
@@ -219,7 +221,7 @@ internal sealed class Collider
         }
     }
 
-    /// <summary>Material under a place.</summary>
+    /// <summary>Returns the material at a position.</summary>
     public ref readonly ContactMaterial MaterialAt(in Vector3d position)
     {
         int patch = PatchAt(in position);
@@ -231,42 +233,43 @@ internal sealed class Collider
         return ref _patches[patch];
     }
 
-    /// <summary>Distance, normal and curvature, seen from a point at a time.</summary>
+    /// <summary>Returns distance, normal and curvature at a point and a time.</summary>
     public ShapePoint At(in Vector3d position, double time) => Motion.At(_shape, in position, time);
 
-    /// <summary>Nearest point of the shape to a point in the thing's own frame.</summary>
+    /// <summary>Returns distance, normal and curvature at a point in the object's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);
 
-    /// <summary>The shape and its motion, described from a time on: for many looks within a piece.</summary>
+    /// <summary>Returns the shape and its motion from a time on, for many queries within a piece.</summary>
     public MovingShape From(double time) => new(_shape, in Motion, time);
 
-    /// <summary>A path as the thing sees it in its own frame.</summary>
+    /// <summary>Transforms a path to the object's own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
-        // Into the frame that moves along, then into its axes: the thing stands still there.
+        // Transform the path to the frame of the moving shape, where the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
         return motion.IsTurned ? seen.InAxes(in motion) : seen;
     }
 
-    /// <summary>A box around it at a time.</summary>
+    /// <summary>Returns its bounding box at a time.</summary>
     public Bounds3d BoundsAt(double time) => BoundsDuring(time, 0);
 
-    /// <summary>A box that is around it at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    /// <summary>Returns a box around it, valid for a duration if the box moves at its velocity.</summary>
     public Bounds3d BoundsDuring(double time, double duration) =>
         _placement is null ? _bounds.Translated(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
 
-    /// <summary>The surface's velocity at a point of contact, V + Ω × (c − o), m/s.</summary>
+    /// <summary>Returns the surface velocity at a contact point, V + Ω × (c − o), m/s.</summary>
     public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);
 }
 
-/// <summary>The numbers of a surface, as contact needs them: the pitch's and every other thing's alike.</summary>
+/// <summary>The contact constants of a surface: the pitch or any other object.</summary>
 internal readonly struct ContactMaterial
 {
-    /// <summary>Approach speed at which the restitution of a surface is given where it falls with speed, m/s: what the rigs measure at.</summary>
+    /// <summary>Approach speed for which a speed-dependent restitution is given, m/s: that of the test rigs.</summary>
     private const double RigSpeed = 6.0;
 
-    /// <summary>C: at a speed along the surface of so many times the approach, half of the rise is there (measured on the impacts of one match: 2.5 … 3.5).</summary>
+    /// <summary>C: at this ratio of tangential to approach speed, half of the rise is reached (measured on impacts of one match: 2.5 …
+    /// 3.5).</summary>
     private const double HalfRise = 2.8;
 
     /// <summary>e₀ = e₆ √(1 + (6/V_e)²).</summary>
@@ -278,13 +281,13 @@ internal readonly struct ContactMaterial
     /// <summary>η.</summary>
     public double RestitutionRise { get; init; }
 
-    /// <summary>The most that e is at any speed: 1, or more of a bumper.</summary>
+    /// <summary>Upper bound of e at any speed: 1, or more for a bumper.</summary>
     private readonly double _most;
 
-    /// <summary>The least speed off the surface after an impact, m/s.</summary>
+    /// <summary>Minimum speed off the surface after an impact, m/s.</summary>
     public double MinimumExitSpeed { get; init; }
 
-    /// <summary>e_t along x, and along every direction but z.</summary>
+    /// <summary>e_t along x, and along every direction except z.</summary>
     public readonly double TangentialX;
 
     /// <summary>e_t along z.</summary>
@@ -334,7 +337,7 @@ internal readonly struct ContactMaterial
         DrillingLength = surface.TorsionalPatchRadius;
     }
 
-    /// <summary>A surface by the three numbers of an impact alone, the same at every speed.</summary>
+    /// <summary>Creates a surface with the three constants of an impact only, the same at every speed.</summary>
     public ContactMaterial(double restitution, double tangentialRestitution, double friction)
     {
         this = default;
@@ -346,15 +349,17 @@ internal readonly struct ContactMaterial
         ImpactFriction = friction;
     }
 
-    /// <summary>The same surface without restitution.</summary>
+    /// <summary>Returns the same surface without restitution.</summary>
     public ContactMaterial WithoutRestitution() => this with { SlowRestitution = 0, RestitutionRise = 0, MinimumExitSpeed = 0 };
 
     /// <summary>True if an impact may add energy.</summary>
     public bool IsBumper => _most > 1 || MinimumExitSpeed > 0;
 
-    /// <summary>
-    /// e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²): a ball that grazes ploughs less. At most 1, except of a bumper, whose e does not rise.
-    /// </summary>
+    /// <summary>e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²).</summary>
+    /// <remarks>
+    /// An oblique impact has a higher e.
+    /// At most 1, except for a bumper, whose e does not rise.
+    /// </remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
     public double RestitutionAt(double approach, in Vector3d along)
@@ -365,21 +370,21 @@ internal readonly struct ContactMaterial
             return e;
         }
 
-        // Of the squares' ratio, so that nothing overflows.
+        // Use the ratio of squares, so that it cannot overflow.
         double steep = HalfRise * approach;
         double square = along.LengthSquared / (steep * steep);
         double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
         return e + (RestitutionRise * Math.Max(0, 1.0 - e) * grazing);
     }
 
-    /// <summary>The most that e may be at any obliqueness.</summary>
+    /// <summary>Returns the upper bound of e at any obliqueness.</summary>
     public double LargestRestitutionAt(double approach)
     {
         double e = RestitutionHeadOn(approach);
         return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
-    /// <summary>The largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
+    /// <summary>Returns the largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
     public static double LargestOn(Ground ground, BallProperties ball)
     {
         double largest = new ContactMaterial(ground.Material, ball.Bounce).LargestRestitutionAt(0);
@@ -391,10 +396,11 @@ internal readonly struct ContactMaterial
         return largest;
     }
 
-    /// <summary>The speed off a bumper after an impact, m/s: e v_n or more. It is never faster than 1000 m/s, unless it came so fast.</summary>
+    /// <summary>Returns the speed off a bumper after an impact, m/s: e v_n or more.</summary>
+    /// <remarks>It exceeds 1000 m/s only if the approach did.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>
-    /// <param name="share">How much of it counts.</param>
+    /// <param name="share">The share of the restitution that counts.</param>
     public double Bumped(double approach, double restitution, double share) =>
         Math.Min(share * Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
 
@@ -407,7 +413,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
-        // e₀ = e₆ √(1 + (6/V_e)²)
+        // e₀ = e₆ √(1 + (6/V_e)²).
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

@@ -2,11 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The loads and friction forces of a contact set with locked modes: one linear system, with an unknown for each load and two for each contact that sticks.
-/// A contact that sticks to a sphere is eliminated in closed form: its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
-/// So one equation is left for each contact that slips, and three for each further contact that sticks.
-/// </summary>
+/// <summary>Solves the loads and friction forces of a contact set with locked modes.</summary>
+/// <remarks>
+/// It is one linear system, with one unknown per load and two per sticking contact. One sticking contact is eliminated in closed form:
+/// its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
+/// One equation remains per slipping contact, and three per further sticking contact.
+/// </remarks>
 internal static unsafe class ContactForces
 {
     /// <summary>Adds the forces of the contacts to the accelerations, and stores the load and the friction of each contact.</summary>
@@ -18,7 +19,7 @@ internal static unsafe class ContactForces
     {
         if (system.Bearer >= 0)
         {
-            // ω̇_n = −(c_ω/I) (ω − Ω)·n
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
             spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }
@@ -56,8 +57,8 @@ internal static unsafe class ContactForces
         return -1;
     }
 
-    /// <summary>Eliminates the contact that sticks, and solves for the forces of the others.</summary>
-    /// <returns>False if the solution is not unique, or more than two contacts stick: then nothing has changed.</returns>
+    /// <summary>Eliminates the sticking contact, and solves the forces of the others.</summary>
+    /// <returns>False if the solution is not unique, or if more than two contacts stick; nothing has then changed.</returns>
     [SkipLocalsInit]
     private static bool Eliminate(ref ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
     {
@@ -94,7 +95,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref w, rows, size);
         }
 
-        // The eliminated contact responds to the free motion, and to a unit of every other force.
+        // Compute the response of the eliminated contact to the free motion, and to a unit of every other force.
         ForceRow own = default;
         if (stuck >= 0)
         {
@@ -160,7 +161,7 @@ internal static unsafe class ContactForces
             return ContactRows.Eliminate(g, x, size, ContactRows.Singular * largest);
         }
 
-        // Two contacts that stick: along the line from one contact point to the other both conditions are the same.
+        // For two sticking contacts, the conditions along the line between the contact points coincide.
         for (int i = 0; i < size; i++)
         {
             z[i] = 0;
@@ -170,7 +171,8 @@ internal static unsafe class ContactForces
         return ContactRows.SolveBraced(g, x, z, size);
     }
 
-    /// <summary>Sets G, the effect of a unit of each force on each condition, and b, the rest of the conditions without these forces.</summary>
+    /// <summary>Sets G, the response of each condition to a unit of each force, and b, the rest of the conditions without these
+    /// forces.</summary>
     /// <returns>The largest entry of G, at least 1.</returns>
     private static double SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)
     {
@@ -190,7 +192,7 @@ internal static unsafe class ContactForces
         return largest;
     }
 
-    /// <summary>Takes the least forces of two contacts that stick, or those that are nearest to them and inside both friction cones.</summary>
+    /// <summary>Chooses the smallest forces of two sticking contacts, or the nearest to them inside both friction cones.</summary>
     [SkipLocalsInit]
     private static void Brace(ForceRow* rows, double* x, double* z, int size, in ForceRow own, in SetContact first, in SetContact second, int row)
     {
@@ -229,7 +231,8 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>Solves for all forces at once, without an elimination; if the solution is not unique, for the one with the least sum of squares.</summary>
+    /// <summary>Solves all forces at once, without elimination.</summary>
+    /// <remarks>If the solution is not unique, it takes the one with the least sum of squares.</remarks>
     [SkipLocalsInit]
     private static void SolveAll(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
     {
@@ -256,7 +259,8 @@ internal static unsafe class ContactForces
             size += system.Contacts[i].Bears ? SetRows(in system, i, in spin, rows + size) : 0;
         }
 
-        // The resistance that holds a standing ball, and its spin, must not count in the sum of squares of the forces. So it is eliminated first.
+        // Eliminate the resistance that holds a ball at a standstill, and its spin, first: they must not enter the sum of squares of the
+        // forces.
         Vector3d normal = system.Bearer >= 0 ? system.Contacts[system.Bearer].Normal : Vector3d.Zero;
         Vector3d turning = Vector3d.Cross(in normal, in system.Along) / system.World.Ball.Radius;
         double held = 0;
@@ -296,8 +300,8 @@ internal static unsafe class ContactForces
         Store(ref system, x, -1);
     }
 
-    /// <summary>Solves for all forces where exactly two contacts stick.</summary>
-    /// <returns>False if more is not determined than the force along the line between the contact points; then b is as it was.</returns>
+    /// <summary>Solves all forces if exactly two contacts stick.</summary>
+    /// <returns>False if more than the force along the line between the contact points is undetermined; b is then unchanged.</returns>
     [SkipLocalsInit]
     private static bool SolvePair(double* g, double* b, int size, in SetContact first, int firstRow, in SetContact second, int secondRow)
     {
@@ -329,7 +333,8 @@ internal static unsafe class ContactForces
         return true;
     }
 
-    /// <summary>Drilling friction holds the spin about the bearer's normal: d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.</summary>
+    /// <summary>Adds the condition that drilling friction holds the spin about the bearer's normal: d(ω·n)/dt = ω̇·n + ω·ṅ stays
+    /// zero.</summary>
     private static void HoldSpin(ref ContactSystem system, in Vector3d spin, ref Vector3d spinAcceleration, ForceRow* rows, int size)
     {
         ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
@@ -365,8 +370,8 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>The unknowns of a contact that bears: its load, and its friction if it sticks.</summary>
-    /// <returns>How many there are.</returns>
+    /// <summary>Sets the unknowns of an active contact: its load, and its friction if it sticks.</summary>
+    /// <returns>Their number.</returns>
     private static int SetRows(in ContactSystem system, int index, in Vector3d spin, ForceRow* rows)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
@@ -384,7 +389,7 @@ internal static unsafe class ContactForces
         return 3;
     }
 
-    /// <summary>A load: n·v̇ = −(qᵀHq − A_s·n). If the contact slips, friction pushes along with it.</summary>
+    /// <summary>Sets the row of a load: n·v̇ = −(qᵀHq − A_s·n). If the contact slips, its friction is included.</summary>
     private static void SetLoad(in ContactSystem system, int index, ref ForceRow row)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
@@ -409,7 +414,8 @@ internal static unsafe class ContactForces
         }
     }
 
-    /// <summary>Rolling resistance takes (c₀ + c₁|v|) N/m from the motion, spin and all; drilling friction takes b μ_s N/I from the spin about the normal.</summary>
+    /// <summary>Adds rolling resistance (c₀ + c₁|v|) N/m against the motion, and drilling friction b μ_s N/I against the spin about the
+    /// normal.</summary>
     private static void AddResistance(in ContactSystem system, in SetContact contact, ref ForceRow load)
     {
         load.PushW -= system.SpinSign * contact.Drilling * contact.Normal;
@@ -425,7 +431,8 @@ internal static unsafe class ContactForces
         load.PushW -= share / system.World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
     }
 
-    /// <summary>A friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω); a push t turns the ball by −n × t/(α r).</summary>
+    /// <summary>Sets the row of a friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω).</summary>
+    /// <remarks>A force t changes the spin by −n × t/(α r).</remarks>
     private static void SetStick(ref ForceRow row, in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked)
     {
         row.AlongV = along;

@@ -2,29 +2,30 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The modes of a contact set at one instant: which contacts bear a load, and which of them stick. Beginning with all of them, what would pull is let go, what
-/// would need more friction than there is slips, and what would be entered bears again, until all of Coulomb's conditions hold.
-/// </summary>
+/// <summary>Determines the modes of a contact set at one instant: which contacts have a load, and which of them stick.</summary>
+/// <remarks>
+/// It starts with all contacts active. It then opens contacts with a negative load, starts slips outside the friction cone, and closes
+/// penetrating contacts, until all of Coulomb's conditions hold.
+/// </remarks>
 internal static unsafe class ContactModes
 {
-    /// <summary>Changes of mode after which the conditions have no solution that this finds.</summary>
+    /// <summary>Maximum number of mode changes. After that the search fails.</summary>
     private const int MostChanges = 24;
 
-    /// <summary>The most rounds in which the direction of a slip that begins is found.</summary>
+    /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>
     public const int MostStarts = 12;
 
-    /// <summary>The most rounds in which the bearer is looked for.</summary>
+    /// <summary>Maximum number of iterations to find the bearer.</summary>
     private const int MostBearers = 5;
 
-    /// <summary>Finds the modes.</summary>
-    /// <param name="system">The contacts, looked at: what touches the ball without closing.</param>
-    /// <param name="time">When, s.</param>
+    /// <summary>Determines the modes.</summary>
+    /// <param name="system">The contacts, already updated, that touch the ball without closing.</param>
+    /// <param name="time">The time, s.</param>
     /// <param name="at">The ball.</param>
-    /// <param name="sticking">A slip of less than this, m/s, is none.</param>
-    /// <param name="carrier">The collider that carried the ball: most likely it still bears it most.</param>
-    /// <param name="evaluations">Counts what was evaluated.</param>
-    /// <returns>False where none were found.</returns>
+    /// <param name="sticking">A slip below this counts as zero, m/s.</param>
+    /// <param name="carrier">The carrier of the ball, which most likely still has the greatest load.</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    /// <returns>False if none were found.</returns>
     public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, int carrier, ref int evaluations)
     {
         int likely = -1;
@@ -43,7 +44,7 @@ internal static unsafe class ContactModes
         Forget(ref system);
         if (likely >= 0)
         {
-            // From a standstill the load is not known yet: then the bearer is looked for.
+            // At a standstill the load is not known yet, so search for the bearer.
             system.Bearer = likely;
             Roll(ref system, in at, default);
             system.Pinned = false;
@@ -65,10 +66,9 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>
-    /// Lets go the contacts that the push does not lead into, of three contacts that surround the ball in one plane: a ball between a player and a board on the ground. If all of them bore,
-    /// their loads would not be determined.
-    /// </summary>
+    /// <summary>Opens the contacts that the push does not lead into, if three contacts surround the ball in one plane.</summary>
+    /// <remarks>An example is a ball between a player and a board on the ground. With all three active, the loads would not be
+    /// determined.</remarks>
     [SkipLocalsInit]
     private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
@@ -93,8 +93,8 @@ internal static unsafe class ContactModes
         }
     }
 
-    /// <summary>A slip that begins goes where its own rate leads: the direction of the friction is looked for until both agree.</summary>
-    /// <returns>Whether the forces have changed so much that the modes must be looked at again.</returns>
+    /// <summary>Iterates the direction of a starting slip until friction and the rate of the slip agree.</summary>
+    /// <returns>True if the forces have changed so much that the modes must be checked again.</returns>
     private static bool Start(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
         bool changed = false;
@@ -136,10 +136,11 @@ internal static unsafe class ContactModes
         return changed;
     }
 
-    /// <summary>
-    /// Solves for the forces with the modes as they are; the bearer and the direction of the roll follow from the loads. Rolling resistance may take so much load off its
-    /// contact that another contact has the greater load, whichever of the two is the bearer. Then both count as equal, and the first one is the bearer.
-    /// </summary>
+    /// <summary>Solves the forces with the current modes; the bearer and the direction of the roll follow from the loads.</summary>
+    /// <remarks>
+    /// Rolling resistance may reduce the load of its contact so much that another contact has the greater load, whichever is the bearer.
+    /// Then both count as equal, and the first one is the bearer.
+    /// </remarks>
     private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
         int before = -1;
@@ -176,7 +177,8 @@ internal static unsafe class ContactModes
         }
     }
 
-    /// <summary>The direction of the roll: the one that the contacts leave to the velocity; from a standstill where the push leads, unless rolling resistance holds it.</summary>
+    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill that of the push.</summary>
+    /// <remarks>At a standstill, rolling resistance may hold the ball instead.</remarks>
     private static void Roll(ref ContactSystem system, in Motion at, in Vector3d free)
     {
         ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
@@ -197,13 +199,13 @@ internal static unsafe class ContactModes
             return;
         }
 
-        // From a standstill: held, or off where the push leads.
+        // At a standstill, the ball is held, or it starts to roll along the push.
         double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
         system.Along = push < 0 ? -system.Along : system.Along;
         system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
     }
 
-    /// <summary>The direction that the contacts that bear leave to the velocity: across two normals; none where a third closes that too.</summary>
+    /// <summary>Returns the direction that the active contacts leave free: across two normals; zero if a third contact blocks it.</summary>
     private static Vector3d DirectionLeft(in ContactSystem system, out bool isLine)
     {
         Vector3d first = system.Contacts[system.Bearer].Normal;
@@ -233,7 +235,7 @@ internal static unsafe class ContactModes
 
         if (!isLine)
         {
-            // One normal alone: along the velocity.
+            // A single normal: the free direction is that of the velocity.
             Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
             double speed = rolling.Length;
             return speed > 0 ? rolling / speed : Vector3d.Zero;
@@ -242,7 +244,7 @@ internal static unsafe class ContactModes
         return along;
     }
 
-    /// <summary>The sticking contact with the greatest load, or of all where none sticks.</summary>
+    /// <summary>Returns the sticking contact with the greatest load; if none sticks, the one with the greatest load.</summary>
     public static int BearerOf(in ContactSystem system)
     {
         int bearer = -1;
@@ -260,7 +262,7 @@ internal static unsafe class ContactModes
         return bearer;
     }
 
-    /// <summary>Forgets the bearer, and how it holds the ball: nothing is pinned without one.</summary>
+    /// <summary>Resets the bearer and its hold on the ball: without a bearer, the ball is not pinned.</summary>
     private static void Forget(ref ContactSystem system)
     {
         system.Bearer = -1;
@@ -269,11 +271,11 @@ internal static unsafe class ContactModes
         system.Along = default;
     }
 
-    /// <summary>Changes one mode that cannot be.</summary>
-    /// <returns>False where all can.</returns>
+    /// <summary>Changes one inconsistent mode.</summary>
+    /// <returns>False if all modes are consistent.</returns>
     private static bool Change(ref ContactSystem system, double sticking)
     {
-        // What pulls most is let go.
+        // Open the contact with the most negative load.
         int worst = -1;
         double least = SurfaceForces.Least;
         for (int i = 0; i < system.Count; i++)
@@ -293,7 +295,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // What would be entered bears.
+        // Activate the contact that would be penetrated fastest.
         least = -SurfaceForces.Least;
         for (int i = 0; i < system.Count; i++)
         {
@@ -312,7 +314,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // What needs more friction than there is slips: at zero slip against the friction that it needed.
+        // The contact that exceeds its friction cone most starts to slip: at zero slip, against the friction that it would need.
         double most = 0;
         for (int i = 0; i < system.Count; i++)
         {
@@ -326,7 +328,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Drilling friction cannot hold the spin: it begins against what held it.
+            // Drilling friction cannot hold the spin, so it starts against the holding torque.
             system.HoldsSpin = false;
             system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
             return true;
@@ -334,7 +336,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Nor can rolling resistance hold the ball: it rolls against what held it.
+            // Rolling resistance cannot hold the ball either, so it starts to roll against the holding force.
             system.Pinned = false;
             system.Along = system.Held > 0 ? -system.Along : system.Along;
             return true;
@@ -350,20 +352,20 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>
-    /// True when contacts hold a ball at rest: the part of the push that no load can take is at most (1 + α) c₀ N, with N the greatest load (several.md, Rest).
-    /// </summary>
-    /// <param name="system">The contacts, looked at.</param>
-    /// <param name="push">What acts on the ball at rest, relative to its carrier, m/s².</param>
+    /// <summary>True if contacts hold a ball at rest (several.md, Rest).</summary>
+    /// <remarks>The part of the push that no load can take must be at most (1 + α) c₀ N, with N the greatest load.</remarks>
+    /// <param name="system">The contacts, already updated.</param>
+    /// <param name="push">The acceleration of the ball at rest, relative to its carrier, m/s².</param>
     public static bool Hold(in ContactSystem system, in Vector3d push)
     {
-        // The push is projected onto what the contacts leave free: no load, one, two or three of them, which take all of it.
+        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three take all of the
+        // push.
         PushProjection free = Project(in system, in push);
         return free.TakesAll || (free.First < 0 ? push.Length <= SurfaceForces.Least
             : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
     }
 
-    /// <summary>The part of a push that the contacts leave without friction.</summary>
+    /// <summary>Returns the part of a push that frictionless contacts leave.</summary>
     private static PushProjection Project(in ContactSystem system, in Vector3d push)
     {
         Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
@@ -375,14 +377,12 @@ internal static unsafe class ContactModes
         return PushProjection.Of(normals, system.Count, in push);
     }
 
-    /// <summary>
-    /// True if friction holds a ball at rest that rolling resistance alone cannot hold: with the velocities of ball and surfaces equal, the modes at that instant leave it
-    /// there (contacts.md, Rest).
-    /// </summary>
+    /// <summary>True if friction holds a ball at rest that rolling resistance alone cannot hold (contacts.md, Rest).</summary>
+    /// <remarks>With equal velocities of ball and surfaces, the modes at that instant leave the ball at its position.</remarks>
     /// <param name="system">The contacts; their modes do not change.</param>
-    /// <param name="time">When, s.</param>
+    /// <param name="time">The time, s.</param>
     /// <param name="still">The ball at the velocity of its carrier, without spin.</param>
-    /// <param name="carrier">The collider that carries it.</param>
+    /// <param name="carrier">The carrier.</param>
     /// <param name="evaluations">Counts the evaluations.</param>
     public static bool Grip(in ContactSystem system, double time, in Motion still, int carrier, ref int evaluations)
     {
@@ -398,13 +398,14 @@ internal static unsafe class ContactModes
             && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= SurfaceForces.Least;
     }
 
-    /// <summary>True if contacts hold a ball at the velocity of its carrier, without spin; none of them may move otherwise (contacts.md, Rest).</summary>
+    /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>
+    /// <remarks>None may move relative to the carrier (contacts.md, Rest).</remarks>
     /// <param name="around">The scene.</param>
     /// <param name="set">The contacts.</param>
     /// <param name="s">The ball.</param>
     /// <param name="still">The ball at that velocity.</param>
     /// <param name="branch">The branch of the drag law there.</param>
-    /// <param name="gained">The acceleration by which the carrier's velocity has jumped, m/s².</param>
+    /// <param name="gained">The carrier's velocity jump divided by the step, m/s².</param>
     /// <param name="evaluations">Counts the evaluations.</param>
     public static bool HoldAtRest(
         Surroundings around, scoped Span<Contact> set, in BallState s, in Motion still, DragBranch branch, in Vector3d gained, ref int evaluations)

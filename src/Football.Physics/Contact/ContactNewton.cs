@@ -1,28 +1,29 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A step of the semi-smooth Newton method on the impulses of a contact set: with what bears, grips and slips taken as it is, the impulses are the solution of
-/// one linear system. Where they are not determined, as the forces of a ball that grips both sides of a gutter along the line between them, it is the change
-/// with the least squares.
-/// </summary>
+/// <summary>A semi-smooth Newton step on the impulses of a contact set.</summary>
+/// <remarks>
+/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it takes the
+/// change with
+/// the least sum of squares. An example is a ball that grips both sides of a gutter.
+/// </remarks>
 internal static class ContactNewton
 {
-    /// <summary>Added to the diagonal: what makes a system without a unique solution one with the least squares.</summary>
+    /// <summary>Regularisation of the diagonal: selects the least-squares solution if there are several.</summary>
     private const double Least = 1e-11;
 
-    /// <summary>More contacts than this that press are left to rounds of the solver: the cost of a step grows with the third power of their number.</summary>
+    /// <summary>Larger sets are left to Gauss–Seidel: the cost of a step grows with the third power of the number of contacts.</summary>
     private const int Most = 12;
 
     /// <summary>Improves impulses, velocity and spin.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="resistance">What resists the turning on one of them.</param>
+    /// <param name="resistance">Rolling and drilling resistance at one of them.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
-        // Per mass: a tangential impulse turns the ball by 1/(α r), and takes (1 + α)/α of itself from the slip.
+        // Per mass: a tangential impulse changes the spin by 1/(α r) times itself, and the slip by (1 + α)/α times itself.
         double r = ball.Radius;
         double perTurn = 1.0 / (ball.InertiaFactor * r);
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
@@ -37,7 +38,7 @@ internal static class ContactNewton
         Span<Row> rows = stackalloc Row[size];
         Span<double> system = stackalloc double[size * (size + 1)];
 
-        // What each unknown asks for at the impulses as they are: the residual, and how it depends on changes of v and ω.
+        // Set up a row per unknown: its residual, and the derivatives with respect to v and ω.
         for (int i = 0; i < contacts; i++)
         {
             ref readonly Contact contact = ref set[pressing[i]];
@@ -45,12 +46,12 @@ internal static class ContactNewton
             Vector3d t1 = Tangent(in n);
             Vector3d t2 = Vector3d.Cross(in n, in t1);
 
-            // A load that bears must end the closing; one that does not must be zero.
+            // A loaded contact must stop closing. The load of any other contact must be zero.
             double closing = ContactSolver.Closing(in contact, duration, in v);
             bool bears = contact.Load - closing > 0;
             rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
 
-            // s = u_t + r n × ω, a push F turns by −n × F/(α r).
+            // s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
             Vector3d relative = v - contact.Velocity;
             Couple(
                 rows.Slice((3 * i) + 1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
@@ -61,7 +62,7 @@ internal static class ContactNewton
 
         if (bearer >= 0)
         {
-            // r ω_t, which a push turns by itself.
+            // r ω_t, which rolling resistance changes directly.
             ref readonly Contact contact = ref set[resistance.Bearer];
             Vector3d t1 = Tangent(in contact.Normal);
             Vector3d t2 = Vector3d.Cross(in contact.Normal, in t1);
@@ -74,20 +75,20 @@ internal static class ContactNewton
             rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
-        // Residual + derivative × change = 0: one linear system for the changes of all impulses.
+        // Residual + derivative × change = 0: a linear system for the changes of all impulses.
         Fill(system, rows, size);
         if (!Eliminate(system, size))
         {
             return;
         }
 
-        // The impulses change, and with them what they do.
+        // Apply the changes of the impulses to v and ω.
         for (int i = 0; i < size; i++)
         {
             double change = system[(i * (size + 1)) + size];
             bool isLoad = i < 3 * contacts && i % 3 == 0;
 
-            // No load becomes less than none.
+            // Keep every load at zero or above.
             change = isLoad ? Math.Max(change, -set[pressing[i / 3]].Load) : change;
             v += change * rows[i].PushV;
             w += change * rows[i].PushW;
@@ -110,8 +111,8 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>The contacts that have impulses, or are about to: all others have none after the step either.</summary>
-    /// <returns>The number of these contacts; more than <see cref="Most"/> if there are too many.</returns>
+    /// <summary>Finds the contacts that have impulses or are about to get them. All others have none after the step either.</summary>
+    /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {
         int count = 0;
@@ -136,16 +137,17 @@ internal static class ContactNewton
         return count;
     }
 
-    /// <summary>Resistance to the spin about the normal: it ends it, or damps it and takes what the load allows.</summary>
+    /// <summary>Sets the row of drilling friction: it stops the spin about the normal, or damps it and removes as much as the load
+    /// allows.</summary>
     private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
     {
-        // ω_n = (ω_n − D)/(1 + k) ∓ c N
+        // ω_n = (ω_n − D)/(1 + k) ∓ c N.
         double about = Vector3d.Dot(in w, in contact.Normal);
         double damping = TurningResistance.Damping(in contact, ball, duration);
         double perLoad = TurningResistance.DrillingPerLoad(in contact, ball);
         double damped = (about - drilling) / (1.0 + damping);
 
-        // Within what the load allows the spin about the normal ends; else it is damped, and loses that.
+        // If the load allows it, drilling friction stops the spin about the normal. Otherwise the spin is damped and reduced by that limit.
         bool ends = Math.Abs(damped) <= perLoad * contact.Load;
         double resisted = damped > 0 ? perLoad : -perLoad;
         return new Row
@@ -160,12 +162,12 @@ internal static class ContactNewton
         };
     }
 
-    /// <summary>A pair of unknowns that are bounded together: they end a slip, or are at their bound μ N against it.</summary>
+    /// <summary>Sets a pair of rows with a common bound: they stop a slip, or equal μ N against it.</summary>
     private static void Couple(
         Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
         in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
     {
-        // T = F − g s: no longer than μ N, it grips and the slip must vanish; longer, F must be μ N T/|T|.
+        // T = F − g s. If |T| ≤ μ N, the contact grips and the slip must vanish; otherwise F = μ N T/|T|.
         double first = push.First - (grip * slip.First);
         double second = push.Second - (grip * slip.Second);
         double size = Math.Sqrt((first * first) + (second * second));
@@ -208,10 +210,10 @@ internal static class ContactNewton
         };
     }
 
-    /// <summary>The system: a row an unknown, how its residual depends on every unknown, and the residual itself with the other sign.</summary>
+    /// <summary>Builds the system: per unknown, the derivatives of its residual, and the negative residual.</summary>
     private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
-        // How each asks for what each of them does.
+        // Compute the response of every row to a unit of every impulse.
         Span<double> motions = stackalloc double[size * size];
         for (int i = 0; i < size; i++)
         {
@@ -223,7 +225,7 @@ internal static class ContactNewton
             }
         }
 
-        // Row by row: what the motion does, the unknown itself, the load that bounds it, the turning of its direction.
+        // Sum per row: the motion, the unknown itself, the load that bounds it, and the turn of its direction.
         for (int i = 0; i < size; i++)
         {
             ref readonly Row row = ref rows[i];
@@ -242,7 +244,7 @@ internal static class ContactNewton
 
             if (row.Turns > 0)
             {
-                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): of the change of T only what is across it counts.
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction counts.
                 int second = i + row.Other;
                 Span<double> other = motions.Slice(second * size, size);
                 double across = row.Turns * row.Across;
@@ -260,14 +262,14 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Gaussian elimination with pivots from the column; the solution replaces the right-hand side.</summary>
-    /// <returns>False where there is none.</returns>
+    /// <summary>Gaussian elimination with partial pivoting; the solution replaces the right-hand side.</summary>
+    /// <returns>False if there is no solution.</returns>
     private static bool Eliminate(Span<double> system, int size)
     {
         int width = size + 1;
         for (int column = 0; column < size; column++)
         {
-            // The largest of the column is the pivot: the smaller ones would magnify rounding.
+            // Choose the largest pivot in the column, because a small one would amplify rounding errors.
             int pivot = column;
             for (int i = column + 1; i < size; i++)
             {
@@ -289,7 +291,7 @@ internal static class ContactNewton
                 own[j] = value;
             }
 
-            // The rows below lose their part in this column.
+            // Eliminate this column from the rows below.
             Span<double> pivoted = own.Slice(column);
             for (int i = column + 1; i < size; i++)
             {
@@ -315,7 +317,7 @@ internal static class ContactNewton
         return true;
     }
 
-    /// <summary>A direction across a normal.</summary>
+    /// <summary>Returns a direction perpendicular to a normal.</summary>
     private static Vector3d Tangent(in Vector3d n)
     {
         Vector3d across = Math.Abs(n.X) < 0.6 ? new Vector3d(1, 0, 0) : Vector3d.Up;
@@ -335,10 +337,10 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>An unknown: what it does to the ball, and what its row of the system says.</summary>
+    /// <summary>An unknown: its effect on the ball, and its row of the system.</summary>
     private struct Row
     {
-        /// <summary>How what it asks for changes with v and with ω.</summary>
+        /// <summary>Derivatives of its condition with respect to v and ω.</summary>
         public Vector3d AlongV;
         public Vector3d AlongW;
 
@@ -349,16 +351,16 @@ internal static class ContactNewton
         /// <summary>Residual to be brought to zero.</summary>
         public double Residual;
 
-        /// <summary>How much of it is the motion, and how much the unknown itself.</summary>
+        /// <summary>Weights of the motion and of the unknown itself in the condition.</summary>
         public double OfMotion;
         public double OfItself;
 
-        /// <summary>The load that bounds it, by how much, and the row of the other of its pair.</summary>
+        /// <summary>The row of the load that bounds it, the bound per load, and the row of the other component.</summary>
         public int LoadRow;
         public double PerLoad;
         public int Other;
 
-        /// <summary>μ N/|T|, the component across T, and what T takes of the slip.</summary>
+        /// <summary>μ N/|T|, the component across T, and the weight of the slip in T.</summary>
         public double Turns;
         public double Across;
         public double Grip;

@@ -2,19 +2,19 @@ using System.Collections.Concurrent;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Memory for contact sets of more contacts than a caller has room for on its stack. Stationary surfaces are never left out of a set, however many a ball touches. The
-/// memory is kept, so that a step with as many contacts as one before it allocates nothing. Each set that is in use at the same time requires its own. Threads that
-/// share a simulator have a memory each.
-/// </summary>
+/// <summary>Memory for contact sets that exceed the caller's stack memory.</summary>
+/// <remarks>
+/// Stationary surfaces are never dropped from a set, however many a ball touches. The memory is kept, so a later step with as many contacts
+/// allocates nothing. Each set in use at the same time needs its own. Threads that share a simulator each have their own.
+/// </remarks>
 internal sealed class ContactRoom
 {
     private readonly ConcurrentDictionary<int, Contact[]> _contacts = new();
 
-    /// <summary>Room for a number of contacts.</summary>
+    /// <summary>Returns memory for a number of contacts.</summary>
     /// <param name="count">The number of contacts.</param>
-    /// <param name="room">The room that the caller has.</param>
-    /// <returns>The caller's room if it is large enough, or this memory.</returns>
+    /// <param name="room">The caller's memory.</param>
+    /// <returns>The caller's memory if it is large enough; otherwise this memory.</returns>
     public Span<Contact> Of(int count, Span<Contact> room)
     {
         if (count <= room.Length)
@@ -32,7 +32,7 @@ internal sealed class ContactRoom
         return contacts;
     }
 
-    /// <summary>Twice the room of a set that is full, with the same contacts.</summary>
+    /// <summary>Doubles the memory of a full set, and copies its contacts.</summary>
     public Span<Contact> Grown(Span<Contact> full)
     {
         Span<Contact> grown = Of(2 * full.Length, default);

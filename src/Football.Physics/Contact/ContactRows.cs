@@ -2,28 +2,29 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The linear system of the forces of a contact set: G x = b, at most a few unknowns. Where it has no unique solution, as for a ball that sticks to both sides of
-/// a gutter, the one with the least sum of squares (several.md, 2).
-/// </summary>
+/// <summary>The linear system of the forces of a contact set: G x = b, with a few unknowns.</summary>
+/// <remarks>
+/// If the solution is not unique, as for a ball that sticks to both sides of a gutter, it takes the one with the least sum of squares
+/// (several.md, 2).
+/// </remarks>
 internal static unsafe class ContactRows
 {
-    /// <summary>Unknowns of one ball at most: loads, and two friction components for each contact that sticks.</summary>
+    /// <summary>Maximum number of unknowns of one ball: loads, and two friction components per sticking contact.</summary>
     public const int Most = 3 * ContactSystem.Most;
 
-    /// <summary>A pivot of less than this share of the largest entry makes the solution not unique.</summary>
+    /// <summary>If a pivot is below this share of the largest entry, the solution is not unique.</summary>
     public const double Singular = 1e-9;
 
-    /// <summary>Added to the diagonal of G Gᵀ, as a share of it, and taken away again by refinement.</summary>
+    /// <summary>Regularisation of G Gᵀ, as a share of its diagonal; iterative refinement removes its effect.</summary>
     private const double Ridge = 1e-6;
 
     private const int Refinements = 3;
 
-    /// <summary>Solves G x = b. G is kept.</summary>
+    /// <summary>Solves G x = b. G is unchanged.</summary>
     /// <param name="g">G, row by row.</param>
     /// <param name="b">b; replaced by x.</param>
     /// <param name="size">Number of unknowns.</param>
-    /// <returns>Whether the solution is the only one.</returns>
+    /// <returns>True if the solution is unique.</returns>
     [SkipLocalsInit]
     public static bool Solve(double* g, double* b, int size)
     {
@@ -55,15 +56,16 @@ internal static unsafe class ContactRows
         return isUnique;
     }
 
-    /// <summary>
-    /// Solves G x = b where the conditions of two sticking contacts depend on each other by a known vector y, yᵀ G = 0 and yᵀ b = 0: (G + y yᵀ) has an inverse, which also
-    /// maps y onto the vector z of the forces that move nothing, G z = 0. The least x has no part along z.
-    /// </summary>
+    /// <summary>Solves G x = b if the conditions of two sticking contacts are dependent: yᵀ G = 0 and yᵀ b = 0 for a known vector
+    /// y.</summary>
+    /// <remarks>
+    /// G + y yᵀ is invertible. Its inverse also maps y to z, the forces without effect (G z = 0). The least x has no component along z.
+    /// </remarks>
     /// <param name="g">G, row by row; overwritten.</param>
     /// <param name="b">b; replaced by x.</param>
     /// <param name="y">y; replaced by z.</param>
     /// <param name="size">Number of unknowns.</param>
-    /// <returns>False where more than this is not determined: then b and y are as they were, and G is lost.</returns>
+    /// <returns>False if more than this is undetermined: b and y are then unchanged, and G is overwritten.</returns>
     [SkipLocalsInit]
     public static bool SolveBraced(double* g, double* b, double* y, int size)
     {
@@ -102,13 +104,13 @@ internal static unsafe class ContactRows
         return true;
     }
 
-    /// <summary>Gaussian elimination with pivots from the column.</summary>
+    /// <summary>Gaussian elimination with partial pivoting.</summary>
     /// <param name="a">The matrix; overwritten.</param>
     /// <param name="x">The right-hand sides, one after the other; replaced by the solutions.</param>
     /// <param name="size">Number of unknowns.</param>
-    /// <param name="least">A smaller pivot is none.</param>
+    /// <param name="least">Minimum pivot.</param>
     /// <param name="sides">Number of right-hand sides.</param>
-    /// <returns>False where a pivot is too small.</returns>
+    /// <returns>False if a pivot is too small.</returns>
     public static bool Eliminate(double* a, double* x, int size, double least, int sides = 1)
     {
         for (int column = 0; column < size; column++)
@@ -176,7 +178,7 @@ internal static unsafe class ContactRows
         return true;
     }
 
-    /// <summary>x = Gᵀ (G Gᵀ + ε)⁻¹ b, and again for what that leaves of b: the null space of G stays untouched.</summary>
+    /// <summary>Computes x = Gᵀ (G Gᵀ + ε)⁻¹ b with one refinement. The null space of G is unaffected.</summary>
     [SkipLocalsInit]
     private static void LeastSquares(double* g, double* b, double* x, int size)
     {

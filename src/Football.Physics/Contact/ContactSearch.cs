@@ -1,30 +1,31 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Looks along a path for the first thing that it meets. Every gap is walked by conservative advancement: from a gap f that changes at the rate f'
-/// and bends by M at most, nothing can happen before f + f' s − ½ M s² is zero. Near a contact that is Newton's method, from the safe side.
-/// </summary>
+/// <summary>Finds the first contact along a path.</summary>
+/// <remarks>
+/// It follows every gap by conservative advancement: a gap f with the rate f' and a bend of at most M stays open until
+/// f + f' s − ½ M s² is zero. Near a contact this is Newton's method, which never oversteps the contact.
+/// </remarks>
 internal readonly struct ContactSearch
 {
-    /// <summary>Below this gap, m, the ball touches.</summary>
+    /// <summary>The ball touches a surface if the gap is below this, m.</summary>
     public const double Touching = 1e-10;
 
-    /// <summary>Slower than this, m/s, nothing comes closer.</summary>
+    /// <summary>A closing speed below this counts as zero, m/s.</summary>
     public const double Approaching = 1e-9;
 
-    /// <summary>Slower than this, m/s, nothing goes away: in a microsecond that is 5e-12 m.</summary>
+    /// <summary>A separating speed below this counts as zero, m/s: 5e-12 m in a microsecond.</summary>
     public const double Leaving = 5e-6;
 
-    /// <summary>Up to this share of the radius from a hollow, the bend of the gap is known.</summary>
+    /// <summary>The bend of the gap to a concave surface is bounded up to this gap, as a share of the radius.</summary>
     internal const double NearHollow = 0.1;
 
-    /// <summary>Putting a ball back onto what carries it after a piece moves it by less than this, m.</summary>
+    /// <summary>Upper bound of the projection onto the carrier after a piece, m.</summary>
     private const double Corrected = 1e-6;
 
-    /// <summary>No walk takes steps shorter than this share of the path.</summary>
+    /// <summary>Minimum step of a search, as a share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
-    /// <summary>Shortest piece, s: in a shorter one nothing is met but at its start.</summary>
+    /// <summary>Minimum duration of a piece, s. A shorter one has contacts only at its start.</summary>
     private const double ShortestStep = 1e-300;
 
     private readonly World _world;
@@ -33,10 +34,10 @@ internal readonly struct ContactSearch
     private readonly double _time;
     private readonly double _bend;
 
-    /// <summary>A search along a path.</summary>
+    /// <summary>Prepares a search along a path.</summary>
     /// <param name="world">The world.</param>
     /// <param name="path">The path.</param>
-    /// <param name="time">Time at its start, s.</param>
+    /// <param name="time">Start time, s.</param>
     public ContactSearch(World world, in PathCubic path, double time)
     {
         _world = world;
@@ -46,31 +47,31 @@ internal readonly struct ContactSearch
         _bend = path.GreatestAcceleration;
     }
 
-    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="first">The contact or passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double First(in BallState s, int carrier, out Separation first) => First(in s, carrier, default, out first);
 
-    /// <summary>The first thing that the ball meets on the path.</summary>
+    /// <summary>Finds the first contact or passage on the path.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="held">Contacts that it keeps, which are not met.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
+    /// <param name="first">The contact or passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double First(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
         double at = FirstContact(in s, carrier, held, out first);
         return carrier >= 0 && _world.IsPlaneAlone ? at : FirstPassage(in s, at, ref first);
     }
 
-    /// <summary>The first thing that the ball touches on the path; nets and goals are not asked for.</summary>
+    /// <summary>Finds the first contact on the path, without nets and goals.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The collider that carries it; −1 where none does.</param>
-    /// <param name="held">Contacts that it keeps, which are not met.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
+    /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
+    /// <param name="first">The contact.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double FirstContact(in BallState s, int carrier, Span<Contact> held, out Separation first)
     {
         first = default;
@@ -80,7 +81,8 @@ internal readonly struct ContactSearch
             return best;
         }
 
-        // Broad phase: an engine's cast, and what the box of the path touches. Narrow phase: a walk along the gap of each.
+        // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along the gap of each
+        // collider.
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
@@ -88,7 +90,7 @@ internal readonly struct ContactSearch
             bool seam = false;
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
-            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            // For simultaneous contacts, take the first collider of the scene, whatever the order of the walk.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
@@ -99,7 +101,7 @@ internal readonly struct ContactSearch
         return best;
     }
 
-    /// <summary>True if the first of two colliders that are met at one instant comes before the second.</summary>
+    /// <summary>True if the first of two simultaneous contacts has priority.</summary>
     private bool ComesFirst(int first, int second, double at)
     {
         if (!_world.IsByside(first, second))
@@ -111,10 +113,10 @@ internal readonly struct ContactSearch
         return _world.ComesFirst(first, _world.Colliders[first].At(in position, _time + at).Normal, second, _world.Colliders[second].At(in position, _time + at).Normal);
     }
 
-    /// <summary>The first net or goal that the ball meets, comes through or leaves on the path; what it touches is not asked for.</summary>
+    /// <summary>Finds the first net or goal that the ball enters or leaves on the path, without contacts.</summary>
     /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="first">What it meets.</param>
-    /// <returns>When, s from the start of the path; infinite where it meets nothing.</returns>
+    /// <param name="first">The passage.</param>
+    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
     public double FirstPassage(in BallState s, out Separation first)
     {
         first = default;
@@ -132,7 +134,7 @@ internal readonly struct ContactSearch
         int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
 
-        // Nets reach beyond their edges as far as the ball is deep in one of them.
+        // A net extends beyond its edges by the depth of the ball in another net, so expand the search by it.
         int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
         double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
@@ -143,7 +145,7 @@ internal readonly struct ContactSearch
             double at = double.PositiveInfinity;
             Separation gap = default;
 
-            // Nets that it is not in may be met; mouths that it has not come through may be entered, until the line was passed.
+            // Consider nets that the ball is not in, and mouths that it has not entered and whose line it has not passed.
             if (thing < goals)
             {
                 int net = thing - nets;
@@ -156,7 +158,7 @@ internal readonly struct ContactSearch
                 at = EntersMouth(in gap, until);
             }
 
-            // Of what is met at one instant the first of the scene comes first, however the walk goes.
+            // For simultaneous passages, take the first net or goal of the scene, whatever the order of the walk.
             if (at < best || (at == best && thing < bestThing))
             {
                 best = at;
@@ -165,7 +167,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // A net that the ball is in has grown with it, and is left wherever the ball is.
+        // A net stretches with the ball in it, so check for leaving it at any position.
         for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
@@ -177,7 +179,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // In the mouth of a goal it passes the line, or leaves, wherever it is.
+        // In the mouth of a goal, check for passing the line and for leaving, at any position.
         for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
@@ -190,7 +192,7 @@ internal readonly struct ContactSearch
         return best;
     }
 
-    /// <summary>Takes the leaving of a net, where it comes before all else.</summary>
+    /// <summary>Keeps the exit from a net if it is the earliest event so far.</summary>
     private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
     {
         int thing = _world.FirstPassage + net.Index;
@@ -203,7 +205,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>Takes what happens at a plane of a goal, where it comes before all else.</summary>
+    /// <summary>Keeps an event at a plane of a goal if it is the earliest so far.</summary>
     private void Take(in Separation plane, ref double best, ref Separation first)
     {
         double at = PassesPlane(in plane, Math.Min(best, _path.Length));
@@ -214,13 +216,13 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball comes through the opening of a mouth; infinite where it does not.</summary>
+    /// <summary>Returns the time at which the ball enters the mouth of a goal; infinite if it does not.</summary>
     private double EntersMouth(in Separation mouth, double until)
     {
         double shortest = ShortestOf(in _path);
         double t = 0;
 
-        // At the start of a piece it may be behind the mouth by what the last one was corrected by, when it was put back onto what carries it.
+        // At its start the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
         bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
         while (t <= until)
         {
@@ -231,7 +233,7 @@ internal readonly struct ContactSearch
                 return t;
             }
 
-            // The plane is next reached from whichever side the ball is on.
+            // The ball may reach the plane next from either side.
             isBefore = gap > Touching || (isBefore && rate >= -Approaching);
             double step = gap > Touching ? Safe(gap, rate, _bend) : gap < -Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
             t += Math.Max(step, shortest);
@@ -240,7 +242,8 @@ internal readonly struct ContactSearch
         return double.PositiveInfinity;
     }
 
-    /// <summary>When a ball in the mouth of a goal passes one of its planes, or is found to have done so; infinite where it does not.</summary>
+    /// <summary>Returns the time at which a ball in the mouth of a goal passes one of its planes; infinite if it does not.</summary>
+    /// <remarks>A plane that the ball has already passed counts at once.</remarks>
     private double PassesPlane(in Separation plane, double until)
     {
         double shortest = ShortestOf(in _path);
@@ -249,7 +252,7 @@ internal readonly struct ContactSearch
         {
             plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-            // Beyond the plane, or on it and going on.
+            // Beyond the plane, or on it and moving on.
             if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
             {
                 return t;
@@ -261,7 +264,8 @@ internal readonly struct ContactSearch
         return double.PositiveInfinity;
     }
 
-    /// <summary>When the ball touches a collider first, coming closer, or when that begins to carry it at a seam; infinite where neither happens.</summary>
+    /// <summary>Returns the time of the first closing contact with a collider, or of a seam at which it becomes the carrier; infinite if
+    /// there is none.</summary>
     private double FirstContact(int thing, int carrier, Span<Contact> held, double until, out bool seam)
     {
         seam = false;
@@ -277,7 +281,7 @@ internal readonly struct ContactSearch
             return RotatingSearch.FirstContact(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, until);
         }
 
-        // What moves sees the path in its own frame, where it stands still itself.
+        // Transform the path to the frame of a moving collider, where the collider is stationary.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
         if (collider.Moves)
@@ -291,7 +295,7 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
-        // M: the path bends by its own acceleration, and the wall of a hollow towards it by |v|² κ/(1 − κ d); a convex one bends away.
+        // M bounds the bend: the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
@@ -305,7 +309,7 @@ internal readonly struct ContactSearch
             double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
             if (gap <= Touching && rate < -Approaching)
             {
-                // At a flush seam nothing happens: on, until the ball is over the face and the normals are one.
+                // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
                 double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
                 if (!(passage > 0))
                 {
@@ -330,19 +334,21 @@ internal readonly struct ContactSearch
 
             if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
             {
-                // Along a straight path it says nothing that the ball, which is not pressed there, comes closer: if it is in it at the end, it is put out of it.
+                // On a straight path, ignore a closing contact without load. If the ball ends up inside the surface, it is pushed out.
                 return double.PositiveInfinity;
             }
 
             if ((t == 0 || crosses) && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap - path.ClimbAlong(at.Normal, t)), until, t) <= until))
             {
-                // What is convex lies behind the plane of its nearest point, and the path does not come to that: so it is along a wall, however the path bends.
+                // A convex shape lies behind the tangent plane at its nearest point. If the path never reaches the plane, there is no
+                // contact.
                 return double.PositiveInfinity;
             }
 
             double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
 
-            // Far from a hollow M does not hold, but the gap closes no faster than at full speed; near it, only until it may be far again.
+            // Far from a concave surface M is not valid, so bound the closing by the speed. Near it, use M only until the ball may be far
+            // again.
             if (hollow > 0)
             {
                 double bySpeed = Math.Max(gap, 0) / speed;
@@ -356,7 +362,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball touches a plane first, coming closer; infinite where it does not.</summary>
+    /// <summary>Returns the time of the first closing contact with a plane; infinite if there is none.</summary>
     private double FirstContact(in PathDistance distance, double until, double from = 0)
     {
         double bend = distance.GreatestFall;
@@ -379,19 +385,20 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>Goes on along the path; a step that had to be made longer ends at its end.</summary>
+    /// <summary>Advances along the path. A step that was lengthened to the minimum stops at the end of the path.</summary>
     /// <returns>False beyond the end.</returns>
     internal static bool Advance(ref double t, double step, double shortest, double until)
     {
         double next = t + Math.Max(step, shortest);
 
-        // A step that was stretched must not leap over the end of the path, where the gap may have closed.
+        // A lengthened step must not skip the end of the path, where the gap may have closed.
         next = next > until && t + step <= until && t < until ? until : next;
         t = next;
         return next <= until;
     }
 
-    /// <summary>When a gap that is linear in the place falls to zero; infinite where it does not, or has already.</summary>
+    /// <summary>Returns the time at which a gap that is linear in the position falls to zero; infinite if it does not, or already
+    /// has.</summary>
     private double Fall(in Separation sought, double until)
     {
         double shortest = ShortestOf(in _path);
@@ -400,7 +407,7 @@ internal readonly struct ContactSearch
         {
             sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-            // Closed and falling is what is sought; closed and at rest falls nowhere.
+            // A closed gap that still falls is the event. A closed gap at rest does not fall.
             if (gap <= Touching)
             {
                 if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
@@ -423,7 +430,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>When the ball meets a net: it is in the slab of its radius about the sheet, and inside the rectangle.</summary>
+    /// <summary>Returns the time at which the ball reaches a net: within its radius of the sheet, and inside the rectangle.</summary>
     private double MeetsNet(int index, int deepest, double deepestSide, double until, out Separation gap)
     {
         NetSheet net = _world.Nets[index];
@@ -438,7 +445,7 @@ internal readonly struct ContactSearch
             Vector3d velocity = _path.VelocityAt(t);
             Vector3d place = net.PlaceInFrame(in at);
 
-            // The side from which it comes is the one on which it is when the slab is met.
+            // The ball comes from the side on which it is when it reaches the slab.
             side = place.Z < 0 ? -1.0 : 1.0;
             double step = 0;
             Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
@@ -456,13 +463,13 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>How long one condition of a net cannot hold yet: the longest such time is safe for all.</summary>
+    /// <summary>Computes how long one condition of a net stays unmet. The longest such time is safe for all conditions.</summary>
     private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step, ref Separation gap)
     {
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
         double bend = condition.Bends * _bend;
 
-        // Until it may close; just closed and not falling, until it may go on; closed, no time.
+        // Advance while the gap stays open, or, if it just closed without falling, until it may fall. Otherwise the step is zero.
         double safe = value > Touching ? Safe(value, rate, bend)
             : value > -Touching && rate >= 0 ? Along(rate, bend)
             : 0;
@@ -478,17 +485,18 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>The shortest step of a walk along a path, s: so that every walk ends.</summary>
+    /// <summary>Returns the minimum step of a search along a path, s, so that every search ends.</summary>
     internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
 
-    /// <summary>From a gap that is closed and does not get smaller: until it may, or until it may be smaller by as much again as counts as closed, ½ M s².</summary>
+    /// <summary>Returns a safe step for a closed gap that does not shrink: until it may shrink, or by the contact tolerance, ½ M
+    /// s².</summary>
     private static double Along(double rate, double bend) =>
         bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
 
-    /// <summary>The positive root of f + f' s − ½ M s², without cancellation.</summary>
+    /// <summary>Returns the positive root of f + f' s − ½ M s², without cancellation.</summary>
     internal static double Safe(double gap, double rate, double bend)
     {
-        // s = (f' + √(f'² + 2 M f))/M, which for f' < 0 is 2 f/(√(…) − f').
+        // s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').
         double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
         return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
     }

@@ -2,43 +2,44 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// All contacts of a ball at one instant: the ground and a board, two boards, a player and a post. The order in which the ball came to them decides nothing;
-/// of flat ones side by side, as boards are, one stands for all.
-/// </summary>
+/// <summary>All contacts of a ball at one instant: the ground and a board, two boards, a player and a post.</summary>
+/// <remarks>
+/// The order in which the contacts arose has no effect. Flat surfaces with the same normal, such as adjacent boards, are merged into one
+/// contact.
+/// </remarks>
 internal static class ContactSet
 {
-    /// <summary>Contacts that a caller has room for on its stack. A set with more is in a <see cref="ContactRoom"/>.</summary>
+    /// <summary>Number of contacts that callers reserve on the stack. Larger sets use a <see cref="ContactRoom"/>.</summary>
     public const int Room = 8;
 
-    /// <summary>Contacts that a set is solved with again and again. If more remain, moving ones without a load are left out; stationary ones never are.</summary>
+    /// <summary>Maximum size of a set that is solved iteratively.</summary>
+    /// <remarks>If a set is larger, moving contacts without load are dropped; stationary ones never are.</remarks>
     public const int Most = 16;
 
-    /// <summary>Onto what it touches a ball is put so often at most.</summary>
+    /// <summary>Maximum number of iterations that project a ball onto its contacts.</summary>
     private const int MostRounds = 64;
 
-    /// <summary>Steps of Newton's method onto two contacts.</summary>
+    /// <summary>Maximum number of Newton iterations onto two contacts.</summary>
     private const int MostNewton = 4;
 
-    /// <summary>Reach, m, within which things are looked for that a ball may be pushed into when it is put out of another.</summary>
+    /// <summary>Search radius for objects that a ball may be pushed into when it is pushed out of another, m.</summary>
     private const double Beside = 0.01;
 
-    /// <summary>A contact that bears this share of the greatest load bears about as much.</summary>
+    /// <summary>A contact with this share of the greatest load bears about as much.</summary>
     public const double AboutAsMuch = 0.5;
 
-    /// <summary>Below this, m, there is no gap.</summary>
+    /// <summary>A gap below this counts as closed, m.</summary>
     private const double Closed = 1e-12;
 
-    /// <summary>Separation, m, up to which a moving thing that has touched the ball lately is a contact: it will touch again, so gently that no impact need be told.</summary>
+    /// <summary>Maximum gap to a mover that touched the ball recently and still counts as a contact, m.</summary>
+    /// <remarks>It will touch the ball again, too gently for an impact event.</remarks>
     private const double Lingering = 2e-4;
 
-    /// <summary>
-    /// The contacts that a ball touches without coming closer or leaving; and what moves and has touched it lately, is next to it, and slower than what bounces.
-    /// </summary>
+    /// <summary>Finds the contacts that neither close nor separate, and slow movers nearby that touched the ball recently.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
-    /// <param name="room">Room for contacts.</param>
-    /// <param name="more">Memory for more.</param>
+    /// <param name="room">Stack memory for contacts.</param>
+    /// <param name="more">Further memory.</param>
     /// <returns>The contacts.</returns>
     public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more)
     {
@@ -47,7 +48,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // (v − V)·n: neither closing nor leaving; or a mover beside the ball that is slower than what bounces. What stands still now does not come back.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is stationary now does not come back.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
@@ -59,19 +60,19 @@ internal static class ContactSet
         return set.Slice(0, kept);
     }
 
-    /// <summary>The contacts that a ball may come to: every surface that is closer than a distance, or overlaps the ball.</summary>
+    /// <summary>Finds all surfaces that overlap the ball or are within a distance.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
     /// <param name="reach">The distance, m.</param>
-    /// <param name="room">Room for contacts.</param>
-    /// <param name="more">Memory for more.</param>
+    /// <param name="room">Stack memory for contacts.</param>
+    /// <param name="more">Further memory.</param>
     /// <returns>The contacts.</returns>
     public static Span<Contact> Near(World world, scoped in BallState s, double reach, Span<Contact> room, ContactRoom more)
     {
         int count = 0;
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - world.FirstCollider;
 
-        // Broad phase by boxes, then the distance itself.
+        // Broad phase by bounding boxes, then the exact distance.
         var near = NearThings.Within(world, s.Position, s.Time, reach);
         while (near.NextCollider(out int i))
         {
@@ -85,7 +86,7 @@ internal static class ContactSet
 
             var contact = new Contact(i, collider, in at, gap, world.Ball.Radius, in s);
 
-            // Of surfaces with one normal, one stands for all.
+            // Merge surfaces with the same normal into one contact.
             int place = PlaceOf(in contact, room.Slice(0, count), world, carrier);
             if (place >= 0)
             {
@@ -100,7 +101,7 @@ internal static class ContactSet
         return set;
     }
 
-    /// <summary>Leaves moving contacts without a load out of a set that has too many contacts and is solved: the farthest first.</summary>
+    /// <summary>Drops moving contacts without load from a solved set that is too large, the farthest first.</summary>
     /// <param name="set">The contacts, with their loads.</param>
     /// <returns>The contacts that remain.</returns>
     public static Span<Contact> LeaveOut(Span<Contact> set)
@@ -126,7 +127,7 @@ internal static class ContactSet
         return set;
     }
 
-    /// <summary>True when something that moves is among them.</summary>
+    /// <summary>True if the set contains a moving object.</summary>
     public static bool HasMover(Span<Contact> set)
     {
         foreach (ref readonly Contact contact in set)
@@ -140,7 +141,7 @@ internal static class ContactSet
         return false;
     }
 
-    /// <summary>True when a ball touches anything, but for what carries it, without coming closer or leaving.</summary>
+    /// <summary>True if a ball touches an object other than its carrier, without closing or separating.</summary>
     [SkipLocalsInit]
     public static bool TouchesMore(World world, in BallState s, int carrier)
     {
@@ -149,7 +150,7 @@ internal static class ContactSet
         return set.Length > 1 || (set.Length == 1 && set[0].Collider != carrier);
     }
 
-    /// <summary>Hands the impulses of one part of a step on to the next, in which they are about the same.</summary>
+    /// <summary>Copies the impulses of the previous part of a step as a warm start.</summary>
     public static void Continue(Span<Contact> set, Span<Contact> last)
     {
         foreach (ref Contact contact in set)
@@ -165,7 +166,7 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>True when a collider is among them.</summary>
+    /// <summary>True if the set contains a collider.</summary>
     public static bool Has(Span<Contact> set, int collider)
     {
         foreach (ref readonly Contact contact in set)
@@ -179,7 +180,7 @@ internal static class ContactSet
         return false;
     }
 
-    /// <summary>Takes the impulses back.</summary>
+    /// <summary>Resets the impulses.</summary>
     public static void Forget(Span<Contact> set)
     {
         foreach (ref Contact contact in set)
@@ -189,23 +190,25 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>Which of the contacts bears most; −1 where none bears anything.</summary>
+    /// <summary>Returns the index of the contact with the greatest load; −1 if none has a load.</summary>
     public static int Heaviest(Span<Contact> set)
     {
         int heaviest = -1;
         for (int i = 0; i < set.Length; i++)
         {
-            // Of two that bear the same, to rounding, it is the first.
+            // If two loads are equal to within rounding, the first contact counts.
             heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + SetContact.SameLoad)) ? i : heaviest;
         }
 
         return heaviest;
     }
 
-    /// <summary>The contact that names the carrier: the one that bears most, or the carrier so far as long as it bears at least half as much. So two equal contacts do not alternate.</summary>
+    /// <summary>Returns the contact that becomes the carrier: the one with the greatest load, or the old carrier.</summary>
+    /// <remarks>The old carrier stays while it has at least half of the greatest load, so that two equal contacts do not
+    /// alternate.</remarks>
     /// <param name="set">The contacts, with their loads.</param>
-    /// <param name="carrier">The collider that carries the ball so far.</param>
-    /// <returns>The index of the contact; −1 if no contact bears anything.</returns>
+    /// <param name="carrier">The old carrier.</param>
+    /// <returns>The index of the contact; −1 if no contact has a load.</returns>
     public static int Named(Span<Contact> set, int carrier)
     {
         int named = Heaviest(set);
@@ -218,15 +221,14 @@ internal static class ContactSet
         return named;
     }
 
-    /// <summary>
-    /// Puts a ball onto the contacts that bear it, and out of all others: first what moves, then what stands still, into which it never is put.
-    /// </summary>
+    /// <summary>Projects a ball onto its loaded contacts and out of all others: moving ones first, then stationary ones, which it never
+    /// enters.</summary>
     public static void Hold(World world, ref BallState s, Span<Contact> set)
     {
         PutOntoTwo(world, ref s, set);
         bool moved = true;
 
-        // Projections in turn until none moves the ball; what stands still comes last in a round, so that it is never entered.
+        // Repeat projections until the ball no longer moves. Project stationary surfaces last, so that the ball does not enter them.
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
@@ -243,7 +245,8 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>Newton's method on the gaps of the two contacts that bear most: where those meet at a small angle, or are curved, projections in turn would take long.</summary>
+    /// <summary>Newton's method on the gaps of the two contacts with the greatest loads.</summary>
+    /// <remarks>At a small angle, or on curved surfaces, alternating projections would converge slowly.</remarks>
     private static void PutOntoTwo(World world, ref BallState s, Span<Contact> set)
     {
         int first = Heaviest(set);
@@ -266,18 +269,18 @@ internal static class ContactSet
                 return;
             }
 
-            // The shortest way that closes both: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
+            // The shortest displacement that closes both gaps: δ = λ₁ n₁ + λ₂ n₂ with δ·nᵢ = −gapᵢ.
             s.Position += (((cosine * other) - gap) / square * one.Normal) + (((cosine * gap) - other) / square * two.Normal);
         }
     }
 
-    /// <summary>Puts a ball out of all that it overlaps, and takes what goes into that from its velocity.</summary>
+    /// <summary>Pushes a ball out of all objects that it overlaps, and removes its velocity into them.</summary>
     [SkipLocalsInit]
     public static void Separate(World world, ref BallState s)
     {
         Span<Contact> room = stackalloc Contact[Room];
 
-        // With what lies beside it: out of one thing the ball must not be put into another.
+        // Include nearby surfaces: pushed out of one object, the ball must not enter another.
         Span<Contact> set = Near(world, in s, Beside, room, world.Room);
         foreach (ref readonly Contact contact in set)
         {
@@ -289,8 +292,8 @@ internal static class ContactSet
         }
     }
 
-    /// <summary>Puts a ball out of what stands still alone.</summary>
-    /// <returns>Whether there is such a place near.</returns>
+    /// <summary>Pushes a ball out of stationary objects only.</summary>
+    /// <returns>True if a free position was found.</returns>
     public static bool KeepOut(World world, ref BallState s, Span<Contact> set)
     {
         bool inside = true;
@@ -313,7 +316,7 @@ internal static class ContactSet
         return !inside;
     }
 
-    /// <summary>Heights of a ball on level ground are exact.</summary>
+    /// <summary>Sets the exact height of a ball on level ground.</summary>
     private static void KeepLevel(World world, ref BallState s, Collider collider, bool bears)
     {
         if (world.IsLevel && collider == world.Ground)
@@ -328,7 +331,7 @@ internal static class ContactSet
         ShapePoint at = collider.At(s.Position, s.Time);
         if (contact.IsFlat && collider.HasFaces && !at.IsFlat)
         {
-            // Just beyond the edge of a flat face the ball is still on its plane.
+            // Just beyond the edge of a flat face, the ball is still on the plane of the face.
             return false;
         }
 
@@ -336,7 +339,8 @@ internal static class ContactSet
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
-        // What bears keeps the ball on itself, with no speed off it; all else only keeps it out. A gap that is left of a contact closes, unless that leads into another one.
+        // A loaded contact holds the ball on its surface with zero normal speed; the others only keep it out. Close remaining gaps if
+        // possible.
         s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;
@@ -344,7 +348,7 @@ internal static class ContactSet
         return Math.Abs(gap) > Closed;
     }
 
-    /// <summary>Where a contact goes: beside the others, in the place of one that it stands for, or nowhere (−1).</summary>
+    /// <summary>Returns the index for a contact in the set: a new one, that of a contact it replaces, or −1 to drop it.</summary>
     private static int PlaceOf(in Contact contact, Span<Contact> set, World world, int carrier)
     {
         for (int i = 0; i < set.Length; i++)
@@ -359,7 +363,8 @@ internal static class ContactSet
         return set.Length;
     }
 
-    /// <summary>Sorts contacts in the order of the scene, and bodies by the side on which they are: the order in which they were added or found means nothing.</summary>
+    /// <summary>Sorts contacts in scene order, and bodies by their normals, because the order in which they were added or found must not
+    /// count.</summary>
     private static void Sort(World world, Span<Contact> set)
     {
         for (int i = 1; i < set.Length; i++)
@@ -376,19 +381,19 @@ internal static class ContactSet
     }
 }
 
-/// <summary>One of several contacts of a ball: where it is, what it is made of, and what it gave the ball in the last step.</summary>
+/// <summary>One of several contacts of a ball: its geometry, its material, and its impulse in the last step.</summary>
 internal struct Contact
 {
-    /// <summary>A slip of less than this, m/s, is what impulses leave that are known well enough.</summary>
+    /// <summary>A slip below this is the solver's error, m/s.</summary>
     private const double RollingSlip = 1e-6;
 
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>True when the collider moves: then the ball may overlap it where it cannot get out of its way.</summary>
+    /// <summary>True if the collider moves. The ball may then overlap it if it cannot get out of its path.</summary>
     public readonly bool Moves;
 
-    /// <summary>True when it is flat there.</summary>
+    /// <summary>True if the surface is flat there.</summary>
     public readonly bool IsFlat;
 
     /// <summary>n, towards the ball.</summary>
@@ -397,16 +402,16 @@ internal struct Contact
     /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
     public readonly Vector3d Velocity;
 
-    /// <summary>Distance from the ball, m; negative where it overlaps.</summary>
+    /// <summary>Distance from the ball, m; negative for an overlap.</summary>
     public readonly double Gap;
 
-    /// <summary>True if it touches the ball; one that moves and has touched it lately may be a small gap away.</summary>
+    /// <summary>True if it touches the ball. A mover that touched the ball recently may have a small gap.</summary>
     public readonly bool Touches => Gap <= ContactSearch.Touching;
 
     /// <summary>Material of the surface.</summary>
     public readonly ContactMaterial Material;
 
-    /// <summary>True when the ball rolls on it: it does not slip there.</summary>
+    /// <summary>True if the ball rolls on it, without slip.</summary>
     public readonly bool Rolls;
 
     /// <summary>J_n/m, m/s.</summary>

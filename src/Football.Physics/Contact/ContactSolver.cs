@@ -2,54 +2,55 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The impulses of a contact set over a short time, Coulomb's law at all of them at once: J_n ≥ 0, no contact closes, |J_t| ≤ μ J_n against the slip that is
-/// left. Rounds of projected Gauss–Seidel find which contacts bear, grip and slip; <see cref="ContactNewton"/> then knows the impulses, and another round
-/// says whether they are right. On a sphere a normal impulse turns nothing and a tangential one meets the mass m α/(1 + α) whatever its direction, so in a
-/// round each contact is solved in closed form.
-/// </summary>
+/// <summary>Solves the impulses of a contact set over a short time, with Coulomb's law at all contacts: J_n ≥ 0, no closing, |J_t| ≤ μ
+/// J_n.</summary>
+/// <remarks>
+/// Projected Gauss–Seidel finds the modes (load, grip, slip). <see cref="ContactNewton"/> then computes the impulses, and another iteration
+/// checks them.
+/// On a sphere a normal impulse does not change the spin, and a tangential one acts on the mass m α/(1 + α) in every direction.
+/// Each contact therefore has a closed-form solution per iteration.
+/// </remarks>
 internal static class ContactSolver
 {
-    /// <summary>Rounds after which what still changes has no answer, as between two things that close in on the ball.</summary>
+    /// <summary>Maximum number of iterations. After that a set counts as unsolvable, such as two objects that close on the ball.</summary>
     private const int MostRounds = 48;
 
-    /// <summary>Rounds where there may be none.</summary>
+    /// <summary>Number of iterations for a set that may be unsolvable.</summary>
     private const int RoundsInVain = 16;
 
-    /// <summary>Where impulses change by less than this share of themselves and the speeds, they are found.</summary>
+    /// <summary>Relative change of impulses and speeds below which the solver has converged.</summary>
     private const double Settled = 1e-13;
 
-    /// <summary>The same for impulses that only say where the forces at the end of a part are asked for.</summary>
+    /// <summary>The same for impulses that only locate the evaluation at the end of a part.</summary>
     public const double Foreseen = 1e-8;
 
-    /// <summary>
-    /// Where they still change by no more than this after the last round, or where Newton's method gains little or was wrong twice, they are known well enough: loads
-    /// that are not determined, as those of a ball that a player holds against a post, creep.
-    /// </summary>
+    /// <summary>Tolerance that suffices after the last iteration, or if Newton's method gains little or fails twice.</summary>
+    /// <remarks>Undetermined loads, such as those of a ball between a player and a post, converge slowly.</remarks>
     private const double Known = 1e-8;
 
-    /// <summary>Slower than this, m/s, contacts may close that are solved. Of a set without an answer the loads grow without end, so that they too change by ever smaller shares.</summary>
+    /// <summary>Maximum closing speed of a solved contact, m/s.</summary>
+    /// <remarks>In an unsolvable set the loads grow without bound, so their relative changes become small too.</remarks>
     private const double LargestClosing = 1e-6;
 
-    /// <summary>Larger sets are solved by rounds alone.</summary>
+    /// <summary>Larger sets are solved by Gauss–Seidel alone.</summary>
     private const int MostByNewton = 64;
 
-    /// <summary>Little: the change is more than this share of what it was.</summary>
+    /// <summary>Newton gains little if the change is more than this share of the previous one.</summary>
     private const double Little = 0.1;
 
-    /// <summary>After so many rounds what bears, grips and slips is taken for known; after twice as many each time that this was wrong.</summary>
+    /// <summary>Number of iterations before a Newton step. It doubles each time the guessed modes were wrong.</summary>
     private const int RoundsBetween = 2;
     private const int RoundsOfWrong = 2 * RoundsBetween;
 
-    /// <summary>Velocity and spin after the time, m/s and rad/s, where without contacts they would be what is handed over.</summary>
-    /// <param name="set">The contacts; they take the impulses, and have those of the time before, or none, to begin with.</param>
+    /// <summary>Solves the velocity and the spin after a time, given their values without contacts.</summary>
+    /// <param name="set">The contacts. They hold the impulses of the previous part, or zero, and receive the new ones.</param>
     /// <param name="ball">The ball.</param>
-    /// <param name="duration">The time, s: so far from closing is a contact with a gap.</param>
+    /// <param name="duration">The time, s, in which a contact with a gap may close.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
-    /// <param name="settled">Where impulses change by less than this share of themselves and the speeds, they are found.</param>
-    /// <param name="closing">How fast a contact may close, m/s.</param>
-    /// <returns>Whether an answer was found.</returns>
+    /// <param name="settled">Relative change of impulses and speeds below which the solver has converged.</param>
+    /// <param name="closing">Maximum closing speed of a contact, m/s.</param>
+    /// <returns>True if a solution was found.</returns>
     public static bool Solve(
         Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled, double closing = LargestClosing)
     {
@@ -62,12 +63,12 @@ internal static class ContactSolver
         return found;
     }
 
-    /// <summary>True if more contacts than one solves as forces hold a ball: released from a standstill, it gets nothing of what the forces give it in a time.</summary>
+    /// <summary>True if a set too large for the force-level solver holds a ball: from a standstill, the forces do not move it.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="world">The world.</param>
     /// <param name="free">The rates without contacts.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="still">A ball that is so slow, m/s and rad/s times its radius, stands still.</param>
+    /// <param name="still">A ball below this speed is at a standstill, m/s, and rad/s times its radius.</param>
     [SkipLocalsInit]
     public static bool Holds(scoped Span<Contact> set, World world, in MotionRates free, double duration, double still)
     {
@@ -82,7 +83,7 @@ internal static class ContactSolver
         return v.Length + (world.Ball.Radius * w.Length) <= most + still;
     }
 
-    /// <summary>Rounds and steps of Newton's method until the impulses change no more.</summary>
+    /// <summary>Iterates Gauss–Seidel and Newton until the impulses converge.</summary>
     private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
     {
         Begin(set, ball, ref v, ref w);
@@ -95,7 +96,7 @@ internal static class ContactSolver
         int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
-            // A round of projected Gauss–Seidel, which may be the last.
+            // An iteration of projected Gauss–Seidel; it may converge.
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
             if (change <= settled)
             {
@@ -104,7 +105,7 @@ internal static class ContactSolver
 
             if (change > before.Change)
             {
-                // It was wrong about what bears, grips and slips: back, and on by rounds alone.
+                // Newton guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel alone.
                 kept.CopyTo(set);
                 v = before.Velocity;
                 w = before.Spin;
@@ -115,7 +116,7 @@ internal static class ContactSolver
                 continue;
             }
 
-            // Close, and rounds gain little more: so it is with loads that are not determined.
+            // Nearly converged, and more iterations gain little, as with undetermined loads: stop.
             if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
@@ -123,7 +124,7 @@ internal static class ContactSolver
 
             before.Change = double.PositiveInfinity;
 
-            // Once in a while a step of Newton's method. What it begins from is kept, for it may take a contact that slips for one that grips.
+            // Now and then try a Newton step. Keep the state before it, because it may guess the wrong modes.
             if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
             {
                 next = round + between;
@@ -136,7 +137,7 @@ internal static class ContactSolver
         return change <= Known;
     }
 
-    /// <summary>Solves a set that may have no answer: a few rounds, after which nothing is sure.</summary>
+    /// <summary>Runs a few iterations on a set that may be unsolvable; the result is approximate.</summary>
     public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
     {
         Begin(set, ball, ref v, ref w);
@@ -150,10 +151,10 @@ internal static class ContactSolver
         }
     }
 
-    /// <summary>The impulses that the contacts have already.</summary>
+    /// <summary>Applies the impulses that the contacts already hold.</summary>
     private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
     {
-        // Warm start: velocity and spin as the impulses that are there leave them.
+        // Warm start: apply the stored impulses to the velocity and the spin.
         foreach (ref readonly Contact contact in set)
         {
             v += (contact.Load * contact.Normal) + contact.Friction;
@@ -161,8 +162,8 @@ internal static class ContactSolver
         }
     }
 
-    /// <summary>One contact after the other.</summary>
-    /// <returns>By how much the impulses changed, as a share of themselves and the speeds.</returns>
+    /// <summary>Solves one contact after the other.</summary>
+    /// <returns>Relative change of the impulses and the speeds.</returns>
     private static double Round(
         Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
@@ -174,35 +175,35 @@ internal static class ContactSolver
             scale += contact.Load;
         }
 
-        // Rolling resistance and drilling act on the heaviest contact alone.
+        // Rolling resistance and drilling friction only act at the contact with the greatest load.
         change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
         return change > 0 ? change / scale : 0;
     }
 
-    /// <summary>How fast a contact closes, less what its gap leaves it, m/s.</summary>
+    /// <summary>Returns the closing speed of a contact, minus the speed that its gap allows, m/s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Closing(in Contact contact, double duration, in Vector3d v)
     {
-        // (v − V)·n + gap/h: the gap may close in the time; where there is none, only what touches counts.
+        // (v − V)·n + gap/h: a gap may close within the time. Over zero time, only touching surfaces count.
         double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactSearch.Touching ? double.MaxValue : 0;
         return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
     }
 
-    /// <summary>One contact by itself.</summary>
-    /// <returns>By how much its impulses changed, m/s.</returns>
+    /// <summary>Solves a single contact.</summary>
+    /// <returns>Change of its impulses, m/s.</returns>
     private static double Press(ref Contact contact, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
     {
         double alpha = ball.InertiaFactor;
         double r = ball.Radius;
         Vector3d n = contact.Normal;
 
-        // J_n: the ball goes away at least as fast as its gap allows.
+        // J_n: the ball must separate at least as fast as the gap requires.
         double load = Math.Max(0, contact.Load - Closing(in contact, duration, in v));
         double pushed = load - contact.Load;
         v += pushed * n;
         contact.Load = load;
 
-        // J_t: what ends the slip s = u_t + r n × ω, as far as friction goes.
+        // J_t: the impulse that stops the slip s = u_t + r n × ω, limited by friction.
         Vector3d relative = v - contact.Velocity;
         Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
         Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
@@ -217,7 +218,7 @@ internal static class ContactSolver
     }
 }
 
-/// <summary>State of the contact before impulses are guessed.</summary>
+/// <summary>The state before a Newton step.</summary>
 internal struct Guess
 {
     /// <summary>Velocity, m/s.</summary>
@@ -226,34 +227,33 @@ internal struct Guess
     /// <summary>Spin, rad/s.</summary>
     public Vector3d Spin;
 
-    /// <summary>Resistance to the turning.</summary>
+    /// <summary>Resistance to rolling and drilling.</summary>
     public TurningResistance Resistance;
 
-    /// <summary>By how much the impulses changed last.</summary>
+    /// <summary>The last change of the impulses.</summary>
     public double Change;
 }
 
-/// <summary>Resistance to the turning of a ball on the contact that bears most.</summary>
+/// <summary>Rolling and drilling resistance at the contact with the greatest load.</summary>
 internal struct TurningResistance
 {
-    /// <summary>Which contact that is; −1 where none bears anything.</summary>
+    /// <summary>Index of that contact; −1 if none has a load.</summary>
     public int Bearer;
 
-    /// <summary>Spin taken about the normal, rad/s.</summary>
+    /// <summary>Spin removed about the normal, rad/s.</summary>
     public double Drilling;
 
-    /// <summary>Spin taken of the rolling, rad/s.</summary>
+    /// <summary>Spin removed from the rolling, rad/s.</summary>
     public Vector3d Rolling;
 
-    /// <summary>
-    /// About the normal b μ_s J_n/I and the damping c_ω h/I; of a ball that rolls (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows its rolling by (c₀ + c₁ |v|) J_n/m.
-    /// </summary>
-    /// <returns>By how much it changed, rad/s.</returns>
+    /// <summary>Applies drilling friction b μ_s J_n/I and damping c_ω h/I about the normal, and rolling resistance across it.</summary>
+    /// <remarks>Rolling resistance is (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows the rolling by (c₀ + c₁ |v|) J_n/m.</remarks>
+    /// <returns>Change of the spin, rad/s.</returns>
     public double Act(Span<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
     {
         int heaviest = ContactSet.Heaviest(set);
 
-        // Another contact is the heaviest now: what was resisted on the last one is given back.
+        // Another contact now has the greatest load: undo the resistance at the old one.
         if (heaviest != Bearer)
         {
             w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
@@ -270,7 +270,7 @@ internal struct TurningResistance
         ref readonly Contact contact = ref set[heaviest];
         Vector3d n = contact.Normal;
 
-        // About the normal: ω_n/(1 + k) by damping, k = c_ω h/I, then drilling towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I, then drilling friction brings it towards zero by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
         double most = DrillingPerLoad(in contact, ball) * contact.Load;
@@ -279,7 +279,7 @@ internal struct TurningResistance
         Drilling += drilled;
         w += drilled * n;
 
-        // Across it: against the rolling, by no more than the load allows, and not beyond its end.
+        // Across the normal: resistance against the rolling, limited by the load, which never reverses the rolling.
         double resistance = MostRolling(in contact, ball, in v);
         Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
         double size = turning.Length;
@@ -293,11 +293,11 @@ internal struct TurningResistance
     /// <summary>c_ω h/I.</summary>
     public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.SpinDamping / ball.MomentOfInertia;
 
-    /// <summary>How much drilling friction may take of the spin about the normal, rad/s, for each m/s of load: b μ_s/(α r²).</summary>
+    /// <summary>Maximum spin that drilling friction removes about the normal per unit of load, rad/s per m/s: b μ_s/(α r²).</summary>
     public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
         contact.Material.DrillingLength * contact.Material.SlidingFriction / (ball.InertiaFactor * ball.Radius * ball.Radius);
 
-    /// <summary>How much it may take of the rolling, rad/s: nothing where the contact slipped before.</summary>
+    /// <summary>Maximum spin that resistance removes from the rolling, rad/s; zero if the contact slipped before.</summary>
     public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
     {
         ref readonly ContactMaterial material = ref contact.Material;

@@ -1,13 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set). With n, ṅ, V_c and A of each contact,
-/// v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r): a contact that bears keeps touching, n·v̇ = −(qᵀHq − A_s·n); one that sticks keeps its slip at zero,
-/// (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0; one that slips has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
-/// </summary>
+/// <summary>A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set).</summary>
+/// <remarks>
+/// With n, ṅ, V_c and A of each contact: v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r).
+/// An active contact keeps touching: n·v̇ = −(qᵀHq − A_s·n). A sticking one keeps zero slip: (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0.
+/// A slipping one has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
+/// </remarks>
 internal unsafe struct ContactSystem : IMotionSystem
 {
-    /// <summary>Contacts that a set holds at most.</summary>
+    /// <summary>Maximum number of contacts of a set.</summary>
     public const int Most = 6;
 
     public Surroundings Around;
@@ -15,7 +16,7 @@ internal unsafe struct ContactSystem : IMotionSystem
     public SetContact* Contacts;
     public int Count;
 
-    /// <summary>The contact that rolling resistance and drilling friction belong to; −1 for none.</summary>
+    /// <summary>The contact at which rolling resistance and drilling friction act; −1 for none.</summary>
     public int Bearer;
 
     /// <summary>True if another contact has as much load as the bearer, whichever of the two is the bearer.</summary>
@@ -24,29 +25,29 @@ internal unsafe struct ContactSystem : IMotionSystem
     public ulong Nets;
     public ulong NetSides;
 
-    /// <summary>The direction that the contacts leave to the velocity, and that the ball rolls in from a standstill; zero where they leave none.</summary>
+    /// <summary>The direction that the contacts leave free, in which the ball rolls from a standstill; zero if there is none.</summary>
     public Vector3d Along;
 
-    /// <summary>True when rolling resistance holds a ball that stands on its spot, and only spins.</summary>
+    /// <summary>True if rolling resistance holds a ball at a standstill, so that it only spins.</summary>
     public bool Pinned;
 
-    /// <summary>What holds it, m/s².</summary>
+    /// <summary>The holding force per mass, m/s².</summary>
     public double Held;
 
-    /// <summary>The accelerations for which the modes were found, m/s² and rad/s².</summary>
+    /// <summary>The accelerations with which the modes were determined, m/s² and rad/s².</summary>
     public Vector3d Acceleration;
     public Vector3d SpinAcceleration;
 
-    /// <summary>The speed relative to the air there, m/s.</summary>
+    /// <summary>The air speed there, m/s.</summary>
     public double AirSpeed;
 
-    /// <summary>Which way it spins about the bearer's normal, relative to that: drilling friction keeps to it.</summary>
+    /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps it.</summary>
     public double SpinSign;
 
-    /// <summary>True when drilling friction holds the spin about the bearer's normal at that of the bearer.</summary>
+    /// <summary>True if drilling friction holds the spin about the bearer's normal at that of the bearer.</summary>
     public bool HoldsSpin;
 
-    /// <summary>What holds it, rad/s².</summary>
+    /// <summary>The holding torque per moment of inertia, rad/s².</summary>
     public double HeldSpin;
 
     public void Rates(double time, in Motion at, out MotionRates rates)
@@ -72,7 +73,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         s.AirDistance = step.End.AirDistance;
     }
 
-    /// <summary>What acts on the ball but for its contacts.</summary>
+    /// <summary>Computes the forces on the ball without contacts.</summary>
     public readonly void Free(double time, in Motion at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed)
     {
         Vector3d u = at.Velocity - Around.Wind;
@@ -82,7 +83,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
 
-        // a_air = L (ω × u) − D u; how much of it counts is the ground's to say.
+        // a_air = L (ω × u) − D u; the ground's settings determine how much of it counts.
         Vector3d push = air.Acceleration;
         if (World.AirActs)
         {
@@ -97,7 +98,7 @@ internal unsafe struct ContactSystem : IMotionSystem
 
         if (!World.SharesAir && sticks)
         {
-            // The air moves a ball that rolls without a share for its spin, which follows: ω̇_t = n × a_air/r.
+            // Without a share for the spin, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
             ref readonly SetContact bearer = ref Contacts[Bearer];
             Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
             spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);
@@ -112,7 +113,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         }
     }
 
-    /// <summary>What acts on a ball at rest; in the published profile the air does not.</summary>
+    /// <summary>Returns the forces on a ball at rest, per mass. In the published profile they exclude the air.</summary>
     public readonly Vector3d PushAtRest(double time, in Motion still)
     {
         if (World.SharesAir)

@@ -1,16 +1,16 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// An impact in the frame of its contact: normal restitution, and a tangential impulse that grips, or slips where friction cannot hold it.
-/// Without a limit by friction these are the thesis' four coefficients of restitution (2.16 to 2.18).
-/// </summary>
+/// <summary>An impact by Coulomb's law: normal restitution, and a tangential impulse that grips, or slips if friction cannot hold
+/// it.</summary>
+/// <remarks>Without a friction limit, these are the thesis' four coefficients of restitution (2.16 to 2.18).</remarks>
 internal static class CoulombImpact
 {
-    /// <summary>So many halvings find the share of a restitution to a billionth.</summary>
+    /// <summary>Number of bisections: locates the share of a restitution to a billionth.</summary>
     private const int Halvings = 30;
 
-    /// <summary>Velocity and spin just after an impact with something that nothing moves.</summary>
-    /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out Vector3d, out Vector3d)"/>
+    /// <summary>Computes velocity and spin just after an impact with an immovable object.</summary>
+    /// <inheritdoc cref="Apply(BallProperties, in ContactMaterial, in GivingWay, in Vector3d, in Vector3d, in Vector3d, in Vector3d, out
+    /// Vector3d, out Vector3d)"/>
     public static void Apply(
         BallProperties ball,
         in ContactMaterial material,
@@ -22,10 +22,11 @@ internal static class CoulombImpact
         out Vector3d spin) =>
         Apply(ball, in material, default, in n, in surface, in v, in w, out velocity, out spin);
 
-    /// <summary>Velocity and spin just after an impact; the impulse on the ball is m (v' − v), that on what it hits the opposite.</summary>
+    /// <summary>Computes velocity and spin just after an impact.</summary>
+    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite.</remarks>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it hits.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="n">Normal of the contact.</param>
     /// <param name="surface">Velocity of the surface there, m/s.</param>
     /// <param name="v">Velocity before, m/s; towards the surface.</param>
@@ -43,15 +44,17 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
 
-    /// <summary>An impact with so much less restitution that the ball is no faster than allowed; with none if that is not enough. Impulse, friction and spin obey the same laws.</summary>
+    /// <summary>Computes an impact with reduced restitution, so that the ball is not faster than allowed; with zero restitution if
+    /// needed.</summary>
+    /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it hits.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="n">Normal of the contact.</param>
     /// <param name="surface">Velocity of the surface there, m/s.</param>
     /// <param name="v">Velocity before, m/s; towards the surface.</param>
     /// <param name="w">Spin before, rad/s.</param>
-    /// <param name="fastest">The speed that is allowed, m/s.</param>
+    /// <param name="fastest">The allowed speed, m/s.</param>
     /// <param name="velocity">Velocity after, m/s.</param>
     /// <param name="spin">Spin after, rad/s.</param>
     public static void ApplySoftened(
@@ -66,7 +69,8 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin)
     {
-        // Bisection on the share of the restitution: the friction of an impact has a kink, so the speed is no polynomial of it. At the end the lower bound holds.
+        // Bisect the share of the restitution: friction has a kink, so the speed is not a polynomial of it. The lower bound is always
+        // valid.
         double low = 0;
         double high = 1;
         for (int i = 0; i < Halvings; i++)
@@ -80,15 +84,15 @@ internal static class CoulombImpact
         Apply(ball, in material, in other, in n, in surface, in v, in w, low, out velocity, out spin);
     }
 
-    /// <summary>The energy that a bumper has added to the motion along the normal, J; 0 for what is none, or has added none.</summary>
+    /// <summary>Returns the energy that a bumper has added along the normal, J; 0 for other surfaces.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="material">What it has hit.</param>
-    /// <param name="other">How easily that gives way.</param>
+    /// <param name="material">The material of the other object.</param>
+    /// <param name="other">The recoil of the other object.</param>
     /// <param name="before">(v − V)·n, m/s.</param>
     /// <param name="after">(v' − V')·n, m/s.</param>
     public static double Added(BallProperties ball, in ContactMaterial material, in GivingWay other, double before, double after) =>
 
-        // ½ m/(1 + m/M) (w'² − w²)
+        // ½ m/(1 + m/M) (w'² − w²).
         material.IsBumper ? Math.Max(0, 0.5 * ball.Mass / (1.0 + other.Ratio) * ((after * after) - (before * before))) : 0;
 
     private static void Apply(
@@ -109,20 +113,20 @@ internal static class CoulombImpact
         double approach = -Vector3d.Dot(in u, in n);
         if (!(approach > 0))
         {
-            // A surface that turns away as fast as the thing comes on gives no impulse.
+            // A surface that recedes as fast as the ball approaches gives no impulse.
             velocity = v;
             spin = w;
             return;
         }
 
-        // J_n/m = (1 + e) (−u·n)/(1 + m/M)
+        // J_n/m = (1 + e) (−u·n)/(1 + m/M).
         Vector3d along = u + (approach * n);
         double restitution = material.RestitutionAt(approach, in along);
         double normal = material.IsBumper
             ? (approach + material.Bumped(approach, restitution, share)) / (1.0 + other.Ratio)
             : (1.0 + (share * restitution)) * approach / (1.0 + other.Ratio);
 
-        // s = u_t + r n × ω;   grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m
+        // s = u_t + r n × ω; grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m.
         Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
         double turning = alpha / (1.0 + alpha + (alpha * other.Ratio));
         double gripX = turning * (1.0 + material.TangentialX);
@@ -132,7 +136,7 @@ internal static class CoulombImpact
         Vector3d friction = size > most ? most / size * grip : grip;
         velocity = v + (normal * n) - friction;
 
-        // ω' = ω + (r/(α r²)) n × J/m, and about the normal e_ω, less b μ_s J_n/I
+        // ω' = ω + (r/(α r²)) n × J/m; about the normal, keep e_ω of the spin minus b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double kept = material.Spin * about;
         double drilled = material.DrillingLength * material.SlidingFriction * normal / (alpha * r * r);
@@ -141,7 +145,7 @@ internal static class CoulombImpact
     }
 }
 
-/// <summary>How easily the other thing of an impact gives way, by how easily the ball does: m/M₂; 0 for what nothing moves.</summary>
+/// <summary>The recoil of the other object in an impact: the mass ratio m/M₂; 0 for an immovable object.</summary>
 internal readonly struct GivingWay
 {
     /// <summary>m/M₂.</summary>
@@ -149,8 +153,8 @@ internal readonly struct GivingWay
 
     private GivingWay(double ratio) => Ratio = ratio;
 
-    /// <summary>Something with a mass behind its surface, which moves without turning.</summary>
+    /// <summary>Creates the recoil of an object with a mass behind its surface, which moves without rotating.</summary>
     /// <param name="ball">The ball.</param>
-    /// <param name="mass">M₂, kg; infinite for what nothing moves.</param>
+    /// <param name="mass">M₂, kg; infinite for an immovable object.</param>
     public static GivingWay Of(BallProperties ball, double mass) => new(ball.Mass / mass);
 }

@@ -2,12 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The colliders of an engine that the ball has pushed since the engine placed them, and how they were when that was remembered.</summary>
+/// <summary>The engine colliders that the ball has pushed since the engine placed them, with their saved motions.</summary>
 internal sealed class EnginePushes
 {
-    /// <summary>
-    /// One memory for each of those that put pushes back: a look-ahead takes steps, a step of a group tries paths, and a push there is compared with the motions before it.
-    /// </summary>
+    /// <summary>The memories for saved motions: of a look-ahead, of a step of a group, of a trial, and before and after a push.</summary>
     public const int OfLook = 0;
     public const int OfStep = 1;
     public const int OfTry = 2;
@@ -19,13 +17,15 @@ internal sealed class EnginePushes
     private readonly List<EngineCollider> _pushed = [];
     private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], [], [], [], []];
 
-    /// <summary>Those of an engine. Several simulators may have it, as those of a match and of its look-aheads do, and its colliders are one thing to all of them.</summary>
+    /// <summary>Returns the pushes of an engine.</summary>
+    /// <remarks>Several simulators may share an engine, such as those of a match and its look-aheads. They share its pushed colliders
+    /// too.</remarks>
     public static EnginePushes Of(IEngineColliders engine) => s_all.GetValue(engine, _ => new EnginePushes());
 
-    /// <summary>A collider is about to be pushed.</summary>
+    /// <summary>Records a collider before it is pushed.</summary>
     public void Note(EngineCollider collider)
     {
-        // Pushes count until the engine's time goes on: those of earlier times are over.
+        // Pushes are valid until the engine's time advances: remove those of earlier times.
         for (int i = _pushed.Count - 1; i >= 0; i--)
         {
             if (_pushed[i] == collider)
@@ -43,7 +43,7 @@ internal sealed class EnginePushes
         _pushed.Add(collider);
     }
 
-    /// <summary>Remembers their motions.</summary>
+    /// <summary>Saves the motions.</summary>
     public void Keep(int memory)
     {
         _kept[memory].Clear();
@@ -53,7 +53,7 @@ internal sealed class EnginePushes
         }
     }
 
-    /// <summary>Puts them back to how they were; those that were pushed since for the first time are not pushed.</summary>
+    /// <summary>Restores the saved motions. Colliders first pushed since then get their original motions.</summary>
     public void PutBack(int memory)
     {
         for (int i = 0; i < _pushed.Count; i++)
@@ -69,18 +69,18 @@ internal sealed class EnginePushes
             _pushed.Add(kept[i].Collider);
         }
 
-        // A look ahead is over; a step may be tried again.
+        // A look-ahead is over, so discard its memory. A step may be repeated, so keep the others.
         if (memory == OfLook)
         {
             kept.Clear();
         }
     }
 
-    /// <summary>One of the colliders that are pushed.</summary>
-    /// <param name="index">Its number among them, from 0.</param>
-    /// <param name="time">The start of a step, s.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="box">A box around all its positions in that step, pushed and not pushed.</param>
+    /// <summary>Returns one of the pushed colliders.</summary>
+    /// <param name="index">Its index among them, from 0.</param>
+    /// <param name="time">Start time of a step, s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="box">A box around all its positions in that step, with and without the push.</param>
     /// <returns>False after the last one.</returns>
     public bool Has(int index, double time, double dt, out Bounds3d box)
     {
@@ -96,7 +96,7 @@ internal sealed class EnginePushes
         return true;
     }
 
-    /// <summary>Takes all pushes back.</summary>
+    /// <summary>Undoes all pushes.</summary>
     public void Forget()
     {
         for (int i = 0; i < _pushed.Count; i++)
@@ -109,7 +109,7 @@ internal sealed class EnginePushes
 
     private bool IsKept(EngineCollider collider)
     {
-        // Of a match that goes on after a look ahead at later times.
+        // The push belongs to the step that continues after a look-ahead at later times.
         for (int i = 0; i < _kept[OfLook].Count; i++)
         {
             if (_kept[OfLook][i].Collider == collider)

@@ -1,21 +1,22 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// What an engine's sphere casts have found, as colliders of the world: each has a place among these that it keeps for a step, and those of the last cast are looked at.
-/// </summary>
+/// <summary>Colliders found by an engine's sphere casts, as colliders of the world.</summary>
 /// <remarks>
-/// Places follow the order in which colliders are found, so they mean nothing outside a step: states and events name an engine's collider by its number
-/// (<see cref="EngineCollider.Number"/>), which knows nothing of what was found before.
+/// Each collider keeps a slot for a step; queries use those of the last cast. Slots follow the order of discovery and are meaningless
+/// outside a step,
+/// so states and events identify an engine collider by its number (<see cref="EngineCollider.Number"/>), which does not depend on that
+/// order.
 /// </remarks>
 internal sealed class EngineThings
 {
-    /// <summary>Places from the start. If a step finds more colliders, the table grows; a step that finds as many again allocates nothing.</summary>
+    /// <summary>Initial number of slots.</summary>
+    /// <remarks>If a step finds more colliders, the table grows. Further steps with as many colliders allocate nothing.</remarks>
     public const int Room = 256;
 
-    /// <summary>So many numbers are remembered with who had them last, to tell their names.</summary>
+    /// <summary>Maximum number of colliders remembered by number, to look up their names.</summary>
     private const int MostKnown = 1 << 14;
 
-    /// <summary>Margin beside the way within which things are found too, m: so that what touches at its end, or next to it, need not be cast for again.</summary>
+    /// <summary>Margin of a cast around the path, m, so that contacts at its end or next to it need no further cast.</summary>
     private const double Beside = 0.02;
 
     private readonly World _world;
@@ -37,11 +38,11 @@ internal sealed class EngineThings
     private bool _isKnown;
     private int _used = 1;
 
-    /// <summary>The colliders of an engine.</summary>
+    /// <summary>Creates the table of an engine.</summary>
     /// <param name="world">The world, whose array of colliders grows with the table.</param>
     /// <param name="engine">The engine.</param>
-    /// <param name="first">Index of the first place among the world's colliders.</param>
-    /// <param name="passages">The number of nets and goals, whose numbers follow those of the first places.</param>
+    /// <param name="first">Index of the first slot among the world's colliders.</param>
+    /// <param name="passages">Number of nets and goals, whose indices follow those of the initial slots.</param>
     public EngineThings(World world, IEngineColliders engine, int first, int passages)
     {
         _world = world;
@@ -54,13 +55,13 @@ internal sealed class EngineThings
         Extend(Room + 1);
     }
 
-    /// <summary>What the ball has pushed of them.</summary>
+    /// <summary>The pushed engine colliders.</summary>
     public EnginePushes Pushes { get; }
 
-    /// <summary>Places for colliders, filled as they are found; the first one stays empty, and stands for a collider that the engine no longer has.</summary>
+    /// <summary>The slots, filled as colliders are found. The first slot stays empty, for a collider that no longer exists.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
-    /// <summary>The greatest speed of any part of them, m/s: as the engine says, and of those that were found rotating.</summary>
+    /// <summary>Upper bound of the speed of any part of them, m/s: as given by the engine, and of rotating ones found.</summary>
     public double GreatestSpeed
     {
         get
@@ -75,22 +76,22 @@ internal sealed class EngineThings
         }
     }
 
-    /// <summary>How many the last cast has found.</summary>
+    /// <summary>Number of colliders found by the last cast.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Index among the world's colliders of one that was found.</summary>
+    /// <summary>Returns the world index of a collider found.</summary>
     public int Found(int index) => _found[index];
 
-    /// <summary>True when a collider of the world is one of an engine's.</summary>
+    /// <summary>True if a collider of the world is an engine collider.</summary>
     public bool Has(int collider) => collider >= _first && !_world.IsPassage(collider);
 
-    /// <summary>True when the last cast has found a collider.</summary>
+    /// <summary>True if the last cast found a collider.</summary>
     public bool Finds(int collider) => Array.IndexOf(_found, collider, 0, Count) >= 0;
 
-    /// <summary>The engine may have moved its colliders: what was found is out of date.</summary>
+    /// <summary>Marks the results as outdated, because the engine may have moved its colliders.</summary>
     public void Forget() => _isKnown = false;
 
-    /// <summary>Finds what is near a path.</summary>
+    /// <summary>Finds the colliders near a path.</summary>
     public void LookAlong(in PathCubic path, double time)
     {
         Vector3d from = path.At(0);
@@ -98,21 +99,21 @@ internal sealed class EngineThings
         Look(in from, in to, _ballRadius + path.Deviation, time, path.Length);
     }
 
-    /// <summary>Finds what is near a place, by a distance, m, where the last cast has not been there.</summary>
+    /// <summary>Finds the colliders within a distance of a position, m, unless the last cast covers it.</summary>
     public void LookAt(in Vector3d position, double time, double distance)
     {
-        // Within what the last cast has covered nothing new can be found.
+        // Inside the volume of the last cast there are no new colliders to find.
         if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
             Look(in position, in position, _ballRadius + distance, time, 0);
         }
     }
 
-    /// <summary>Begins a step: nothing has a place but what carries the ball, which its number and the ball's position tell.</summary>
-    /// <param name="carrier">Its number; below <see cref="EngineCollider.FirstNumber"/> where no collider of an engine carries the ball.</param>
-    /// <param name="position">The ball, m.</param>
-    /// <param name="time">When, s.</param>
-    /// <returns>Index among the world's colliders of the carrier.</returns>
+    /// <summary>Starts a step: clears all slots except that of the carrier, which its number and the ball's position identify.</summary>
+    /// <param name="carrier">Its number; below <see cref="EngineCollider.FirstNumber"/> if the carrier is not an engine collider.</param>
+    /// <param name="position">Position of the ball, m.</param>
+    /// <param name="time">The time, s.</param>
+    /// <returns>World index of the carrier.</returns>
     public int Begin(long carrier, in Vector3d position, double time)
     {
         _isKnown = false;
@@ -132,25 +133,27 @@ internal sealed class EngineThings
         return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
     }
 
-    /// <summary>The number of one of the world's colliders, if it is an engine's; else −1.</summary>
+    /// <summary>Returns the number of an engine collider; −1 for another collider.</summary>
     public int NumberOf(long collider) =>
         collider >= _first && collider < _world.Colliders.Length && Has((int)collider) ? _world.Colliders[(int)collider].Engine?.Number ?? EngineCollider.FirstNumber : -1;
 
-    /// <summary>The collider of a number that is nearest to a ball: of those of the last step, else the one that had the number last; null where none had.</summary>
+    /// <summary>Returns the collider with a number nearest to a ball; null if there is none.</summary>
+    /// <remarks>It searches the last step, then the last known collider with this number.</remarks>
     public EngineCollider? Of(int number, in Vector3d position, double time) =>
         Nearest(number, in position, time, -1) is >= 0 and int place ? _colliders[place].Engine : _known.TryGetValue(number, out EngineCollider? known) ? known : null;
 
-    /// <summary>Index among the world's colliders of one of the last step.</summary>
+    /// <summary>Returns the world index of a collider of the last step.</summary>
     public int IndexOf(int number, in Vector3d position, double time) => Nearest(number, in position, time, -1) is >= 0 and int place ? IndexOf(place) : _first;
 
-    /// <summary>Index among the world's colliders of a place: the numbers of nets and goals come between the first places and those that were added.</summary>
+    /// <summary>Converts a slot to a world index: nets and goals come between the initial slots and those added later.</summary>
     private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);
 
-    /// <summary>The place of the collider of a number whose surface is nearest to a ball: several may have one name, and with it one number.</summary>
+    /// <summary>Returns the slot of the collider with a number whose surface is nearest to a ball.</summary>
+    /// <remarks>Several colliders may share a name and a number.</remarks>
     /// <param name="number">The number.</param>
-    /// <param name="position">The ball, m.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="found">So many of the last cast are asked; negative: all of the last step.</param>
+    /// <param name="position">Position of the ball, m.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="found">Number of colliders of the last cast to search; negative: all of the last step.</param>
     private int Nearest(int number, in Vector3d position, double time, int found)
     {
         int nearest = -1;
@@ -172,31 +175,31 @@ internal sealed class EngineThings
         return nearest;
     }
 
-    /// <summary>Remembers what the ball has pushed so far, in one of the memories of <see cref="EnginePushes"/>.</summary>
+    /// <summary>Saves the pushes so far in one of the memories of <see cref="EnginePushes"/>.</summary>
     public void KeepPushes(int memory) => Pushes.Keep(memory);
 
-    /// <summary>Puts that back.</summary>
+    /// <summary>Restores them.</summary>
     public void PutPushesBack(int memory)
     {
         Pushes.PutBack(memory);
         _isKnown = false;
     }
 
-    /// <summary>The engine has placed its colliders anew: what pushed them before is over.</summary>
+    /// <summary>Discards all pushes, because the engine has placed its colliders again.</summary>
     public void ForgetPushes()
     {
         Pushes.Forget();
         _isKnown = false;
     }
 
-    /// <summary>True when nothing can be met on a straight way.</summary>
+    /// <summary>True if a straight path reaches no collider.</summary>
     public bool IsFree(in StraightWay way)
     {
         Vector3d from = way.From;
         Vector3d to = from + (way.Duration * way.Velocity);
         Look(in from, in to, way.Around, way.Time, way.Duration);
 
-        // A cast finds what is near the way; whether the way meets it is asked of its box, which sees the way go by.
+        // The cast finds colliders near the path. Whether the path reaches one is tested against its moving box.
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _world.Colliders[_found[i]];
@@ -216,14 +219,14 @@ internal sealed class EngineThings
         _around = around + Beside;
         _isKnown = true;
 
-        // The engine has its colliders where they are at one time: until the ball passes they may have moved.
+        // The engine's colliders have their positions at one time, and may have moved when the ball passes. Expand the cast by that motion.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
         Cast(in from, in to, moved);
         double asked = moved;
 
-        // A rotating one that is found for the first time may have gone farther than was allowed for: others like it too.
+        // A newly found rotating collider may have moved farther than the cast allowed for, so cast again with the larger margin.
         if (NoteRotating() && Moved(apart) is var farther && farther > moved)
         {
             Cast(in from, in to, farther);
@@ -237,7 +240,7 @@ internal sealed class EngineThings
             Array.Resize(ref _found, _hits.Count);
         }
 
-        // An engine may answer with all that it has. A collider outside the box of the cast need not be in the answer, so it gets no place.
+        // An engine may return all its colliders. One outside the box of the cast is optional in its answer, so skip it.
         Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
@@ -248,7 +251,7 @@ internal sealed class EngineThings
                 continue;
             }
 
-            // A collider keeps its place from cast to cast: the index of a carrier stays good.
+            // A collider keeps its index from cast to cast, so that the index of a carrier stays valid.
             _found[Count++] = IndexOf(PlaceOf(hit));
         }
     }
@@ -259,7 +262,8 @@ internal sealed class EngineThings
         _engine.Cast(new SphereCast(in from, in to, _around + moved, _ballRadius), _hits);
     }
 
-    /// <summary>How far any part of them may have moved in a time, m: what rotates no farther than across the circle that it moves in.</summary>
+    /// <summary>Returns how far any part of a collider may have moved in a time, m.</summary>
+    /// <remarks>For a rotation it is at most the diameter of its circle.</remarks>
     private double Moved(double apart)
     {
         double most = apart * _engine.MaximumSpeed;
@@ -280,8 +284,8 @@ internal sealed class EngineThings
         return most;
     }
 
-    /// <summary>Remembers the found colliders that rotate.</summary>
-    /// <returns>True if any of them was not known.</returns>
+    /// <summary>Records the rotating colliders found.</summary>
+    /// <returns>True if any of them is new.</returns>
     private bool NoteRotating()
     {
         bool isNew = false;
@@ -290,7 +294,7 @@ internal sealed class EngineThings
             EngineCollider hit = _hits.At(i);
             if (hit.Placement.Motion.Rotates && _isRotating.Add(hit))
             {
-                // An engine may make new ones for ever: those beyond twice an answer were found before it, and the first of them is forgotten.
+                // An engine may create new colliders without end, so drop the oldest one beyond twice the size of an answer.
                 if (_rotating.Count >= Math.Max(Room, 2 * _hits.Count))
                 {
                     _isRotating.Remove(_rotating[0]);
@@ -305,7 +309,7 @@ internal sealed class EngineThings
         return isNew;
     }
 
-    /// <summary>The place of a collider: its own if an earlier cast of the step has found it, or the next free one.</summary>
+    /// <summary>Returns the slot of a collider: its own if this step has found it before, or the next free one.</summary>
     private int PlaceOf(EngineCollider hit)
     {
         if (_places.TryGetValue(hit, out int place))
@@ -318,7 +322,7 @@ internal sealed class EngineThings
             Extend(2 * _used);
         }
 
-        // What is in a place from a step before may be the same collider, which is known then.
+        // The slot may still contain the same collider from an earlier step, which is then known.
         place = _used++;
         _places.Add(hit, place);
         if (!ReferenceEquals(_colliders[place].Engine, hit))
@@ -330,7 +334,7 @@ internal sealed class EngineThings
         return place;
     }
 
-    /// <summary>Adds places. The world gets them as colliders too.</summary>
+    /// <summary>Adds slots, also as colliders of the world.</summary>
     private void Extend(int count)
     {
         int before = _colliders.Length;
@@ -346,10 +350,10 @@ internal sealed class EngineThings
         }
     }
 
-    /// <summary>Remembers who has a number.</summary>
+    /// <summary>Records the collider of a number.</summary>
     private void Know(EngineCollider collider)
     {
-        // An engine may make new ones for ever: then the oldest are forgotten with all others, and found again.
+        // An engine may create new colliders without end, so clear the cache when it is full. Colliders in use are found again.
         if (_known.Count >= MostKnown && !_known.ContainsKey(collider.Number))
         {
             _known.Clear();
@@ -363,7 +367,7 @@ internal sealed class EngineThings
         Vector3d way = _to - _from;
         double square = way.LengthSquared;
 
-        // The nearest point of the segment that was cast along.
+        // The nearest point on the segment of the last cast.
         double share = square > 0 ? Vector3d.Dot(position - _from, in way) / square : 0;
         return (position - (_from + (Math.Min(1, Math.Max(0, share)) * way))).Length;
     }

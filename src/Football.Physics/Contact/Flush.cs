@@ -1,41 +1,44 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall. A ball that slides along one of them crosses onto the next
-/// without an impact. Only the material and the velocity of the surface change.
-/// </summary>
+/// <summary>Surfaces with the same normal act as one: tiles, a box set into the turf, two boards of one wall.</summary>
+/// <remarks>
+/// A ball that slides along one of them crosses onto the next without an impact. Only the material and the velocity of the surface change.
+/// </remarks>
 internal static class Flush
 {
-    /// <summary>
-    /// Normals are one where n₁·n₂ is closer to 1 than this. The edge of the next tile is first touched, 1e-10 m before the ball is on it, at 4e-5 rad; that of a tile that is
-    /// 1e-10 m higher at 6e-5, where n₁·n₂ is 1 − 1.8e-9.
-    /// </summary>
+    /// <summary>Two normals are equal if 1 − n₁·n₂ is below this.</summary>
+    /// <remarks>
+    /// The ball touches the edge of the next tile 1e-10 m before it is on it, at an angle of 4e-5 rad. For a tile that is 1e-10 m higher,
+    /// the angle is
+    /// 6e-5 rad, where n₁·n₂ is 1 − 1.8e-9.
+    /// </remarks>
     public const double SameNormal = 4e-9;
 
-    /// <summary>Over the edge of its carrier a ball is handed on to a surface that is no lower than this, m.</summary>
+    /// <summary>Beyond the edge of its carrier, a ball is handed over to a surface that is at most this much lower, m.</summary>
     public const double LowerBy = 3.0 * ContactSearch.Touching;
 
     /// <summary>Two depths are equal within this, m.</summary>
     private const double SameDepth = 1e-12;
 
-    /// <summary>Two surfaces with one normal part by no more than this, m, until they are compared again.</summary>
+    /// <summary>Maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
     private const double Parted = 1e-8;
 
-    /// <summary>Normals closer than this, as the sine of their angle, are those of one face or of two surfaces that coincide.</summary>
+    /// <summary>Normals whose angle has a smaller sine than this belong to one face or to coinciding surfaces.</summary>
     private const double Coincident = 1e-8;
 
-    /// <summary>The ball is over the face of the next surface after so many times the distance to its edge.</summary>
+    /// <summary>The ball is over the face of the next surface after this multiple of the distance to its edge.</summary>
     private const double OverTheEdge = 2.0;
 
-    /// <summary>How long a ball goes on until the normals are one, s: it comes to the edge of a surface that is flush with one that it touches already.</summary>
+    /// <summary>Returns the time until the normals agree, s, if the ball reaches the edge of a surface that is flush with one it
+    /// touches.</summary>
     /// <param name="world">The world.</param>
-    /// <param name="thing">The collider that it comes to.</param>
-    /// <param name="position">Where it touches that, m.</param>
+    /// <param name="thing">The collider that it reaches.</param>
+    /// <param name="position">Position of the ball at the contact, m.</param>
     /// <param name="velocity">Its velocity, m/s.</param>
-    /// <param name="time">When, s.</param>
-    /// <param name="carrier">The collider that carries the ball; −1 if none does.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
     /// <param name="held">Contacts that the ball keeps.</param>
-    /// <returns>0 where the contact is an impact.</returns>
+    /// <returns>0 if the contact is an impact.</returns>
     public static double Passage(World world, int thing, in Vector3d position, in Vector3d velocity, double time, int carrier = -1, Span<Contact> held = default)
     {
         Collider next = world.Colliders[thing];
@@ -51,7 +54,7 @@ internal static class Flush
                 continue;
             }
 
-            // Touched, with the same normal, and not closed on itself; and closed on no faster than the normals differ, |u| |n₁ × n₂|.
+            // Flush: touched, with the same normal, and the ball closes no faster than the normals differ, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
@@ -64,12 +67,13 @@ internal static class Flush
             Vector3d along = velocity - other.ShapeVelocity(position - (r * on.Normal), time);
             double closingOnOther = -Vector3d.Dot(in along, on.Normal);
 
-            // A ball closes on the surfaces that it keeps by the error of its path between the ends of a piece. Another surface there is closed on as fast.
+            // Between the ends of a piece, the path error makes the ball close on its own contacts. Allow the same speed for a flush
+            // surface.
             bool carries = i == carrier || ContactSet.Has(held, i);
             double explained = (speed * sine) + ContactSearch.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
             if (closing <= explained && (carries || closingOnOther <= ContactSearch.Approaching))
             {
-                // Until the ball has gone over the edge: r sin θ along the surface; and until convex surfaces that coincide here can have parted: ½ |u|² t²/r.
+                // Advance past the edge, r sin θ along the surface, and until coinciding convex surfaces can separate: ½ |u|² t²/r.
                 double apart = carries && sine <= Coincident ? Math.Sqrt(2.0 * Parted * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }
@@ -78,7 +82,7 @@ internal static class Flush
         return 0;
     }
 
-    /// <summary>True if two contacts have the same normal, and neither surface moves against the other along it.</summary>
+    /// <summary>True if two contacts have the same normal, and neither surface moves relative to the other along it.</summary>
     /// <param name="first">One contact.</param>
     /// <param name="second">The other contact.</param>
     public static bool IsFlush(in Contact first, in Contact second)
@@ -91,7 +95,7 @@ internal static class Flush
         return MovesAlong(first.Velocity - second.Velocity, in first.Normal, in second.Normal);
     }
 
-    /// <summary>True if neither of two surfaces moves against the other along their normal.</summary>
+    /// <summary>True if two surfaces do not move relative to each other along their normal.</summary>
     private static bool MovesAlong(World world, int first, int second, in Vector3d position, in ShapePoint on, in ShapePoint at, double time)
     {
         Collider one = world.Colliders[first];
@@ -106,15 +110,16 @@ internal static class Flush
         return MovesAlong(in difference, on.Normal, at.Normal);
     }
 
-    /// <summary>True if the difference of two velocities is along surfaces with these normals: at the edge of a tile those differ a little, and ΔV·n is at most |ΔV| |n₁ × n₂|.</summary>
+    /// <summary>True if the difference of two velocities has no normal component.</summary>
+    /// <remarks>At an edge the normals differ slightly, so ΔV·n may be up to |ΔV| |n₁ × n₂|.</remarks>
     private static bool MovesAlong(in Vector3d difference, in Vector3d first, in Vector3d second) =>
         Math.Abs(Vector3d.Dot(in difference, in first)) <= ContactSearch.Approaching + (difference.Length * Vector3d.Cross(in first, in second).Length);
 
-    /// <summary>True if the first of two contacts with the same normal stands for both.</summary>
+    /// <summary>True if the first of two contacts with the same normal represents both.</summary>
     /// <param name="world">The world.</param>
     /// <param name="first">One contact.</param>
     /// <param name="second">The other contact.</param>
-    /// <param name="carrier">The collider that carries the ball; −1 for none.</param>
+    /// <param name="carrier">The carrier; −1 if there is none.</param>
     public static bool ComesBefore(World world, in Contact first, in Contact second, int carrier) =>
         ComesBefore(world, first.Collider, first.IsFlat, second.Collider, second.IsFlat, second.Gap - first.Gap, carrier);
 
@@ -134,10 +139,10 @@ internal static class Flush
         return isGround || world.Colliders[second] == world.Ground ? !isGround : first == carrier || (second != carrier && first < second);
     }
 
-    /// <summary>
-    /// The surface that carries a ball if several with the same normal touch it. The order: a face under the ball, the deepest, any object before the ground, the carrier so
-    /// far, the first of the scene.
-    /// </summary>
+    /// <summary>Returns the carrier if several surfaces with the same normal touch the ball.</summary>
+    /// <remarks>
+    /// Priority: a face below the ball, the deepest, any object before the ground, the current carrier, scene order.
+    /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball, on a surface.</param>
     /// <returns>Index of the collider.</returns>
@@ -173,7 +178,7 @@ internal static class Flush
                 continue;
             }
 
-            // The walk has no order: the rule decides, whichever is found first.
+            // The walk has no defined order, so the rule decides and not the first hit.
             bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
             if (wins)
             {

@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Forces that are not determined: a ball that sticks to two surfaces may press them apart, along the line between the contact points, without moving. If the least
-/// forces leave a friction cone, the smallest change along that line brings them back into both cones.
-/// </summary>
+/// <summary>Resolves undetermined forces: a ball that sticks to two surfaces may push them apart along the line between the contact
+/// points.</summary>
+/// <remarks>If the smallest forces are outside a friction cone, the smallest change along that line moves them into both cones.</remarks>
 internal static unsafe class FrictionBrace
 {
-    /// <summary>Forces that are brought back into a friction cone are so far inside, as a share of the square.</summary>
+    /// <summary>Forces are moved this far inside a friction cone, as a share of the square.</summary>
     private const double Inside = 1.0 - 1e-9;
 
-    /// <summary>The share λ of the change z that brings the forces x into both cones; 0 if they are inside, or if none does.</summary>
+    /// <summary>Returns the share λ of the change z that moves the forces x into both cones; 0 if they are inside, or if none
+    /// does.</summary>
     /// <param name="x">Load and friction of the first contact, along its two directions.</param>
     /// <param name="z">The change of these forces.</param>
     /// <param name="sliding">Its μ_s.</param>
@@ -34,7 +34,8 @@ internal static unsafe class FrictionBrace
     private static bool IsBeyondCone(double* x, double sliding) =>
         (x[1] * x[1]) + (x[2] * x[2]) > sliding * sliding * x[0] * x[0] || x[0] < 0;
 
-    /// <summary>Narrows the shares λ of a change z for which the friction stays in its cone, |F + λ z_F| ≤ μ (N + λ z_N), on the side where the load grows.</summary>
+    /// <summary>Narrows the range of λ for which the friction stays in its cone, |F + λ z_F| ≤ μ (N + λ z_N), on the side where the load
+    /// grows.</summary>
     private static void Allow(double* x, double* z, double sliding, ref double low, ref double high)
     {
         double mu = sliding * sliding * Inside;

@@ -1,19 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot, in closed form: the general law of <see cref="ContactForces"/> where no normal
-/// turns. The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer. The conditions along the line and those across it part.
-/// </summary>
-/// <remarks>With b = n × a, m the normal of the other surface, c = m·n and s = m·b; A and T are the accelerations without contacts.</remarks>
+/// <summary>Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot: <see cref="ContactForces"/> in closed
+/// form.</summary>
+/// <remarks>
+/// It applies if no normal turns. The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer.
+/// The conditions along the line and those across it decouple.
+/// With b = n × a, m the normal of the other surface, c = m·n and s = m·b; A and T are the accelerations without contacts.
+/// </remarks>
 internal unsafe struct LineForces
 {
-    /// <summary>Two normals leave a line where |n₁ × n₂| is more than this.</summary>
+    /// <summary>Two normals leave a line if |n₁ × n₂| exceeds this.</summary>
     public const double Independent = 1e-6;
 
-    /// <summary>A reserve that no condition asks for.</summary>
+    /// <summary>Value of a margin that no condition uses.</summary>
     private const double Ample = 1.0;
 
-    /// <summary>Which contacts bear, and stick.</summary>
+    /// <summary>The contacts that are active, and those that stick.</summary>
     public LineModes Modes;
 
     /// <summary>n of the bearer, a, and e, 1/m.</summary>
@@ -21,13 +23,13 @@ internal unsafe struct LineForces
     public Vector3d Along;
     public Vector3d SpinPerSpeed;
 
-    /// <summary>True when rolling resistance, or a third surface, keeps the ball on its spot.</summary>
+    /// <summary>True if rolling resistance or a third surface keeps the ball on its spot.</summary>
     public bool Pinned;
 
-    /// <summary>True when drilling friction holds the spin about n at zero.</summary>
+    /// <summary>True if drilling friction holds the spin about n at zero.</summary>
     public bool HoldsSpin;
 
-    /// <summary>Signs of x, of ψ as drilling friction takes it, and of the slip along a.</summary>
+    /// <summary>Signs of x, of the spin ψ for drilling friction, and of the slip along a.</summary>
     public double Direction;
     public double SpinSign;
     public double SlipSign;
@@ -77,7 +79,7 @@ internal unsafe struct LineForces
         return size > Independent;
     }
 
-    /// <summary>Both contacts stick: e = (b₁ + b₂)/(r (1 + c)), and the ball has no other spin.</summary>
+    /// <summary>Sets both contacts to stick: e = (b₁ + b₂)/(r (1 + c)), and the ball has no other spin.</summary>
     public void StickBoth()
     {
         Modes = LineModes.Wedge;
@@ -85,7 +87,8 @@ internal unsafe struct LineForces
         SpinPerSpeed = 1.0 / (_radius * (1.0 + _cosine)) * (_across + _otherAcross);
     }
 
-    /// <summary>A third surface bears too, and closes the line: the ball only spins. A unit of load does d = m_t − μ (1 − c) t along n's plane, t = ± m × n/|m × n|.</summary>
+    /// <summary>Adds an active third surface that blocks the line, so that the ball only spins.</summary>
+    /// <remarks>A unit of load has the effect d = m_t − μ (1 − c) t in the plane of n, t = ± m × n/|m × n|.</remarks>
     /// <param name="third">The third contact, which slips like the second one.</param>
     /// <param name="sign">The sign of ψ.</param>
     /// <returns>False if the loads are not determined.</returns>
@@ -105,27 +108,27 @@ internal unsafe struct LineForces
         return Math.Abs(_third.Determinant) > Independent && _third.Sine > Independent;
     }
 
-    /// <summary>The slip at the second surface along a, ((1 − c) x + r s ψ), m/s.</summary>
+    /// <summary>Returns the slip at the second surface along a, (1 − c) x + r s ψ, m/s.</summary>
     public readonly double Slip(double speed, double about) => ((1.0 - _cosine) * speed) + (_radius * _sine * about);
 
-    /// <summary>The size of the slip at the third surface, m/s.</summary>
+    /// <summary>Returns the magnitude of the slip at the third surface, m/s.</summary>
     public readonly double ThirdSlip(double about) => _radius * _third.Sine * Math.Abs(about);
 
-    /// <summary>The spin about n, rad/s.</summary>
+    /// <summary>Returns the spin about n, rad/s.</summary>
     public readonly double AboutNormal(double speed, double about) => about + (speed * Vector3d.Dot(in SpinPerSpeed, in Normal));
 
-    /// <summary>True if rolling resistance holds a ball without speed against a push, m/s² (several.md, Rest).</summary>
+    /// <summary>True if rolling resistance holds a ball at zero speed against a push, m/s² (several.md, Rest).</summary>
     public readonly bool Holds(in Vector3d push, double load) => Math.Abs(Vector3d.Dot(in push, in Along)) <= (1.0 + _alpha) * _rolling * load;
 
-    /// <summary>True if drilling friction acts at all.</summary>
+    /// <summary>True if the bearer has drilling friction.</summary>
     public readonly bool Drills => _drilling > 0;
 
-    /// <summary>Rates and forces at a state.</summary>
+    /// <summary>Computes rates and forces at a state.</summary>
     /// <param name="push">A, m/s².</param>
     /// <param name="torque">T, rad/s².</param>
     /// <param name="speed">x, m/s.</param>
     /// <param name="about">ψ, rad/s.</param>
-    /// <param name="rates">Rates, loads, and the reserves of the modes.</param>
+    /// <param name="rates">Rates, loads, and the margins of the modes.</param>
     public readonly void Evaluate(in Vector3d push, in Vector3d torque, double speed, double about, out LineRates rates)
     {
         switch (Modes)
@@ -142,9 +145,8 @@ internal unsafe struct LineForces
         }
     }
 
-    /// <summary>
-    /// One contact sticks: N₂ = −(A·b − α r T·a)/s and N₁ = −A·n − c N₂ from the plane across the line; F (1 + 1/α) = r T·b − A·a + μ N₂ (1 + c/α) from ẍ = r ω̇·b.
-    /// </summary>
+    /// <summary>One contact sticks: the plane across the line gives the loads, and ẍ = r ω̇·b gives the friction.</summary>
+    /// <remarks>N₂ = −(A·b − α r T·a)/s and N₁ = −A·n − c N₂; F (1 + 1/α) = r T·b − A·a + μ N₂ (1 + c/α).</remarks>
     private readonly void Roll(in Vector3d push, in Vector3d torque, double speed, double about, out LineRates rates)
     {
         double along = Vector3d.Dot(in push, in Along);
@@ -166,7 +168,7 @@ internal unsafe struct LineForces
         rates.HoldSpin = HoldsSpin ? (_drilling * load) - Math.Abs(spin) : Ample;
     }
 
-    /// <summary>Three surfaces close every direction: N₂ and N₃ from A_t − α r n × T + N₂ d₂ + N₃ d₃ = 0.</summary>
+    /// <summary>Three surfaces block every direction: N₂ and N₃ follow from A_t − α r n × T + N₂ d₂ + N₃ d₃ = 0.</summary>
     private readonly void Spot(in Vector3d push, in Vector3d torque, double about, out LineRates rates)
     {
         Vector3d turned = -_alpha * _radius * Vector3d.Cross(in Normal, in torque);
@@ -189,10 +191,11 @@ internal unsafe struct LineForces
         rates.HoldSpin = Ample;
     }
 
-    /// <summary>
-    /// Both contacts stick. With loads N, friction P along b and Q along a: P₁ + P₂ = −α r T·a leaves one force p that presses the surfaces apart and moves nothing but by the
-    /// bearer's resistance; the least squares take it, or the nearest that is in both cones.
-    /// </summary>
+    /// <summary>Both contacts stick.</summary>
+    /// <remarks>
+    /// With loads N, friction P along b and Q along a, P₁ + P₂ = −α r T·a leaves one undetermined force p that pushes the surfaces apart.
+    /// It has no effect except through the bearer's resistance. The least-squares solution is used, or the nearest one inside both cones.
+    /// </remarks>
     private readonly void Wedge(in Vector3d push, in Vector3d torque, double speed, out LineRates rates)
     {
         double c = _cosine;
@@ -202,7 +205,7 @@ internal unsafe struct LineForces
         double second = -Vector3d.Dot(in push, in _other) + (sine * half);
         double perSquare = 1.0 / (sine * sine);
 
-        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂, with K the part that resistance and drilling friction require of them.
+        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂. K is the part due to rolling resistance and drilling friction.
         double turn = _radius * Vector3d.Dot(in torque, in _across);
         double otherTurn = _radius * Vector3d.Dot(in torque, in _otherAcross);
         double along = Vector3d.Dot(in push, in Along);
@@ -236,7 +239,7 @@ internal unsafe struct LineForces
         rates.HoldSpin = Ample;
     }
 
-    /// <summary>(c₀ + c₁ |x|), against the motion.</summary>
+    /// <summary>Returns the rolling resistance per load, c₀ + c₁ |x|, with the sign of the motion.</summary>
     private readonly double Resistance(double speed) => Direction * (_rolling + (_rollingBySpeed * Math.Abs(speed)));
 
     private static void SetAlong(double* x, double sum, double difference)
@@ -263,17 +266,17 @@ internal unsafe struct LineForces
         public double Sliding;
         public double Determinant;
 
-        /// <summary>t at it, and at the second surface.</summary>
+        /// <summary>t at this surface, and at the second one.</summary>
         public Vector3d Slip;
         public Vector3d OtherSlip;
 
-        /// <summary>d of the second surface and its own.</summary>
+        /// <summary>d of the second surface, and of this one.</summary>
         public Vector3d Other;
         public Vector3d Own;
     }
 }
 
-/// <summary>Modes of a set that leaves the ball a line.</summary>
+/// <summary>Modes of a contact set that leaves the ball a line.</summary>
 internal enum LineModes
 {
     /// <summary>The bearer sticks, the other surface slips.</summary>
@@ -286,7 +289,7 @@ internal enum LineModes
     Spot,
 }
 
-/// <summary>Rates of a ball on a line, its loads, and the reserves of the modes, which are positive until a mode ends.</summary>
+/// <summary>Rates of a ball on a line, its loads, and the margins of the modes, which are positive until a mode ends.</summary>
 internal struct LineRates
 {
     /// <summary>ẍ, m/s², and ψ̇, rad/s².</summary>
@@ -298,18 +301,18 @@ internal struct LineRates
     public double Other;
     public double Third;
 
-    /// <summary>μ N − |F| of the contacts that stick, m/s².</summary>
+    /// <summary>μ N − |F| of the sticking contacts, m/s².</summary>
     public double Grip;
     public double OtherGrip;
 
-    /// <summary>Reserves of rolling resistance and of drilling friction that hold the ball, and its spin.</summary>
+    /// <summary>Margins of the rolling resistance and the drilling friction that hold the ball and its spin.</summary>
     public double Hold;
     public double HoldSpin;
 
-    /// <summary>True if the modes hold: all loads and reserves are positive.</summary>
+    /// <summary>True if the modes hold: all loads and margins are positive.</summary>
     public readonly bool IsValid => Load > SurfaceForces.Least && Other > SurfaceForces.Least && Third > SurfaceForces.Least && Grip > 0 && OtherGrip > 0 && Hold > 0 && HoldSpin > 0;
 
-    /// <summary>True if every load and reserve keeps a share of its value at the start.</summary>
+    /// <summary>True if every load and margin keeps a share of its value at the start.</summary>
     public readonly bool Keeps(in LineRates start, double share) =>
         Load > share * start.Load && Other > share * start.Other && Third > share * start.Third && Grip > share * start.Grip && OtherGrip > share * start.OtherGrip
         && Hold > share * start.Hold && HoldSpin > share * start.HoldSpin;

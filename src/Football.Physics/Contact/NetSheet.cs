@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A net, ready to be asked: how deep the ball is in it, and how it pushes.</summary>
+/// <summary>A net prepared for queries: the depth of the ball in it, and its force on the ball.</summary>
 internal sealed class NetSheet
 {
     private readonly Vector3d _center;
@@ -34,31 +34,31 @@ internal sealed class NetSheet
     /// <summary>Normal of its plane.</summary>
     public Vector3d Normal { get; }
 
-    /// <summary>Half its size in its first direction, m.</summary>
+    /// <summary>Half size in its first direction, m.</summary>
     public double HalfLength { get; }
 
-    /// <summary>Half its size in its second direction, m.</summary>
+    /// <summary>Half size in its second direction, m.</summary>
     public double HalfWidth { get; }
 
-    /// <summary>How fast it comes back by itself, 1/b, m/s.</summary>
+    /// <summary>The speed at which it returns on its own, 1/b, m/s.</summary>
     public double ReturnSpeed => 1.0 / _damping;
 
-    /// <summary>A box around it.</summary>
+    /// <summary>Its bounding box.</summary>
     public Bounds3d Bounds => Bounds3d.Around(
         _center,
         (HalfLength * Math.Abs(_along.X)) + (HalfWidth * Math.Abs(_across.X)),
         (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
         (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
 
-    /// <summary>True when another sheet hangs in the same place, whatever it is made of.</summary>
+    /// <summary>True if another sheet has the same position and size, whatever its material.</summary>
     public bool IsAt(NetSheet other) =>
         _center == other._center && Normal == other.Normal && _along == other._along && HalfLength == other.HalfLength && HalfWidth == other.HalfWidth;
 
-    /// <summary>A point, or a velocity where it is no place, in the sheet's own axes: along, across, off its plane.</summary>
+    /// <summary>Converts a vector to the sheet's axes: along, across, off its plane.</summary>
     public Vector3d InFrame(in Vector3d vector) =>
         new(Vector3d.Dot(in vector, in _along), Vector3d.Dot(in vector, in _across), Vector3d.Dot(in vector, Normal));
 
-    /// <summary>A place in the sheet's own axes, from its centre.</summary>
+    /// <summary>Converts a position to the sheet's axes, relative to its centre.</summary>
     public Vector3d PlaceInFrame(in Vector3d position) => InFrame(position - _center);
 
     /// <summary>Depth of the ball, δ = r − σ (p − c)·n, m.</summary>
@@ -67,34 +67,37 @@ internal sealed class NetSheet
     /// <summary>δ̇, m/s.</summary>
     public double DepthRate(in Vector3d velocity, double side) => -side * Vector3d.Dot(in velocity, Normal);
 
-    /// <summary>1 + b δ̇: what the push grows by; where it is negative the ball leaves faster than the net follows.</summary>
+    /// <summary>1 + b δ̇, the factor of the force.</summary>
+    /// <remarks>If it is negative, the ball leaves faster than the net follows.</remarks>
     public double Tension(in Vector3d velocity, double side) => 1.0 + (_damping * DepthRate(in velocity, side));
 
     /// <summary>b δ̈, 1/s.</summary>
     public double TensionRate(in Vector3d acceleration, double side) => _damping * DepthRate(in acceleration, side);
 
-    /// <summary>How far from its centre a ball may be that came into it at a speed, m: where all of its energy is in the net, in every direction. Infinite without stiffness.</summary>
+    /// <summary>Upper bound of the distance from its centre of a ball that entered at a given speed, m.</summary>
+    /// <remarks>All of the ball's energy is then in the net, in every direction. Infinite without stiffness.</remarks>
     public double FarthestIn(double speed) => HalfLength + HalfWidth + (2.0 * _radius) + (speed / Math.Sqrt(_stiffness));
 
-    /// <summary>How fast the net changes the motion at a depth, 1/s.</summary>
+    /// <summary>Returns how fast the net changes the motion at a depth, 1/s.</summary>
     public double RateAt(double depth) => (depth * RatePerDepth) + Math.Sqrt(_stiffness);
 
-    /// <summary>By how much that is faster for each metre deeper, 1/(m s).</summary>
+    /// <summary>Increase of this rate per metre of depth, 1/(m s).</summary>
     public double RatePerDepth => (_stiffness * _damping) + _tangential + _spin;
 
-    /// <summary>
-    /// How far the path of a piece may be off the quintic through its ends' places, velocities and accelerations, m: |x⁽⁶⁾| h⁶/46080, with a force that settles at
-    /// the rate λ, |x⁽⁶⁾| ≤ λ⁴ |a|, the net's pull off the sheet and its drag along it each at its own rate.
-    /// </summary>
+    /// <summary>Bounds the distance of a piece's path from the quintic through the positions, velocities and accelerations at its ends,
+    /// m.</summary>
+    /// <remarks>
+    /// It is |x⁽⁶⁾| h⁶/46080 with |x⁽⁶⁾| ≤ λ⁴ |a| for a force that settles at the rate λ. The net's pull and its drag have different rates.
+    /// </remarks>
     public double Bends(in Vector3d position, in Vector3d velocity, double side, double h)
     {
-        // As deep as it may come within h.
+        // Maximum depth that the ball can reach within h.
         double depth = Math.Max(0, Depth(in position, side)) + (h * velocity.Length);
         double off = Vector3d.Dot(in velocity, Normal);
         double pull = _stiffness * depth * Math.Max(0, Tension(in velocity, side));
         double drag = _tangential * depth * (velocity - (off * Normal)).Length;
 
-        // λ h of the pull, λ = k b δ + √k, and of the drag, λ = k_t δ: to the fourth power.
+        // λ h of the pull, λ = k b δ + √k, and of the drag, λ = k_t δ, each to the fourth power.
         double pulls = h * ((_stiffness * _damping * depth) + Math.Sqrt(_stiffness));
         double drags = h * _tangential * depth;
         pulls *= pulls;
@@ -102,7 +105,7 @@ internal sealed class NetSheet
         return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
     }
 
-    /// <summary>Force on a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
+    /// <summary>Returns the force on a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
     public MotionRates Push(in Motion at, double side)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));

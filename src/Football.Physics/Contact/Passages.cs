@@ -1,12 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Which nets a ball is in, on which side of each, and which goals it has come through: what a state keeps of the ball's way. A ball that is put down has none, and is in
-/// what it lies in; a kick, and another scene with the same nets and goals, change nothing of it.
-/// </summary>
+/// <summary>The nets that a ball is in, its side of each, and the goals that it has entered: the history stored in a state.</summary>
+/// <remarks>
+/// A placed ball has no history; its nets and goals follow from its position. A kick, and another scene with the same nets and goals, keep
+/// the history.
+/// </remarks>
 internal static class Passages
 {
-    /// <summary>Of a ball that is put where it is: it is in the nets whose slab it lies in, on the side of its centre.</summary>
+    /// <summary>Sets the nets of a placed ball: those whose slab contains it, on the side of its centre.</summary>
     public static void PutInNets(World world, ref BallState s)
     {
         for (int i = 0; i < world.Nets.Length; i++)
@@ -15,7 +16,7 @@ internal static class Passages
         }
     }
 
-    /// <summary>Of a ball that is put, or kicked, where it is: the goals whose mouth it has come through, a bit each.</summary>
+    /// <summary>Returns the goals whose mouth a placed or kicked ball has entered, one bit each.</summary>
     public static ulong GoalsEnteredAt(World world, in Vector3d position)
     {
         ulong entered = 0;
@@ -27,14 +28,14 @@ internal static class Passages
         return entered;
     }
 
-    /// <summary>Of a ball that was moved straight to where it is: it may have come through a mouth, or back.</summary>
+    /// <summary>Updates the goals of a ball that was displaced in a straight line through a mouth, in or out.</summary>
     public static void PassMouths(World world, ref BallState s, in Vector3d from)
     {
         for (int i = 0; i < world.Goals.Length; i++)
         {
             ulong bit = 1UL << i;
 
-            // Before the mouth it is out; behind it in, where it came through the opening.
+            // In front of the mouth the ball is outside; behind it, inside if it came through the opening.
             if (world.Goals[i].BeforeMouth(s.Position) > 0)
             {
                 s.GoalsEntered &= ~bit;
@@ -46,7 +47,7 @@ internal static class Passages
         }
     }
 
-    /// <summary>Of a ball that is kicked: the nets that it is in, and the mouths that it has come through, stay; the lines that it has passed count anew.</summary>
+    /// <summary>Keeps the nets and entered goals of a kicked ball, and resets the goal lines that it has passed.</summary>
     /// <param name="world">The world.</param>
     /// <param name="before">The ball before the kick.</param>
     /// <param name="s">The same ball, kicked.</param>
@@ -64,11 +65,11 @@ internal static class Passages
         }
     }
 
-    /// <summary>Of a ball that goes on in another scene: what both scenes have stays, and in what is new the ball is put.</summary>
-    /// <param name="old">The world that the ball was in.</param>
-    /// <param name="world">The world that it goes on in.</param>
+    /// <summary>Transfers nets and goals of a ball to another scene: it keeps those in both scenes, and is placed in new ones.</summary>
+    /// <param name="old">The old world.</param>
+    /// <param name="world">The new world.</param>
     /// <param name="before">The ball in the old world.</param>
-    /// <param name="s">The ball in the new world, where neither a net nor a goal is known.</param>
+    /// <param name="s">The ball in the new world, without nets and goals.</param>
     public static void Carry(World old, World world, in BallState before, ref BallState s)
     {
         for (int i = 0; i < world.Nets.Length; i++)
@@ -104,7 +105,7 @@ internal static class Passages
         }
     }
 
-    /// <summary>Takes over whether the ball is in a net; one that the ball does not reach from that side it is not in.</summary>
+    /// <summary>Copies whether the ball is in a net, unless the ball does not reach the net from that side.</summary>
     private static void CopyNet(World world, int from, in BallState before, int net, ref BallState s)
     {
         bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, World.SideOf(before.NetSides, from)) >= -ContactSearch.Touching;

@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>The part of a push that smooth contacts leave: none, one or two of them bear, or three and more take all of it.</summary>
+/// <summary>The part of a push that frictionless contacts leave: up to two of them have a load, or three and more take all of it.</summary>
 internal unsafe struct PushProjection
 {
-    /// <summary>Two normals are independent where 1 − (n₁·n₂)² is more than this, and three where |n₁·(n₂ × n₃)| is.</summary>
+    /// <summary>Two normals are independent if 1 − (n₁·n₂)² exceeds this, and three if |n₁·(n₂ × n₃)| does.</summary>
     private const double Independent = 1e-6;
 
-    /// <summary>The contacts that bear; −1 for none.</summary>
+    /// <summary>The contacts with a load; −1 for none.</summary>
     public int First;
     public int Second;
 
@@ -14,13 +14,13 @@ internal unsafe struct PushProjection
     public double FirstLoad;
     public double SecondLoad;
 
-    /// <summary>The rest of the push, m/s².</summary>
+    /// <summary>The remaining push, m/s².</summary>
     public Vector3d Left;
 
-    /// <summary>True if three independent loads, or more, take all of it.</summary>
+    /// <summary>True if three or more independent loads take all of it.</summary>
     public bool TakesAll;
 
-    /// <summary>Projects a push, m/s², onto what the contacts leave free.</summary>
+    /// <summary>Projects a push onto the directions that the contacts leave free, m/s².</summary>
     /// <param name="normals">The normals of the contacts, towards the ball.</param>
     /// <param name="count">The number of contacts.</param>
     /// <param name="push">The push.</param>
@@ -66,10 +66,8 @@ internal unsafe struct PushProjection
         return none;
     }
 
-    /// <summary>
-    /// True if three normals lie in one plane and surround the ball, n₁ + β n₂ + γ n₃ = 0 with β, γ > 0: then the loads are not determined if all of them bear, and a
-    /// push needs no more than two of them.
-    /// </summary>
+    /// <summary>True if three normals lie in one plane and surround the ball, n₁ + β n₂ + γ n₃ = 0 with β, γ > 0.</summary>
+    /// <remarks>Their loads are then not determined if all three are active, and a push needs at most two of them.</remarks>
     public static bool Surround(Vector3d* normals)
     {
         Vector3d third = Vector3d.Cross(in normals[0], in normals[1]);
@@ -80,10 +78,10 @@ internal unsafe struct PushProjection
     /// <summary>True if three normals lie in one plane.</summary>
     public static bool ArePlanar(Vector3d* normals) => Math.Abs(Vector3d.Dot(in normals[2], Vector3d.Cross(in normals[0], in normals[1]))) <= Independent;
 
-    /// <summary>True if a contact bears.</summary>
+    /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
 
-    /// <summary>True when a push leads into none of the contacts.</summary>
+    /// <summary>True if a push leads into none of the contacts.</summary>
     private static bool IsLeft(Vector3d* normals, int count, in Vector3d push)
     {
         for (int i = 0; i < count; i++)

@@ -1,15 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>A shape and its motion, described from a time on.</summary>
+/// <summary>A shape and its motion, relative to a start time.</summary>
 internal readonly struct MovingShape
 {
     private readonly IShape _shape;
     private readonly RigidMotion _motion;
 
-    /// <summary>A shape that moves.</summary>
+    /// <summary>Describes a moving shape.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="motion">Its motion.</param>
-    /// <param name="time">The time from which it is described: 0 here.</param>
+    /// <param name="time">The start time, which becomes time 0.</param>
     public MovingShape(IShape shape, in RigidMotion motion, double time)
     {
         _shape = shape;
@@ -30,49 +30,50 @@ internal readonly struct MovingShape
     /// <summary>The greatest speed that the rotation gives to any part of it, m/s.</summary>
     public double Swing => _motion.Swing;
 
-    /// <summary>Distance of a point from it, and the rate of that, m/s, for a point with a velocity.</summary>
+    /// <summary>Returns the distance of a moving point from the shape, and its rate, m/s.</summary>
     public double Distance(in Vector3d position, in Vector3d velocity, double time, out double rate)
     {
-        // Along n the shape has at the point the speed that it has at its nearest point.
+        // Along n, this point of the rotating shape moves at the same speed as the shape's nearest point.
         ShapePoint at = _motion.At(_shape, in position, time);
         rate = Vector3d.Dot(velocity - _motion.SurfaceVelocity(in position, time), at.Normal);
         return at.Distance;
     }
 }
 
-/// <summary>
-/// When a ball first touches a shape that rotates: conservative advancement as in <see cref="ContactSearch"/>. Bounds of the rate and of the bend of the gap are those
-/// of the path in the frame that rotates with the shape, in which the shape is at rest.
-/// </summary>
+/// <summary>Finds the first contact with a rotating shape by conservative advancement, as in <see cref="ContactSearch"/>.</summary>
+/// <remarks>
+/// The rate and the bend of the gap are bounded for the path in the rotating frame, where the shape is at rest.
+/// </remarks>
 internal static class RotatingSearch
 {
-    /// <summary>A gap that closes more slowly than this, m/s, ...</summary>
+    /// <summary>Maximum closing speed of a slow gap, m/s.</summary>
     private const double Slow = 0.01;
 
-    /// <summary>... may close by so much more, m, before it is looked at: so a ball that touches a drum costs few looks.</summary>
+    /// <summary>Extra closing allowed for a slow gap before the next evaluation, m.</summary>
+    /// <remarks>It saves evaluations for a ball that touches a drum.</remarks>
     private const double Sink = 1e-8;
 
-    /// <summary>When the ball touches the shape first, coming closer; infinite where it does not.</summary>
-    /// <param name="shape">The shape, from the start of the path on.</param>
-    /// <param name="hollow">The strongest curvature of its hollows, 1/m.</param>
+    /// <summary>Returns the time of the first closing contact; infinite if there is none.</summary>
+    /// <param name="shape">The shape, from the start of the path.</param>
+    /// <param name="hollow">Its largest concave curvature, 1/m.</param>
     /// <param name="path">The path.</param>
-    /// <param name="acceleration">Not less than the acceleration on it, m/s².</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
     /// <param name="radius">Radius of the ball, m.</param>
-    /// <param name="until">Where the search ends, s from the start of the path.</param>
+    /// <param name="until">End of the search, s from the start of the path.</param>
     public static double FirstContact(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, double until)
     {
-        // w = v − V and ρ, the ball's distance from the pivot, at most.
+        // Upper bounds of |w|, w = v − V, and of ρ, the ball's distance from the pivot.
         PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
         Bounds3d box = seen.Bounds;
         double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
         double speed = seen.FastestSpeed;
         double spin = shape.SpinRate;
 
-        // The gap closes at |w| + |Ω × ...| at most: of the ball about the pivot, or of the shape.
+        // The gap closes at most at |w| plus the rotation speed: that of the ball about the pivot, or that of the shape if smaller.
         double around = spin * farthest;
         double closing = speed + Math.Min(around, shape.Swing);
 
-        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). What is convex bends away from the path; the wall of a hollow bends towards it by |q̇|² κ/(1 − κ d).
+        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path; a concave one bends towards it by |q̇|² κ/(1 − κ d).
         double whole = speed + around;
         double bend = acceleration + (spin * ((2.0 * speed) + around));
         bend += hollow > 0 ? whole * whole * hollow / (1.0 - ((1.0 + ContactSearch.NearHollow) * radius * hollow)) : 0;
@@ -86,7 +87,8 @@ internal static class RotatingSearch
                 return t;
             }
 
-            // Both bounds are safe; far from a hollow only that of the rate is, and near it that of the bend until the ball may be far again.
+            // Take the longer of two safe steps. Far from a concave surface only the speed bound is valid; near it, limit the step by the
+            // bend.
             double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? Sink : 0), rate, bend);
             byBend = !(hollow > 0) ? byBend : gap < ContactSearch.NearHollow * radius ? Math.Min(byBend, ((ContactSearch.NearHollow * radius) - gap) / whole) : 0;
             if (!ContactSearch.Advance(ref t, Math.Max(byBend, Math.Max(gap, 0) / closing), shortest, until))

@@ -1,22 +1,26 @@
 namespace FootballPhysics;
 
-/// <summary>Checks that a state that came from elsewhere is one that a ball can have in a scene: what it names is there, and the ball is where that can be.</summary>
-/// <remarks>What the game or an engine moves, and what the ball has pushed, may be anywhere: a state does not hold it.</remarks>
+/// <summary>Validates that a state read from elsewhere fits a scene: its references exist, and the position of the ball is
+/// possible.</summary>
+/// <remarks>Moved and pushed objects may have any position, because a state does not store them.</remarks>
 internal static class SceneCheck
 {
-    /// <summary>So far, m, a ball may be off what carries it, for each metre that its coordinates are large: rounding, and what an integrator leaves.</summary>
+    /// <summary>Maximum distance of a ball from its carrier, per metre of its coordinates, m: rounding and the integrator's
+    /// error.</summary>
     private const double Touching = 1e-6;
 
-    /// <summary>No ball comes into a net faster, m/s: more than from the highest fall.</summary>
+    /// <summary>Maximum speed of a ball in a net, m/s: more than from the highest fall.</summary>
     private const double FastestInNets = 1e4;
 
-    /// <summary>A ball that has come through a mouth, and not passed the line, is no farther behind that, m: something may have pushed it there.</summary>
+    /// <summary>Maximum distance behind the line of a ball that entered a goal without passing the line, m.</summary>
+    /// <remarks>An object may have pushed it there.</remarks>
     private const double BehindLine = 2.0;
 
-    /// <summary>The field in which a state is none of a ball in a scene, with its value and what is allowed; null where it is one.</summary>
+    /// <summary>Returns the field of a state that does not fit the scene, with its value and the allowed values; null if the state
+    /// fits.</summary>
     public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
     {
-        // One test for the ball that most are: on level ground, or in the air, in no net and no goal.
+        // Fast path for the most common state: on level ground or in the air, in no net and no goal.
         bool isInAny = (s.Nets | s.NetSides | s.GoalsEntered | s.GoalsPassed) != 0;
         if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= Touching)))
         {
@@ -45,7 +49,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
         {
-            // As far as its momentum can take it into the net, and that beyond the edges.
+            // Allow the distance that the ball's momentum can carry it into the net, also beyond the edges.
             if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
             {
                 return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");
@@ -54,7 +58,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Goals.Length && s.GoalsEntered >> i != 0; i++)
         {
-            // Behind the mouth, and before the line.
+            // The ball must be behind the mouth and in front of the line.
             double before = world.Goals[i].BeforeMouth(s.Position);
             if ((s.GoalsEntered >> i & 1) != 0 && !(before <= Tolerance(in s) && world.Goals[i].BeforeLine(s.Position, world.Ball.Radius) >= -BehindLine))
             {
@@ -70,7 +74,7 @@ internal static class SceneCheck
         long index = s.Carrier - world.FirstCollider;
         if (s.Motion == MotionState.Airborne || (s.Motion == MotionState.Pinned && s.Carrier == 0))
         {
-            // Nothing carries it.
+            // The ball has no carrier.
             return s.Carrier == 0 ? null : Carrier(in s, "0 for a ball that nothing carries");
         }
 
@@ -79,7 +83,7 @@ internal static class SceneCheck
             return world.Engine is null ? Carrier(in s, "one of the scene's things") : null;
         }
 
-        // A ball that hangs in a net is in that net.
+        // The carrier is a net: the ball must be at rest in that net.
         long net = s.Carrier - world.ThingOfNet(0);
         if (net >= 0)
         {
@@ -92,7 +96,7 @@ internal static class SceneCheck
             return Carrier(in s, "a thing that can carry the ball");
         }
 
-        // Where what the game moves is, and what was pushed, the state does not say.
+        // The state does not contain the positions of moved or pushed objects, so do not check the distance to them.
         Collider carrier = world.Colliders[index];
         if (world.Ignores(carrier))
         {
@@ -110,7 +114,7 @@ internal static class SceneCheck
             return ("state.position", s.Position.ToString("R", null), $"a place where the ball touches \"{carrier.Name}\", which carries it; {Text(gap)} m are between");
         }
 
-        // What rests moves along.
+        // A resting ball must move along with its carrier.
         Vector3d along = carrier.MaterialVelocity(s.Position, s.Time);
         return s.Motion == MotionState.Rest && !((s.Velocity - along).Length <= Touching * (1.0 + along.Length))
             ? ("state.velocity", s.Velocity.ToString("R", null), $"that of \"{carrier.Name}\" at a ball that rests on it")

@@ -1,6 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>An event sought along a piece: a function of the ball's place that is positive before it happens, and falls to zero where it does.</summary>
+/// <summary>An event searched for along a piece: a function of the ball's position that is positive before the event and zero at
+/// it.</summary>
 internal readonly struct Separation
 {
     private readonly World _world;
@@ -27,55 +28,54 @@ internal readonly struct Separation
     /// <summary>Index of the collider, the net or the goal.</summary>
     public int Index => _index;
 
-    /// <summary>σ of the net that is met.</summary>
+    /// <summary>σ of the net that the ball enters.</summary>
     public double Side => _side;
 
-    /// <summary>How much the gap may bend at most for a path that bends by 1: beside a net both the place and the depth count.</summary>
+    /// <summary>Bend of the gap for a path with unit bend: at the edge of a net, both the position and the depth count.</summary>
     public double Bends => _deepest >= 0 ? 2.0 : 1.0;
 
     /// <summary>The distance between the ball and a collider.</summary>
     public static Separation OfContact(World world, int collider) => new(world, SeparationKind.Contact, collider, 0, 0);
 
-    /// <summary>The place where a collider that is flush with the carrier begins to carry the ball.</summary>
+    /// <summary>The position at which a collider flush with the carrier becomes the carrier.</summary>
     public static Separation OfSeam(World world, int collider) => new(world, SeparationKind.Seam, collider, 0, 0);
 
-    /// <summary>
-    /// Distance left until the ball is in a net: across its plane, or beside it, where the net reaches as far beyond its edge as the ball is deep in another one: so
-    /// what it presses out of one net is caught by the next, where the two are joined.
-    /// </summary>
+    /// <summary>The distance until the ball is in a net, across its plane or beyond its edge.</summary>
+    /// <remarks>
+    /// A net extends beyond its edge by the depth of the ball in another net. A ball that presses out of one net is thus caught by the next
+    /// one if they are joined.
+    /// </remarks>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
-    /// <param name="axis">0 and 1 beside it, 2 off its plane.</param>
-    /// <param name="side">On which side of that axis the ball comes.</param>
+    /// <param name="axis">0 and 1 along the sheet, 2 off its plane.</param>
+    /// <param name="side">Side of that axis from which the ball comes.</param>
     /// <param name="sheetSide">σ.</param>
-    /// <param name="deepest">The net in which the ball is deepest; −1 where it is in none.</param>
-    /// <param name="deepestSide">σ of that one.</param>
+    /// <param name="deepest">The net in which the ball is deepest; −1 if it is in none.</param>
+    /// <param name="deepestSide">σ of that net.</param>
     public static Separation OfMeetingNet(World world, int net, int axis, double side, double sheetSide, int deepest, double deepestSide) =>
         new(world, SeparationKind.NetMet, net, axis + (side < 0 ? 4 : 0), sheetSide, axis == 2 ? -1 : deepest, deepestSide);
 
     /// <summary>The depth in a net.</summary>
     public static Separation OfLeavingNet(World world, int net, double side) => new(world, SeparationKind.NetLeft, net, 2, side);
 
-    /// <summary>
-    /// Distance left until a ball in a net is off its edge: beyond it by its radius and by the depth in the net that it is deepest in. So a ball that one net holds
-    /// runs over that one's edge, and a ball that two hold is not let through where they are joined.
-    /// </summary>
+    /// <summary>The distance until a ball in a net is off its edge: beyond it by its radius and its greatest depth in any net.</summary>
+    /// <remarks>A ball held by one net rolls over its edge, but a ball held by two does not slip through where they are joined.</remarks>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
-    /// <param name="axis">Beside it: 0 or 1.</param>
-    /// <param name="side">On which side of that axis the edge is.</param>
+    /// <param name="axis">0 or 1, along the sheet.</param>
+    /// <param name="side">Side of that axis with the edge.</param>
     /// <param name="deepest">The net in which the ball is deepest.</param>
-    /// <param name="deepestSide">σ of that one.</param>
+    /// <param name="deepestSide">σ of that net.</param>
     public static Separation OfNetEdge(World world, int net, int axis, double side, int deepest, double deepestSide) =>
         new(world, SeparationKind.NetLeft, net, axis + (side < 0 ? 4 : 0), 0, deepest, deepestSide);
 
-    /// <summary>The distance before the mouth of a goal, behind it, or before its line.</summary>
+    /// <summary>The distance in front of the mouth of a goal, behind it, or in front of its line.</summary>
     /// <param name="world">The world.</param>
-    /// <param name="what">Which of these: entering the mouth, leaving it, or the line.</param>
+    /// <param name="what">The event: entering the mouth, leaving it, or passing the line.</param>
     /// <param name="goal">The goal.</param>
     public static Separation OfGoal(World world, SeparationKind what, int goal) => new(world, what, goal, 0, 0);
 
-    /// <summary>Its value, m, and its rate, m/s, at a place with a velocity at a time.</summary>
+    /// <summary>Returns its value, m, and its rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
     {
         switch (What)
@@ -83,7 +83,7 @@ internal readonly struct Separation
             case SeparationKind.Contact:
                 Collider collider = _world.Colliders[_index];
 
-                // A plane that stands still: (p − c)·n − r, and no curvature.
+                // A stationary plane: (p − c)·n − r, without curvature.
                 if (collider.StandingPlane is { } plane)
                 {
                     value = plane.DistanceTo(in position) - _world.Ball.Radius;
@@ -94,7 +94,7 @@ internal readonly struct Separation
                 ShapePoint at = collider.At(in position, time);
                 value = at.Distance - _world.Ball.Radius;
 
-                // Along n the shape has at the centre of the ball the speed that it has at the point of contact.
+                // Along n, the shape moves at the ball's centre as fast as at the contact point.
                 rate = Vector3d.Dot(velocity - collider.ShapeVelocity(in position, time), at.Normal);
                 break;
             case SeparationKind.NetMet when (_axis & 3) == 2:
@@ -123,7 +123,7 @@ internal readonly struct Separation
         }
     }
 
-    /// <summary>How far the ball is beyond an edge of a net, less its depth in the one that it is deepest in.</summary>
+    /// <summary>Returns the distance of the ball beyond an edge of a net, minus its depth in its deepest net.</summary>
     private void Beside(in Vector3d position, in Vector3d velocity, out double value, out double rate)
     {
         NetSheet net = _world.Nets[_index];
@@ -134,7 +134,7 @@ internal readonly struct Separation
         value = isLength ? place.X - net.HalfLength : place.Y - net.HalfWidth;
         rate = isLength ? speed.X : speed.Y;
 
-        // A net reaches as far beyond its edge as the ball is deep in another: what that lets out is caught here.
+        // A net extends beyond its edge by the depth of the ball in another net, so that a ball between two nets is caught.
         if (_deepest >= 0)
         {
             value -= _world.Nets[_deepest].Depth(in position, _deepestSide);
@@ -143,30 +143,30 @@ internal readonly struct Separation
     }
 }
 
-/// <summary>Kinds of events that a piece of motion meets in the world.</summary>
+/// <summary>Kinds of events between a piece of motion and the world.</summary>
 internal enum SeparationKind
 {
-    /// <summary>Nothing.</summary>
+    /// <summary>No event.</summary>
     None,
 
-    /// <summary>It touches a collider.</summary>
+    /// <summary>The ball touches a collider.</summary>
     Contact,
 
-    /// <summary>It comes to a flush surface that carries it from there on.</summary>
+    /// <summary>The ball reaches a flush surface that becomes its carrier.</summary>
     Seam,
 
-    /// <summary>It meets a net.</summary>
+    /// <summary>The ball enters a net.</summary>
     NetMet,
 
-    /// <summary>It leaves a net, off its plane or over its edge.</summary>
+    /// <summary>The ball leaves a net, off its plane or over its edge.</summary>
     NetLeft,
 
-    /// <summary>It comes through the mouth of a goal.</summary>
+    /// <summary>The ball enters the mouth of a goal.</summary>
     MouthEntered,
 
-    /// <summary>It goes back through the mouth.</summary>
+    /// <summary>The ball goes back through the mouth.</summary>
     MouthLeft,
 
-    /// <summary>Having come through the mouth, all of it is over the line.</summary>
+    /// <summary>The whole ball is over the line after it entered the mouth.</summary>
     GoalLine,
 }

@@ -2,31 +2,31 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>One contact of a contact set at the level of forces: its mode, what it is made of, and the load and the friction that it was last found to give.</summary>
+/// <summary>One contact of a contact set at the level of forces: its mode, its material, and its last load and friction.</summary>
 internal struct SetContact
 {
-    /// <summary>Of two loads that differ by less than this share the first counts.</summary>
+    /// <summary>Two loads are equal if they differ by less than this share; the first contact then counts.</summary>
     public const double SameLoad = 1e-9;
 
-    /// <summary>Friction leaves its cone when it exceeds it by this share.</summary>
+    /// <summary>Relative tolerance of the friction cone.</summary>
     public const double BeyondCone = 1e-12;
 
-    /// <summary>The direction of a slip that begins is found when it changes by no more than this.</summary>
+    /// <summary>Tolerance for the direction of a starting slip.</summary>
     private const double SameDirection = 1e-12;
 
     /// <summary>Index of the collider.</summary>
     public int Collider;
 
-    /// <summary>True when it bears a load. One that does not is only watched.</summary>
+    /// <summary>True if it has a load. Otherwise the contact is only monitored.</summary>
     public bool Bears;
 
-    /// <summary>True when it sticks; else it slips along <see cref="Direction"/>.</summary>
+    /// <summary>True if it sticks; otherwise it slips along <see cref="Direction"/>.</summary>
     public bool Sticks;
 
-    /// <summary>True when its normal and its velocity stay as they are all along a piece.</summary>
+    /// <summary>True if its normal and its velocity are constant throughout a piece.</summary>
     public bool IsFixed;
 
-    /// <summary>ŝ, the direction of the slip at the start of the piece: friction keeps to it where a stage passes zero.</summary>
+    /// <summary>ŝ, the direction of the slip at the start of the piece. Friction keeps it if a stage passes zero.</summary>
     public Vector3d Direction;
 
     /// <summary>n, towards the ball, and two directions along the surface.</summary>
@@ -45,7 +45,7 @@ internal struct SetContact
     /// <summary>Ω·n, rad/s.</summary>
     public double CarrierSpin;
 
-    /// <summary>ṅ, 1/s, and qᵀHq − A_s·n, m/s²: n·v̇ is at least minus that.</summary>
+    /// <summary>ṅ, 1/s, and qᵀHq − A_s·n, m/s²; n·v̇ is at least the negative of the latter.</summary>
     public Vector3d Turning;
     public double Centripetal;
 
@@ -56,20 +56,20 @@ internal struct SetContact
     public double Damping;
     public double Drilling;
 
-    /// <summary>N/m and F/m, m/s², as they were last solved for.</summary>
+    /// <summary>N/m and F/m of the last solution, m/s².</summary>
     public double Load;
     public Vector3d Friction;
 
-    /// <summary>Acceleration off the surface, m/s², of a contact that bears no load.</summary>
+    /// <summary>Acceleration off the surface of a contact without load, m/s².</summary>
     public double Opening;
 
     /// <summary>s, the slip, m/s.</summary>
     public Vector3d Slip;
 
-    /// <summary>μ_s N − |F|, m/s²: at zero a contact that sticks begins to slip.</summary>
+    /// <summary>μ_s N − |F|, m/s²: at zero a sticking contact starts to slip.</summary>
     public readonly double Grip => (Sliding * Load) - Friction.Length;
 
-    /// <summary>The friction that sticking requires beyond the cone, |F| − μ_s N, m/s²; above 0 the contact must slip.</summary>
+    /// <summary>|F| − μ_s N, m/s²: the friction beyond the cone that sticking needs. Above 0 the contact must slip.</summary>
     public readonly double Excess => Friction.Length - (Sliding * Load * (1.0 + BeyondCone));
 
     /// <summary>The number of unknown forces: a load, and two friction components if the contact sticks.</summary>
@@ -78,7 +78,8 @@ internal struct SetContact
     /// <summary>True if a slip begins here: it has a direction, but no size yet.</summary>
     public readonly bool StartsToSlip => Bears && !Sticks && Direction != Vector3d.Zero && Slip == Vector3d.Zero;
 
-    /// <summary>The direction of the slip, or the one at the start of the piece if a stage has passed zero: friction must not push the slip beyond zero.</summary>
+    /// <summary>The direction of the slip, or that at the start if a stage has passed zero: friction must not push the slip beyond
+    /// zero.</summary>
     public readonly Vector3d SlipDirection
     {
         get
@@ -88,18 +89,19 @@ internal struct SetContact
         }
     }
 
-    /// <summary>True if rolling resistance belongs to this contact rather than to another: a sticking one comes before a slipping one, then the greater load.</summary>
+    /// <summary>True if rolling resistance acts at this contact and not at another: sticking before slipping, then the greater
+    /// load.</summary>
     public readonly bool Outweighs(in SetContact other) =>
         (Sticks && !other.Sticks) || (Sticks == other.Sticks && Load > other.Load * (1.0 + SameLoad));
 
-    /// <summary>The contact bears from now on. It sticks if its slip is below a limit, m/s.</summary>
+    /// <summary>Activates the contact. It sticks if its slip is below a limit, m/s.</summary>
     public void Press(double sticking)
     {
         Bears = true;
         Sticks = Slip.Length < sticking && Sliding > 0;
     }
 
-    /// <summary>The contact slips from now on, against the friction that sticking required.</summary>
+    /// <summary>Starts a slip against the friction that sticking needed.</summary>
     public void StartSlip()
     {
         Sticks = false;
@@ -107,7 +109,7 @@ internal struct SetContact
         Direction = -1.0 / Friction.Length * Friction;
     }
 
-    /// <summary>Turns the direction of a slip that begins to the direction of its rate, m/s².</summary>
+    /// <summary>Turns the direction of a starting slip to that of its rate, m/s².</summary>
     /// <returns>True if the direction has changed.</returns>
     public bool TurnSlip(in Vector3d rate)
     {
@@ -135,13 +137,13 @@ internal struct SetContact
         Damping = material.SpinDamping / ball.MomentOfInertia;
         Drilling = material.DrillingLength * material.SlidingFriction * ball.Mass / ball.MomentOfInertia;
 
-        // A plane, or a flat face, that does not rotate is the same all along the piece.
+        // A plane or a flat face that does not rotate is constant throughout the piece.
         IsFixed = contact.IsFlat && collider.Spin == Vector3d.Zero && (collider.HasFaces || collider.IsPlane);
         Surface = contact.Velocity;
         Turn(contact.Normal);
     }
 
-    /// <summary>Sets the normal, and the directions across it.</summary>
+    /// <summary>Sets the normal and the tangent directions.</summary>
     public void Turn(in Vector3d normal)
     {
         Normal = normal;
@@ -150,7 +152,7 @@ internal struct SetContact
         Second = Vector3d.Cross(in normal, in First);
     }
 
-    /// <summary>Where the ball is relative to the surface, and how that moves.</summary>
+    /// <summary>Updates the geometry and the velocities for a motion of the ball.</summary>
     public void Look(World world, double time, in Motion at)
     {
         double r = world.Ball.Radius;

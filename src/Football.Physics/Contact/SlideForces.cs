@@ -1,25 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Loads and friction of a ball that slips on both of two stationary surfaces whose normals stay the same: the general law of <see cref="ContactForces"/> in closed form. The
-/// ball has the velocity x a, with a across both normals, and any spin.
-/// </summary>
+/// <summary>Loads and friction of a ball that slips on two stationary surfaces with constant normals: <see cref="ContactForces"/> in closed
+/// form.</summary>
+/// <remarks>The ball has the velocity x a, with a across both normals, and any spin.</remarks>
 internal struct SlideForces
 {
-    /// <summary>The loads are determined where the determinant is more than this: friction of one surface may press the ball onto the other.</summary>
+    /// <summary>The loads are determined if the determinant exceeds this: friction on one surface may press the ball onto the
+    /// other.</summary>
     private const double LeastDeterminant = 1e-3;
 
     /// <summary>a.</summary>
     public Vector3d Along;
 
-    /// <summary>Directions of the slips at the start: friction keeps to them where a stage passes zero.</summary>
+    /// <summary>Directions of the slips at the start. Friction keeps them if a stage passes zero.</summary>
     public Vector3d FirstDirection;
     public Vector3d SecondDirection;
 
-    /// <summary>True if the second surface is the bearer, to which drilling friction belongs.</summary>
+    /// <summary>True if drilling friction acts at the second surface (the bearer).</summary>
     public bool IsSecondBearer;
 
-    /// <summary>Which way the ball spins about the bearer's normal.</summary>
+    /// <summary>Sign of the ball's spin about the bearer's normal.</summary>
     public double SpinSign;
 
     private Vector3d _first;
@@ -51,7 +51,7 @@ internal struct SlideForces
         return size > LineForces.Independent;
     }
 
-    /// <summary>Names the bearer. Drilling friction may hold the spin about its normal at zero.</summary>
+    /// <summary>Sets the bearer. Drilling friction may hold the spin about its normal at zero.</summary>
     public void Bear(bool isSecond, in Touched bearer, ref Vector3d spin)
     {
         IsSecondBearer = isSecond;
@@ -73,12 +73,12 @@ internal struct SlideForces
     /// <summary>The spin about the bearer's normal, rad/s.</summary>
     public readonly double About(in Vector3d spin) => Vector3d.Dot(in spin, in _bearer);
 
-    /// <summary>True if drilling friction ends that spin.</summary>
+    /// <summary>True if drilling friction brakes that spin.</summary>
     public readonly bool Drills => _drilling > 0 && SpinSign != 0;
 
-    /// <summary>Rates and loads at a state: n₁·v̇ = n₂·v̇ = 0 with F = −μ N ŝ at both.</summary>
-    /// <param name="push">What acts on the ball without its contacts, m/s².</param>
-    /// <param name="torque">The same for the spin, rad/s².</param>
+    /// <summary>Computes rates and loads at a state: n₁·v̇ = n₂·v̇ = 0 with F = −μ N ŝ at both.</summary>
+    /// <param name="push">Acceleration without contacts, m/s².</param>
+    /// <param name="torque">Angular acceleration without contacts, rad/s².</param>
     /// <param name="speed">x, m/s.</param>
     /// <param name="spin">ω, rad/s.</param>
     /// <param name="rates">The rates and loads; NaN if the loads are not determined.</param>
@@ -89,7 +89,7 @@ internal struct SlideForces
 
         Load(in push, in first, in second, out rates.First, out rates.Second);
 
-        // v̇ = A − Σ μ N ŝ along a, and ω̇ = T + Σ μ N n × ŝ/(α r) less the resistance of the bearer about its normal.
+        // v̇ = A − Σ μ N ŝ along the line; ω̇ = T + Σ μ N n × ŝ/(α r), minus the bearer's resistance about its normal.
         double firstRub = _firstSliding * rates.First;
         double secondRub = _secondSliding * rates.Second;
         double most = _drilling * (IsSecondBearer ? rates.Second : rates.First);
@@ -100,8 +100,9 @@ internal struct SlideForces
         rates.HoldSpin = _holdsSpin ? most - Math.Abs(held) : 1.0;
     }
 
-    /// <summary>Loads: N₁ + p N₂ = −A·n₁ and q N₁ + N₂ = −A·n₂, with p and q the cosine of the normals, less the share of the other surface's friction that presses.</summary>
-    /// <param name="push">What acts on the ball without its contacts, m/s².</param>
+    /// <summary>Computes the loads: N₁ + p N₂ = −A·n₁ and q N₁ + N₂ = −A·n₂.</summary>
+    /// <remarks>p and q are the cosine of the normals, minus the share of the other surface's friction that adds to the load.</remarks>
+    /// <param name="push">Acceleration without contacts, m/s².</param>
     /// <param name="firstSlip">ŝ₁.</param>
     /// <param name="secondSlip">ŝ₂.</param>
     /// <param name="first">N₁/m, m/s²; NaN if the loads are not determined.</param>

@@ -3,18 +3,18 @@ namespace FootballPhysics;
 /// <summary>The slip velocity of the contact point, s = v_t + r n × ω; on the level pitch n is ŷ (thesis 2.19, corrected).</summary>
 internal static class Slip
 {
-    /// <summary>Below this slip, m/s, a ball rolls.</summary>
+    /// <summary>A ball with a smaller slip rolls, m/s.</summary>
     public const double Rolling = 1e-9;
 
-    /// <summary>Slip velocity.</summary>
+    /// <summary>Returns the slip velocity on the level pitch.</summary>
     public static Vector3d Of(in Vector3d velocity, in Vector3d spin, double radius) =>
         new(velocity.X + (radius * spin.Z), 0, velocity.Z - (radius * spin.X));
 
-    /// <summary>The spin of a ball that rolls without slip: ω_h = ŷ × v / r.</summary>
+    /// <summary>Returns the spin of a ball that rolls without slip: ω_h = ŷ × v / r.</summary>
     public static Vector3d RollingSpin(in Vector3d velocity, double aboutVertical, double radius) =>
         new(velocity.Z / radius, aboutVertical, -velocity.X / radius);
 
-    /// <summary>Slip velocity on any surface.</summary>
+    /// <summary>Returns the slip velocity on any surface.</summary>
     /// <param name="velocity">Velocity relative to the surface, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>
     /// <param name="normal">n.</param>
@@ -22,7 +22,7 @@ internal static class Slip
     public static Vector3d Of(in Vector3d velocity, in Vector3d spin, in Vector3d normal, double radius) =>
         velocity - (Vector3d.Dot(in velocity, in normal) * normal) + (radius * Vector3d.Cross(in normal, in spin));
 
-    /// <summary>The spin of a ball that rolls on any surface: ω = n × v / r + ω_n n.</summary>
+    /// <summary>Returns the spin of a ball that rolls on any surface: ω = n × v / r + ω_n n.</summary>
     /// <param name="velocity">Velocity relative to the surface, m/s.</param>
     /// <param name="aboutNormal">ω_n, rad/s.</param>
     /// <param name="normal">n.</param>
@@ -31,13 +31,14 @@ internal static class Slip
         (Vector3d.Cross(in normal, in velocity) / radius) + (aboutNormal * normal);
 }
 
-/// <summary>
-/// The end of a slide in closed form. With a constant push c on the slip, ṡ = −k ŝ + c has the integrals
-/// k|s| + c·s, which falls at the rate k² − |c|², and ∫ŝ dt = (s₀ − s + c t)/k, whatever way the slip's direction turns.
-/// </summary>
+/// <summary>The end of a slide in closed form.</summary>
+/// <remarks>
+/// With a constant push c on the slip, ṡ = −k ŝ + c has two integrals, however the slip turns: k|s| + c·s falls at the rate k² − |c|²,
+/// and ∫ŝ dt = (s₀ − s + c t)/k.
+/// </remarks>
 internal readonly struct SlipDecay
 {
-    /// <summary>When the slip ends, s.</summary>
+    /// <summary>Time at which the slip ends, s.</summary>
     public readonly double Time;
 
     /// <summary>∫ŝ dt up to then, s.</summary>
@@ -48,18 +49,18 @@ internal readonly struct SlipDecay
 
     /// <param name="slip">s₀, m/s.</param>
     /// <param name="push">c, m/s²; smaller than k.</param>
-    /// <param name="k">What friction takes from the slip, (1 + 1/α) μ_s N/m, m/s².</param>
+    /// <param name="k">Deceleration of the slip by friction, (1 + 1/α) μ_s N/m, m/s².</param>
     public SlipDecay(in Vector3d slip, in Vector3d push, double k)
     {
         double size = slip.Length;
         double c = push.Length;
 
-        // k|s| + c·s falls at the rate k² − |c|², and is zero at the end; ∫ŝ = (s₀ + c t)/k there.
+        // k|s| + c·s falls at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
         double left = (k * k) - (c * c);
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
         Direction = (slip + (Time * push)) / k;
 
-        // ∫s dt: c·s from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
+        // ∫s dt: c·s follows from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
         Vector3d area = 0.5 * Time * slip;
         if (c > 1e-3 * k)
         {
@@ -70,7 +71,7 @@ internal readonly struct SlipDecay
             area = (alongArea * along) + (((2.0 * k * size) + (c * alongSlip)) / ((4.0 * k * k) - (c * c)) * across);
         }
 
-        // ∫∫ŝ = (s₀ t − ∫s + c t²/2)/k
+        // ∫∫ŝ = (s₀ t − ∫s + c t²/2)/k.
         Twice = ((Time * slip) - area + ((0.5 * Time * Time) * push)) / k;
     }
 }

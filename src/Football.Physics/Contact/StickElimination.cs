@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>An unknown force: what a unit of it does to the ball, and the condition that determines it.</summary>
+/// <summary>An unknown force: the response of the ball to a unit of it, and the condition that determines it.</summary>
 internal struct ForceRow
 {
     /// <summary>The condition AlongV·v̇ + AlongW·ω̇ = Asked.</summary>
@@ -8,20 +8,20 @@ internal struct ForceRow
     public Vector3d AlongW;
     public double Asked;
 
-    /// <summary>What a unit of it does to v̇ and ω̇.</summary>
+    /// <summary>Response of v̇ and ω̇ to a unit of it.</summary>
     public Vector3d PushV;
     public Vector3d PushW;
 
-    /// <summary>What rolling resistance and drilling friction take of the push, if they hold the ball.</summary>
+    /// <summary>The parts of the response that rolling resistance and drilling friction take, if they hold the ball.</summary>
     public double Held;
     public double HeldSpin;
 
-    /// <summary>The load and the friction that a unit of it causes at the eliminated contact.</summary>
+    /// <summary>The load and the friction at the eliminated contact per unit of it.</summary>
     public double OwnLoad;
     public Vector3d OwnFriction;
 }
 
-/// <summary>A contact that sticks, as a response to any other force on the ball.</summary>
+/// <summary>A sticking contact in closed form: its response to any other force on the ball.</summary>
 internal readonly struct StickElimination
 {
     private readonly Vector3d _normal;
@@ -32,9 +32,9 @@ internal readonly struct StickElimination
     private readonly double _share;
     private readonly double _perTurn;
 
-    /// <summary>Prepares it.</summary>
+    /// <summary>Prepares the elimination.</summary>
     /// <param name="normal">n, towards the ball.</param>
-    /// <param name="load">What a unit of load does, rolling resistance included.</param>
+    /// <param name="load">Response to a unit of load, including rolling resistance.</param>
     /// <param name="radius">Radius of the ball, m.</param>
     /// <param name="alpha">α = I/(m r²).</param>
     public StickElimination(in Vector3d normal, in ForceRow load, double radius, double alpha)
@@ -48,14 +48,15 @@ internal readonly struct StickElimination
         _perTurn = 1.0 / (alpha * radius);
     }
 
-    /// <summary>Adds to accelerations what the contact does against them: n·v̇ = asked, and (v̇ + r n × ω̇)_t = the tangential part of a vector.</summary>
+    /// <summary>Adds the contact's response to accelerations: n·v̇ = asked, and (v̇ + r n × ω̇)_t = the tangential part of a
+    /// vector.</summary>
     public void Respond(double asked, in Vector3d askedAlong, ref Vector3d acceleration, ref Vector3d spinAcceleration, out double load, out Vector3d friction)
     {
         load = (asked - Vector3d.Dot(in _normal, in acceleration)) * _perLoad;
         acceleration += load * _pushV;
         spinAcceleration += load * _pushW;
 
-        // F − r n × (n × F)/(α r) is (1+α)/α F.
+        // F − r n × (n × F)/(α r) = (1 + α)/α F.
         Vector3d slip = askedAlong - acceleration - (_radius * Vector3d.Cross(in _normal, in spinAcceleration));
         friction = _share * SurfaceSystem.Tangential(in slip, in _normal);
         acceleration += friction;

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>Forces on a ball that a surface carries, without friction; per mass, or per moment of inertia.</summary>
+/// <summary>Forces on a ball on a surface, without friction; per mass, or per moment of inertia.</summary>
 internal struct SurfaceForces
 {
-    /// <summary>A load, or a friction to spare, of less than this, m/s², is none.</summary>
+    /// <summary>A load or a friction margin below this counts as zero, m/s².</summary>
     public const double Least = 1e-9;
 
     /// <summary>n.</summary>
@@ -12,64 +12,66 @@ internal struct SurfaceForces
     /// <summary>q, the velocity relative to the shape, m/s.</summary>
     public Vector3d Velocity;
 
-    /// <summary>v − V_p, the velocity relative to the carrier's material, m/s: rolling friction acts against it. It is q where nothing rotates.</summary>
+    /// <summary>v − V_p, the velocity relative to the carrier's material, m/s. Rolling friction acts against it.</summary>
+    /// <remarks>It equals q if the carrier does not rotate.</remarks>
     public Vector3d Rolling;
 
     /// <summary>V_c, the velocity of the surface at the contact point, m/s.</summary>
     public Vector3d Surface;
 
-    /// <summary>A, the rate of change of V_c along the path, m/s²; 0 where the carrier does not rotate.</summary>
+    /// <summary>A, the rate of change of V_c along the path, m/s²; 0 if the carrier does not rotate.</summary>
     public Vector3d SurfaceRate;
 
-    /// <summary>Acceleration of the carrier's material at the ball's centre along the surface, m/s²; 0 where the carrier does not rotate.</summary>
+    /// <summary>Tangential acceleration of the carrier's material at the ball's centre, m/s²; 0 if the carrier does not rotate.</summary>
     public Vector3d MaterialRate;
 
-    /// <summary>r ω_n n × ṅ, m/s²: what a spin about a normal that turns asks of friction.</summary>
+    /// <summary>r ω_n n × ṅ, m/s²: the friction that a spin about a turning normal requires.</summary>
     public Vector3d Gyration;
 
-    /// <summary>ṅ = Hq, and Ω × n + Hq where the shape rotates, 1/s.</summary>
+    /// <summary>ṅ = Hq, or Ω × n + Hq if the shape rotates, 1/s.</summary>
     public Vector3d Turning;
 
-    /// <summary>qᵀHq − A_s·n, m/s²: the ball stays on the surface with n·v̇ = −this.</summary>
+    /// <summary>qᵀHq − A_s·n, m/s²: the ball stays on the surface if n·v̇ is the negative of this.</summary>
     public double Centripetal;
 
     /// <summary>Gravity, buoyancy and nets along the surface, m/s².</summary>
     public Vector3d Body;
 
-    /// <summary>The air, and the game's own forces, along the surface, m/s².</summary>
+    /// <summary>Air and custom forces along the surface, m/s².</summary>
     public Vector3d Air;
 
-    /// <summary>The game's own forces, m/s²: they wake a ball at rest also where the air does not.</summary>
+    /// <summary>Custom forces, m/s². They wake a ball at rest even if the air does not.</summary>
     public Vector3d Own;
 
-    /// <summary>Torques of the air, of nets and of the game's own, rad/s².</summary>
+    /// <summary>Torques of the air, nets and custom forces, rad/s².</summary>
     public Vector3d Torque;
 
-    /// <summary>By how much the air slows the spin, rad/s²; of a ball without spin, by how much it holds one that begins to turn.</summary>
+    /// <summary>Deceleration of the spin by the air, rad/s².</summary>
+    /// <remarks>For a ball without spin, the limit that acts against a starting spin.</remarks>
     public double Braking;
 
-    /// <summary>True when the ball has a spin, as the air sees it.</summary>
+    /// <summary>True if the ball has a spin in the laws of the air.</summary>
     public bool Spins;
 
     /// <summary>N/m, not negative, m/s².</summary>
     public double Load;
 
-    /// <summary>N/m as it would be if the surface could pull, m/s²: where it falls to zero the ball leaves.</summary>
+    /// <summary>N/m if the surface could pull, m/s²: the ball leaves when it falls to zero.</summary>
     public double FreeLoad;
 }
 
-/// <summary>Ends of a piece of a slide or a roll: each a number that falls to zero there.</summary>
+/// <summary>Events that end a piece of a slide or a roll, each with a margin that falls to zero.</summary>
 internal enum SurfaceLimit
 {
     /// <summary>The load: the ball leaves the surface.</summary>
     Load,
 
-    /// <summary>Reserve of static friction: at zero a rolling ball begins to slip.</summary>
+    /// <summary>The margin of static friction: at zero a rolling ball starts to slip.</summary>
     Grip,
 
-    /// <summary>The energy above that of rest.</summary>
+    /// <summary>The energy above the rest energy.</summary>
     Rest,
 
-    /// <summary>The spin about the normal, which drilling friction ends and never reverses.</summary>
+    /// <summary>The spin about the normal, which drilling friction stops and never reverses.</summary>
     Spin,
 }

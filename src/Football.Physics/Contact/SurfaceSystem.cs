@@ -2,63 +2,71 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// A ball that slides or rolls on a surface (world.md, Carried by any surface). With n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p
-/// the velocities of the carrier's material at the contact point and at the ball's centre, A the rate of V_c, a_t what acts along the surface and
-/// N/m = max(0, −(a_b − A_s)·n − qᵀHq), less the air's part along n where it counts:
-/// sliding v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques; rolling v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂,
-/// ω_t = n × (v−V_c)/r. The normal part of v̇ keeps the ball on the surface.
-/// </summary>
+/// <summary>The equations of a ball that slides or rolls on a surface (world.md, Carried by any surface).</summary>
+/// <remarks>
+/// Symbols: n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p the velocities of the carrier's material at
+/// the
+/// contact point and at the ball's centre, A the rate of V_c, a_t the tangential acceleration by all forces except friction.
+/// Load: N/m = max(0, −(a_b − A_s)·n − qᵀHq), minus the normal part of the air's acceleration if it counts.
+/// Sliding: v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques.
+/// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
+/// The normal part of v̇ keeps the ball on the surface.
+/// </remarks>
 internal struct SurfaceSystem : IMotionSystem
 {
     public Surroundings Around;
     public World World;
     public Collider Carrier;
 
-    /// <summary>Material of the carrier under the ball, all along the piece.</summary>
+    /// <summary>Material of the carrier below the ball, for the entire piece.</summary>
     public ContactMaterial Material;
     public DragBranch Branch;
     public ulong Nets;
     public ulong NetSides;
 
-    /// <summary>True when it rolls; else it slides.</summary>
+    /// <summary>True if the ball rolls; false if it slides.</summary>
     public bool Rolls;
 
-    /// <summary>Direction of the slip, or of a roll, at the piece's start: what friction keeps to where a stage passes zero.</summary>
+    /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
+    /// <remarks>Friction keeps it if a stage passes zero.</remarks>
     public Vector3d Direction;
 
-    /// <summary>
-    /// True when friction keeps to <see cref="Direction"/> all along the piece: for a slip or a roll so slow that friction could turn it round in the piece, where a method
-    /// would magnify every rounding across it.
-    /// </summary>
+    /// <summary>True if friction keeps <see cref="Direction"/> for the entire piece.</summary>
+    /// <remarks>
+    /// It is used for a slip or a roll so slow that friction could reverse it within the piece. The integrator would then amplify rounding
+    /// errors across it.
+    /// </remarks>
     public bool LocksDirection;
 
-    /// <summary>True when the ball stands on its spot of the carrier and only spins about the normal.</summary>
+    /// <summary>True if the ball is at a standstill on the carrier and only spins about the normal.</summary>
     public bool Pinned;
 
-    /// <summary>True when the ball is on a flat face all along the piece: then <see cref="FaceNormal"/> is its normal, and no shape is looked at.</summary>
+    /// <summary>True if the ball is on a flat face for the entire piece: <see cref="FaceNormal"/> is then its normal, and the shape is not
+    /// evaluated.</summary>
     public bool IsFace;
 
     /// <summary>The normal of that face.</summary>
     public Vector3d FaceNormal;
 
-    /// <summary>What the carrier gained at the start of the step, over the step, m/s²: a ball does not come to rest on what takes it along faster than rolling friction can.</summary>
+    /// <summary>The carrier's velocity jump at the start of the step, divided by its length, m/s².</summary>
+    /// <remarks>A ball does not come to rest on a carrier that accelerates faster than rolling friction can take it along.</remarks>
     public Vector3d CarrierGain;
 
-    /// <summary>Which way it spins about the normal, relative to the carrier: drilling friction keeps to it.</summary>
+    /// <summary>Sign of its spin about the normal, relative to the carrier. Drilling friction keeps it.</summary>
     public double SpinSign;
 
-    /// <summary>The spin at the piece's start, rad/s.</summary>
+    /// <summary>The spin at the start of the piece, rad/s.</summary>
     public Vector3d StartSpin;
 
-    /// <summary>Spin decay by the air while the ball slides, where that is more than friction can add, rad/s²; else 0. Then the spin can only get slower.</summary>
+    /// <summary>Spin decay by the air in a slide if it exceeds the torque of friction, rad/s²; otherwise 0.</summary>
+    /// <remarks>The spin can then only decrease.</remarks>
     private double _ending;
 
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (HasEnded(in at.Spin))
         {
-            // Past zero the decay goes on as before, so that the piece's end shows it, but there is no spin to lift the ball.
+            // Beyond zero, continue the decay so that the end of the piece can be located, but with no spin to lift the ball.
             var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
             SurfaceForces held = ForcesOn(time, in still);
             rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
@@ -69,7 +77,7 @@ internal struct SurfaceSystem : IMotionSystem
         rates = RatesUnder(in on, time, in at);
     }
 
-    /// <summary>The rates of change where the forces are known.</summary>
+    /// <summary>Returns the rates of change for known forces.</summary>
     public MotionRates RatesUnder(in SurfaceForces on, double time, in Motion at)
     {
         if (Rolls)
@@ -89,37 +97,37 @@ internal struct SurfaceSystem : IMotionSystem
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
 
-        // One that is faster at the end has ended on the way, where a stage found it next to zero and pointing anywhere.
+        // A spin that is greater at the end has passed zero, because a stage saw it near zero with an arbitrary direction.
         Vector3d spin = step.End.Spin;
         bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
         s.SpinAxis = ended ? Vector3d.Zero : spin;
     }
 
-    /// <summary>True when the air has stopped the spin.</summary>
+    /// <summary>True if the air has stopped the spin.</summary>
     private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
 
-    /// <summary>How fast friction turns a ball that slides, rad/s².</summary>
+    /// <summary>Returns the angular acceleration of a sliding ball by friction, rad/s².</summary>
     private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
 
     /// <summary>n.</summary>
     public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace ? FaceNormal : Carrier.At(in position, time).Normal;
 
-    /// <summary>Everything but friction.</summary>
+    /// <summary>Computes all forces except friction.</summary>
     public readonly SurfaceForces ForcesOn(double time, in Motion at)
     {
         Unsafe.SkipInit(out SurfaceForces on);
 
-        // n, ṅ and qᵀHq − A_s·n of the carrier under the ball.
+        // n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
         ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
         Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         Vector3d n = on.Normal;
 
-        // N/m = −(a_b − A_s)·n − qᵀHq: what the surface must give so that the ball follows it.
+        // N/m = −(a_b − A_s)·n − qᵀHq: the load that makes the ball follow the surface.
         Vector3d body = Around.Weight;
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 
-        // a_air = L (ω × u) − D u and own forces; along n it counts in the load where the air loads.
+        // a_air = L (ω × u) − D u plus custom forces. In the measured profile its normal part adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
@@ -133,7 +141,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // Of a net all counts along the surface, and across it what presses the ball on.
+        // A net's force counts in full along the surface; across it, only the part that presses the ball on.
         double pressing = 0;
         if (Nets != 0)
         {
@@ -143,25 +151,26 @@ internal struct SurfaceSystem : IMotionSystem
             on.Torque += nets.SpinAcceleration;
         }
 
-        // Where less of the air counts on a surface than in flight, and a net's pull off it does not, what would press the ball onto it in flight keeps it there too, without friction.
+        // Forces that count in flight but not on a surface also keep the ball on it, without friction. Otherwise it would leave and return
+        // at once.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
         if (Around.Air.HasSide && on.FreeLoad <= SurfaceForces.Least)
         {
-            // A knuckle force acts in flight alone. It would press the ball back at once, so the ball stays.
+            // A knuckle force only acts in flight. If it would press the ball back at once, the ball stays.
             on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
         }
 
         return on;
     }
 
-    /// <summary>How a surface moves under the ball: all that does not depend on forces.</summary>
+    /// <summary>Computes the motion of a surface below the ball: all quantities that do not depend on forces.</summary>
     /// <param name="carrier">The surface.</param>
     /// <param name="radius">r, m.</param>
-    /// <param name="point">Its place, normal and curvature under the ball.</param>
-    /// <param name="time">When, s.</param>
+    /// <param name="point">Distance, normal and curvature below the ball.</param>
+    /// <param name="time">The time, s.</param>
     /// <param name="at">The ball.</param>
-    /// <param name="on">What it is written into.</param>
+    /// <param name="on">Receives the result.</param>
     public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {
         on.Normal = point.Normal;
@@ -180,7 +189,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
     }
 
-    /// <summary>What changes where the carrier rotates (world.md, On a carrier that moves, rotates or accelerates).</summary>
+    /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
     private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
     {
         Vector3d n = on.Normal;
@@ -192,7 +201,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - carrier.Velocity), in n);
         if (carrier.Rotates)
         {
-            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q
+            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
             Vector3d q = at.Velocity - material;
             Vector3d bent = point.Curvature * q;
             on.Velocity = q;
@@ -201,14 +210,15 @@ internal struct SurfaceSystem : IMotionSystem
                 - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
         }
 
-        // A = Ω × (ċ − V), ċ = v − r ṅ
+        // A = Ω × (ċ − V), ċ = v − r ṅ.
         on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n);
     }
 
-    /// <summary>
-    /// What friction must give so that the ball does not slip, per mass, with the other sign: α/(1+α) of what pushes it along the surface, less what the surface
-    /// itself gains, and less what the torque of the air turns by itself where that is shared.
-    /// </summary>
+    /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>
+    /// <remarks>
+    /// It is α/(1+α) of the push along the surface, minus the acceleration of the surface, and minus the part that the air's torque turns
+    /// on its own if that counts.
+    /// </remarks>
     public readonly Vector3d Traction(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
@@ -217,7 +227,8 @@ internal struct SurfaceSystem : IMotionSystem
         return World.SharesAir ? traction - (alpha * World.Ball.Radius / (1.0 + alpha) * Vector3d.Cross(in on.Torque, in on.Normal)) : traction;
     }
 
-    /// <summary>The push on a ball that moves along with its carrier, relative to that, m/s²: rolling friction holds it, or not.</summary>
+    /// <summary>Returns the push on a ball that moves along with its carrier, relative to the carrier, m/s².</summary>
+    /// <remarks>The ball stays at rest if rolling friction can hold it against this push.</remarks>
     public readonly Vector3d PushFromRest(in SurfaceForces on)
     {
         // (a_b,t − A_s,t)/(1 + α), with A_s the acceleration of the carrier's material.
@@ -225,26 +236,27 @@ internal struct SurfaceSystem : IMotionSystem
         return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
     }
 
-    /// <summary>Acceleration along the surface of a ball that rolls, friction apart, m/s².</summary>
+    /// <summary>Returns the tangential acceleration of a rolling ball without friction, m/s².</summary>
     public readonly Vector3d Drive(in SurfaceForces on)
     {
         double alpha = World.Ball.InertiaFactor;
 
-        // (a_b + a_air + α r T × n)/(1 + α); where the air is not shared with the spin, a_b/(1 + α) + a_air.
+        // (a_b + a_air + α r T × n)/(1 + α). If the spin does not share the air's force: a_b/(1 + α) + a_air.
         Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
         Vector3d drive = shared / (1.0 + alpha);
         return World.SharesAir ? drive : drive + on.Air;
     }
 
-    /// <summary>True when rolling friction holds a ball that has come to a halt. Where the air is not shared with the spin, a ball at rest stays whatever the wind.</summary>
+    /// <summary>True if rolling friction holds a ball at a standstill.</summary>
+    /// <remarks>If the spin does not share the air's force, a ball at rest stays at rest in any wind.</remarks>
     public readonly bool Rests(in SurfaceForces on) =>
         (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= RollingFriction(in on, 0);
 
-    /// <summary>The slip velocity relative to the carrier, m/s.</summary>
+    /// <summary>Returns the slip velocity relative to the carrier, m/s.</summary>
     public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>
         Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
 
-    /// <summary>True when friction can hold the ball without slip.</summary>
+    /// <summary>True if friction can hold the ball without slip.</summary>
     public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
@@ -254,37 +266,38 @@ internal struct SurfaceSystem : IMotionSystem
     public readonly double RollingFriction(in SurfaceForces on, double speed) =>
         (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
 
-    /// <summary>Acceleration of the slip velocity without friction, m/s²: the push along the surface, r n × the torques, and the term of the turning normal.</summary>
+    /// <summary>Returns the acceleration of the slip without friction, m/s²: the push along the surface, r n × torques, and the turning
+    /// normal.</summary>
     public readonly Vector3d SlipPush(in SurfaceForces on, in Vector3d spin) =>
         on.Body + on.Air + (World.Ball.Radius * (Vector3d.Cross(in on.Normal, in on.Torque) + SlipTurn(in on, in spin))) - on.SurfaceRate;
 
-    /// <summary>The tangential part of ṅ × ω: the spin about the normal becomes slip if the normal turns, rad/s².</summary>
+    /// <summary>Returns the tangential part of ṅ × ω, rad/s²: if the normal turns, spin about it becomes slip.</summary>
     public static Vector3d SlipTurn(in SurfaceForces on, in Vector3d spin) => Vector3d.Dot(in spin, in on.Normal) * Vector3d.Cross(in on.Turning, in on.Normal);
 
-    /// <summary>The rate of the spin about the normal while the ball slides, rad/s².</summary>
+    /// <summary>Returns the rate of the spin about the normal in a slide, rad/s².</summary>
     public readonly double AboutRate(in SurfaceForces on, in Motion at) =>
         AboutNormal(AboutCarrier(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
 
     /// <summary>(ω − Ω)·n, rad/s.</summary>
     public readonly double AboutCarrier(in Vector3d spin, in Vector3d normal) => Vector3d.Dot(in spin, in normal) - Vector3d.Dot(Carrier.Spin, in normal);
 
-    /// <summary>The part of a vector along the surface.</summary>
+    /// <summary>Returns the tangential part of a vector.</summary>
     public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
 
     private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
     {
         Vector3d n = on.Normal;
 
-        // ŝ, and the direction at the start where a stage has passed zero: friction must not push the slip on beyond it.
+        // Use ŝ, or the direction at the start if a stage has passed zero: friction must not accelerate the slip beyond it.
         Vector3d slip = SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
 
-        // A ball without spin is held by the air as friction begins to turn it, and no more than that.
+        // For a ball without spin, the air's torque reduces the torque of friction, but never reverses it.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
 
-        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n
+        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n.
         Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
         Vector3d spin = on.Torque
             + (turning * Vector3d.Cross(in n, in s))
@@ -301,14 +314,14 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d sliding = at.Velocity - on.Surface;
         Vector3d rolling = Vector3d.Cross(in n, in sliding) / r;
 
-        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ
+        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ.
         double aboutRate = AboutNormal(AboutCarrier(in at.Spin, in n), in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
         if (Pinned && Carrier.Spin == Vector3d.Zero)
         {
             return new MotionRates(Vector3d.Zero, aboutRate * n);
         }
 
-        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂; one that stands on its spot goes as the carrier's material does.
+        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂. A pinned ball accelerates like the carrier's material.
         double speed = on.Rolling.Length;
         bool goesOn = speed > 0 && !LocksDirection && Vector3d.Dot(in on.Rolling, in Direction) > 0;
         Vector3d direction = goesOn ? on.Rolling / speed : Direction;
@@ -318,12 +331,13 @@ internal struct SurfaceSystem : IMotionSystem
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
                 - (RollingFriction(in on, speed) * direction);
 
-        // ω = n × (v−V_c)/r + ω_n n, and so ω̇
+        // ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }
 
-    /// <summary>Angular acceleration about the normal by the surface, rad/s²: −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I, with ω_n relative to the carrier.</summary>
+    /// <summary>Returns the angular acceleration about the normal by the surface, rad/s².</summary>
+    /// <remarks>It is −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I, with ω_n relative to the carrier.</remarks>
     private readonly double AboutNormal(double about, in SurfaceForces on)
     {
         double inertia = World.Ball.MomentOfInertia;

@@ -1,18 +1,18 @@
 namespace FootballPhysics;
 
-/// <summary>Forces on a ball wherever it is: the constants of a scene, shared by all phases of a step.</summary>
+/// <summary>The forces on a ball anywhere in the scene: constants shared by all phases of a step.</summary>
 internal sealed class Surroundings
 {
     /// <summary>The air. Not readonly: a call through a type parameter would copy it first.</summary>
     public SceneAir Air;
 
-    /// <summary>True when the air acts at all.</summary>
+    /// <summary>True if air forces act.</summary>
     public readonly bool AirActs;
 
     /// <summary>Wind, m/s.</summary>
     public readonly Vector3d Wind;
 
-    /// <summary>Acceleration by gravity and buoyancy, m/s²; straight down, but in a tilted world.</summary>
+    /// <summary>Acceleration by gravity and buoyancy, m/s²; straight down unless the world is tilted.</summary>
     public readonly Vector3d Weight;
 
     /// <summary>Its upward part, m/s².</summary>
@@ -24,7 +24,7 @@ internal sealed class Surroundings
     /// <summary>Its square, m².</summary>
     public readonly double RadiusSquared;
 
-    /// <summary>All that can be met.</summary>
+    /// <summary>The colliders, nets and goals of the scene.</summary>
     public readonly World World;
 
     public Surroundings(Scene scene, in SceneAir air)

@@ -3,16 +3,16 @@ namespace FootballPhysics;
 /// <summary>A stationary surface that a ball touches.</summary>
 internal readonly unsafe struct Touched
 {
-    /// <summary>Surfaces of a set at most.</summary>
+    /// <summary>Maximum number of surfaces of a set.</summary>
     public const int Most = 3;
 
-    /// <summary>A ball that is farther than this from a surface, m, is put onto it before it is taken on.</summary>
+    /// <summary>A ball farther than this from a surface is projected onto it first, m.</summary>
     private const double Closed = 0.1 * ContactSearch.Touching;
 
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>True if its normal stays the same when the ball moves.</summary>
+    /// <summary>True if its normal is constant as the ball moves.</summary>
     public readonly bool IsFixed;
 
     /// <summary>n, towards the ball.</summary>
@@ -38,16 +38,17 @@ internal readonly unsafe struct Touched
         Drilling = material.DrillingLength * material.SlidingFriction * ball.Mass / ball.MomentOfInertia;
     }
 
-    /// <summary>Finds the surfaces that a ball touches, if all of them stand still, no two of them have the same normal, and the ball comes to nothing else in a step.</summary>
+    /// <summary>Finds the touched surfaces, if all are stationary, their normals differ, and the ball reaches no other object in a
+    /// step.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
-    /// <param name="reach">The ball goes less than this far, m.</param>
-    /// <param name="set">Room for them, in the order of the scene.</param>
-    /// <returns>Their number; 0 if the ball may come to something else.</returns>
+    /// <param name="reach">Upper bound of the ball's displacement, m.</param>
+    /// <param name="set">Receives them, in scene order.</param>
+    /// <returns>Their number; 0 if the ball may reach another object.</returns>
     public static int Find(World world, in BallState s, double dt, double reach, Touched* set)
     {
-        // An engine is asked for more than it has told already only if the ball touches several surfaces.
+        // Query the engine further only if the ball touches several surfaces.
         if (world.Engine is { } engine)
         {
             if (reach > ContactSearch.Touching && Find(world, in s, dt, ContactSearch.Touching, set) < 2)
@@ -68,7 +69,7 @@ internal readonly unsafe struct Touched
                 return 0;
             }
 
-            // No moving surface may come near, and no stationary one that the ball does not touch.
+            // Require that no moving surface comes near, and no stationary one that the ball does not touch.
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;
@@ -103,7 +104,7 @@ internal readonly unsafe struct Touched
         return count;
     }
 
-    /// <summary>True if a ball that goes straight on to another position stays on the same flat face and the same material of a surface.</summary>
+    /// <summary>True if a ball that moves straight to another position stays on the same flat face and material of a surface.</summary>
     public static bool KeepsSurface(World world, in Touched touched, in BallState s, in Vector3d to)
     {
         Collider collider = world.Colliders[touched.Collider];

@@ -1,20 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// All that a ball can meet in a scene: colliders (the ground first), nets, goals. Built once; nothing of it changes but where the game puts its bodies.
-/// </summary>
+/// <summary>All objects that a ball can hit or pass in a scene: colliders (the ground first), nets, goals.</summary>
+/// <remarks>Built once. Only the positions of moving objects change afterwards.</remarks>
 internal sealed class World
 {
-    /// <summary>Nets change the motion in a part of a step by no more than this share, ...</summary>
+    /// <summary>Usual maximum change of the motion by nets in a part of a step, as a share.</summary>
     private const double UsualChangeInNets = 0.03;
 
-    /// <summary>... and by up to this one where it has settled: as much as RK4 follows without an error of more than the second, m/s, in the time that it settles in.</summary>
+    /// <summary>Maximum share once the net has settled, and the allowed RK4 error during the settling time, m/s.</summary>
     private const double LargestChangeInNets = 0.6;
     private const double ErrorInNets = 3e-9;
 
     private readonly string[] _names;
     private readonly int _zones;
-    /// <summary>Around what moves by itself: the first of <see cref="Moving"/>, for bodies are its last.</summary>
+    /// <summary>Bounding spheres of the moving obstacles, which come first in <see cref="Moving"/>; bodies come last.</summary>
     private readonly MovingSpheres _movers = new();
     private long _known;
 
@@ -36,7 +35,7 @@ internal sealed class World
             Ground = colliders[0];
         }
 
-        // Also if there are none yet: one that is added later would not be met.
+        // Do this even if there are no bodies yet, so that a body added later is detected.
         scene.Bodies?.Use();
         IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
@@ -45,7 +44,7 @@ internal sealed class World
         IsPlaneAlone = IsBare && scene.Ground.Heights is null;
         LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
 
-        // In the order of their numbers: ground, obstacles and frames of goals, bodies, an engine's places; then nets and goals.
+        // In the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
@@ -56,7 +55,7 @@ internal sealed class World
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
-        // Each collider is met as what moves, what has no bounds, or a box of the tree.
+        // Classify each collider: moving, unbounded, or a leaf of the tree.
         Colliders = colliders.ToArray();
         FirstPassage = Colliders.Length;
         _zones = scene.Zones.Count;
@@ -74,7 +73,7 @@ internal sealed class World
         var leaves = new List<int>();
         for (int i = 0; i < Colliders.Length; i++)
         {
-            // A collider that the ball ignores keeps its number, and is found nowhere.
+            // A collider that the ball ignores keeps its index, but no search finds it.
             Collider collider = Colliders[i];
             if (Ignores(collider))
             {
@@ -95,7 +94,7 @@ internal sealed class World
             }
         }
 
-        // Nets and goals stand still, and are in the tree as well.
+        // Nets and goals are stationary, so they are in the tree as well.
         for (int i = 0; i < Nets.Length + Goals.Length; i++)
         {
             leaves.Add(FirstPassage + i);
@@ -105,7 +104,7 @@ internal sealed class World
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
 
-        // The broad phase of all that stands still and has bounds.
+        // Broad phase of all stationary objects with bounds.
         var boxes = new Bounds3d[Leaves.Length];
         for (int i = 0; i < boxes.Length; i++)
         {
@@ -119,28 +118,29 @@ internal sealed class World
     /// <summary>The ball.</summary>
     public BallProperties Ball { get; }
 
-    /// <summary>The ground; null where there is none.</summary>
+    /// <summary>The ground; null if there is none.</summary>
     public Collider? Ground { get; }
 
-    /// <summary>The ground, obstacles, posts and bars; bodies last.</summary>
+    /// <summary>The ground, obstacles, posts and bars; then bodies, and engine colliders.</summary>
     public Collider[] Colliders { get; private set; }
 
-    /// <summary>The number of the first net; goals follow nets, zones follow goals. An engine's places that were added later come after them.</summary>
+    /// <summary>The index of the first net. Goals follow nets, and zones follow goals.</summary>
+    /// <remarks>Engine slots that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
-    /// <summary>True if a number is that of a net, a goal or a zone, and not of a collider.</summary>
+    /// <summary>True if an index is that of a net, a goal or a zone, and not of a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
     /// <summary>The colliders that move.</summary>
     public int[] Moving { get; }
 
-    /// <summary>The colliders that stand still and have no bounds.</summary>
+    /// <summary>The stationary colliders without bounds.</summary>
     public int[] Unbounded { get; }
 
-    /// <summary>Boxes around all else.</summary>
+    /// <summary>Bounding boxes of all other stationary objects.</summary>
     public BoundsTree Tree { get; }
 
-    /// <summary>Contents of the boxes of the tree: colliders are numbered first, then nets, then goals.</summary>
+    /// <summary>Objects in the boxes of the tree, by index: colliders, then nets, then goals.</summary>
     public int[] Leaves { get; }
 
     /// <summary>Nets.</summary>
@@ -149,16 +149,16 @@ internal sealed class World
     /// <summary>Goals.</summary>
     public GoalMouth[] Goals { get; } = [];
 
-    /// <summary>Index of the first collider among the things of the scene, of which the ground is always 0.</summary>
+    /// <summary>Index of the first collider among the objects of the scene; the ground is always 0.</summary>
     public int FirstCollider { get; }
 
-    /// <summary>True if the ball ignores a collider: it has a layer that the ball passes through.</summary>
+    /// <summary>True if the ball ignores a collider because of its layer.</summary>
     public bool Ignores(Collider collider) => collider.Layer >= 0 && Layers.Contains(Ball.Ignores, collider.Layer);
 
-    /// <summary>True when anything moves.</summary>
+    /// <summary>True if any object can move.</summary>
     public bool Moves => Moving.Length > 0 || Engine is not null;
 
-    /// <summary>The fastest of all that moves, m/s.</summary>
+    /// <summary>The speed of the fastest moving object, m/s.</summary>
     public double FastestMover
     {
         get
@@ -173,7 +173,7 @@ internal sealed class World
         }
     }
 
-    /// <summary>True if anything moves now. An engine is not asked.</summary>
+    /// <summary>True if an object is in motion now. Engine colliders are not checked.</summary>
     public bool IsMoving
     {
         get
@@ -193,22 +193,22 @@ internal sealed class World
     /// <summary>Changes whenever the game moves a body, or an impact pushes a body or an obstacle.</summary>
     public long MotionVersion => (Bodies?.Version ?? 0) + Obstacles.Version;
 
-    /// <summary>Bodies that the game moves; null where there are none.</summary>
+    /// <summary>Bodies that the game moves; null if there are none.</summary>
     public KinematicBodies? Bodies { get; }
 
-    /// <summary>Where the obstacles are that have a mass.</summary>
+    /// <summary>Motions of the obstacles with a mass.</summary>
     public ObstacleMotions Obstacles { get; }
 
-    /// <summary>True when the ball moves anything: the game's bodies, or obstacles. What an engine finds is not known before.</summary>
+    /// <summary>True if the ball can push a body or an obstacle. Engine colliders are not known in advance.</summary>
     public bool GivesWay { get; }
 
-    /// <summary>True when the ball may move anything, also what an engine may find.</summary>
+    /// <summary>True if the ball can push any object, including engine colliders.</summary>
     public bool MayGiveWay => GivesWay || Engine is not null;
 
-    /// <summary>How many motions there are to keep: of the bodies, then of the obstacles that have a mass.</summary>
+    /// <summary>Number of stored motions: bodies, then obstacles with a mass.</summary>
     public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
 
-    /// <summary>Reads the motions of all that is moved.</summary>
+    /// <summary>Reads the motions of all movable objects.</summary>
     public void ReadMotions(Span<RigidMotion> into)
     {
         int bodies = Bodies?.Count ?? 0;
@@ -220,7 +220,7 @@ internal sealed class World
         Obstacles.Read(into.Slice(bodies));
     }
 
-    /// <summary>Remembers where all is that is moved, for a look ahead.</summary>
+    /// <summary>Saves all motions before a look-ahead.</summary>
     public void KeepMotions()
     {
         Bodies?.Keep();
@@ -228,7 +228,7 @@ internal sealed class World
         Engine?.KeepPushes(EnginePushes.OfLook);
     }
 
-    /// <summary>Puts all back to where it was when that was remembered.</summary>
+    /// <summary>Restores the saved motions.</summary>
     public void PutMotionsBack()
     {
         Bodies?.PutBack();
@@ -236,14 +236,14 @@ internal sealed class World
         Engine?.PutPushesBack(EnginePushes.OfLook);
     }
 
-    /// <summary>A box that is around one of what is moved at a time, and stays around it for a duration if the box moves along with its velocity.</summary>
+    /// <summary>Returns a box around a movable object, valid for a duration if the box moves at the object's velocity.</summary>
     public Bounds3d BoundsOfMover(int mover, double time, double duration)
     {
         int bodies = Bodies?.Count ?? 0;
         return mover < bodies ? Bodies![mover].BoundsDuring(time, duration) : Obstacles.BoundsAt(mover - bodies, time);
     }
 
-    /// <summary>Puts all that is moved where it was.</summary>
+    /// <summary>Sets the motions of all movable objects.</summary>
     public void WriteMotions(Span<RigidMotion> from)
     {
         int bodies = Bodies?.Count ?? 0;
@@ -258,65 +258,68 @@ internal sealed class World
         }
     }
 
-    /// <summary>Colliders of an engine; null where none is asked.</summary>
+    /// <summary>The engine's colliders; null without an engine.</summary>
     public EngineThings? Engine { get; }
 
-    /// <summary>True when the ground is level.</summary>
+    /// <summary>True if the ground is level.</summary>
     public bool IsLevel { get; }
 
-    /// <summary>True when there is nothing but the ground, or nothing at all.</summary>
+    /// <summary>True if the scene has no objects other than the ground.</summary>
     public bool IsBare { get; }
 
-    /// <summary>True when there is nothing but flat ground, level or tilted, or nothing at all.</summary>
+    /// <summary>True if the scene has only flat ground, level or tilted, or no ground.</summary>
     public bool IsPlaneAlone { get; }
 
-    /// <summary>True when there is nothing but level ground, or nothing at all.</summary>
+    /// <summary>True if the scene has only level ground, or no ground.</summary>
     public bool IsLevelGroundAlone { get; }
 
-    /// <summary>Height of the centre of a ball on level ground, m; −∞ where there is none.</summary>
+    /// <summary>Height of the centre of a ball on level ground, m; −∞ if there is none.</summary>
     public double LevelContact { get; }
 
-    /// <summary>The largest sliding friction of all that it is made of.</summary>
+    /// <summary>The largest sliding friction of all surfaces.</summary>
     public double LargestFriction { get; }
 
-    /// <summary>A ball that leaves a contact slower than this stays, m/s.</summary>
+    /// <summary>A ball that leaves a contact more slowly than this stays, m/s.</summary>
     public double MinimumBounceSpeed { get; }
 
-    /// <summary>A rolling ball with less energy than this, and that is held, rests, J.</summary>
+    /// <summary>A rolling ball below this energy rests if it is held, J.</summary>
     public double RestEnergy { get; }
 
-    /// <summary>True when all of the air's force counts for a ball that is carried, and is shared with the spin of one that rolls.</summary>
+    /// <summary>True if all air forces act on a supported ball and are shared with the spin of a rolling ball.</summary>
     public bool SharesAir { get; }
 
-    /// <summary>
-    /// True when what the air and the game's own forces do along the surface counts across it too, in the load: where all of the air counts, and for a ball that
-    /// is no heavier than the air, which nothing else could keep on the ground.
-    /// </summary>
+    /// <summary>True if the normal part of air and custom forces adds to the load.</summary>
+    /// <remarks>
+    /// This is so if all air forces count, and for a ball that is no heavier than air, which no other force could keep on the ground.
+    /// </remarks>
     public bool AirLoads { get; }
 
-    /// <summary>True when the air pushes a ball that is carried.</summary>
+    /// <summary>True if air forces act on a supported ball.</summary>
     public bool AirActs { get; }
 
-    /// <summary>Memory for contact sets that no phase of a step owns.</summary>
+    /// <summary>Shared memory for contact sets outside the phases of a step.</summary>
     public ContactRoom Room { get; } = new();
 
-    /// <summary>
-    /// True if the first of two colliders that touch the ball comes before the second. Bodies and engine colliders come in the order of their sides: the order in which a
-    /// game adds or an engine finds them must not decide where the ball goes. All others come in the order of the scene.
-    /// </summary>
+    /// <summary>True if the first of two touched colliders has priority.</summary>
+    /// <remarks>
+    /// Bodies and engine colliders are ordered by their contact normals, because the order in which they were added or found must not
+    /// affect the result.
+    /// All others are in the order of the scene.
+    /// </remarks>
     public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
         IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
 
-    /// <summary>True if the side on which the ball touches two colliders decides which of them comes first.</summary>
+    /// <summary>True if the contact normals, and not the indices, decide the order of two colliders.</summary>
     public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
 
-    /// <summary>True if a number is the index of a collider.</summary>
+    /// <summary>True if an index is that of a collider.</summary>
     public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
 
-    /// <summary>Adds the new places of an engine's table as colliders.</summary>
-    /// <param name="places">All places of the engine.</param>
-    /// <param name="from">The first new one.</param>
-    /// <param name="index">Its index among the colliders. The numbers between the last collider so far and this index belong to nets and goals.</param>
+    /// <summary>Adds new slots of an engine's table as colliders.</summary>
+    /// <param name="places">All slots of the engine.</param>
+    /// <param name="from">The first new slot.</param>
+    /// <param name="index">Its index among the colliders. The indices between the last collider and this one belong to nets and
+    /// goals.</param>
     public void Extend(Collider[] places, int from, int index)
     {
         int before = Colliders.Length;
@@ -327,7 +330,7 @@ internal sealed class World
         Colliders = colliders;
     }
 
-    // What a bare pitch does not need stands by itself: its first use costs a game nothing.
+    // Keep code that a bare pitch does not need in its own method, so that games without obstacles need not compile it.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
@@ -349,15 +352,16 @@ internal sealed class World
         .. scene.Zones.Select(zone => zone.Name),
     ];
 
-    /// <summary>How long a ball goes on a straight way before it may meet anything but level ground and bodies, s; not longer than the way.</summary>
+    /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its
+    /// duration.</summary>
     public double FreeFor(in StraightWay way)
     {
-        // Most ways touch no box at all, and that is soon seen.
+        // Most paths reach no box at all, so test that first.
         Bounds3d box = way.Box;
         int node = 0;
         double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
 
-        // What has no box is asked how far it is from the middle of the way.
+        // Shapes without a bounding box: compare their distance from the midpoint of the path.
         Vector3d middle = way.Middle;
         double half = 0.5 * way.Duration;
         double reach = (half * way.Velocity.Length) + way.Around;
@@ -366,7 +370,7 @@ internal sealed class World
             Collider collider = Colliders[Unbounded[i]];
             if (!(collider == Ground && IsLevel) && !(collider.At(in middle).Distance > reach))
             {
-                // Closer it is asked from the start: no faster than at this speed can it be met.
+                // If that is too close, use the distance from the start: the ball cannot reach the shape before it covers it.
                 double distance = collider.At(way.From).Distance - way.Around;
                 free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
             }
@@ -382,7 +386,7 @@ internal sealed class World
         return free;
     }
 
-    /// <summary>Prepares the quick look at obstacles that were pushed.</summary>
+    /// <summary>Prepares the fast query for pushed obstacles.</summary>
     private void KnowObstacles()
     {
         if (_known == Obstacles.Version)
@@ -397,7 +401,7 @@ internal sealed class World
         }
     }
 
-    /// <summary>Adds all numbers of what stands still, or moves by itself.</summary>
+    /// <summary>Hashes all objects that are stationary or move on their own.</summary>
     public void AddTo(ref ClearKey key)
     {
         key.Add(Ball.Radius);
@@ -408,7 +412,7 @@ internal sealed class World
 
         foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
         {
-            // What has no bounds is told by what it says of two points.
+            // Hash an unbounded shape by its values at two points.
             ShapePoint low = collider.At(Vector3d.Zero);
             ShapePoint high = collider.At(new Vector3d(11, 7, 5));
             key.Add(low.Distance);
@@ -420,11 +424,11 @@ internal sealed class World
         }
     }
 
-    /// <summary>The names of all things, the ground first.</summary>
+    /// <summary>The names of all objects, the ground first.</summary>
     public IReadOnlyList<string> Names => _names;
 
-    /// <summary>The name of a thing.</summary>
-    /// <param name="thing">Its index among the things of the scene.</param>
+    /// <summary>Returns the name of an object.</summary>
+    /// <param name="thing">Its index in the scene.</param>
     public string NameOf(int thing)
     {
         if (Engine?.Of(thing, Vector3d.Zero, 0) is { } collider)
@@ -436,7 +440,7 @@ internal sealed class World
         return _names[thing];
     }
 
-    /// <summary>Begins a step: a carrier that an engine's number names becomes one of the colliders.</summary>
+    /// <summary>Starts a step: replaces the number of an engine collider in the state by its index.</summary>
     public void Enter(ref BallState s)
     {
         if (Engine is { } engine && engine.Begin(s.Motion == MotionState.Airborne ? 0 : s.Carrier, s.Position, s.Time) is >= 0 and int carrier)
@@ -445,7 +449,7 @@ internal sealed class World
         }
     }
 
-    /// <summary>Ends a step: in the state an engine's collider is called by its number.</summary>
+    /// <summary>Ends a step: replaces the index of an engine collider in the state by its number.</summary>
     public void Exit(ref BallState s)
     {
         if (Engine?.NumberOf(s.Carrier - FirstCollider) is >= 0 and int carrier)
@@ -454,17 +458,18 @@ internal sealed class World
         }
     }
 
-    /// <summary>Index among the colliders of what a state or an event calls a thing, beyond them where it is no collider: an engine's has a place in a step alone.</summary>
+    /// <summary>Converts the carrier in a state or event to a collider index; out of range if it is not a collider.</summary>
+    /// <remarks>An engine collider has an index only within a step.</remarks>
     public long ColliderOf(long thing, in Vector3d position, double time) =>
         Engine is not null && thing >= EngineCollider.FirstNumber ? Engine.IndexOf((int)thing, in position, time) : thing - FirstCollider;
 
-    /// <summary>Index among the things of the scene of a net.</summary>
+    /// <summary>Returns the index of a net in the scene.</summary>
     public int ThingOfNet(int net) => FirstCollider + FirstPassage + net;
 
-    /// <summary>Index among the things of the scene of a goal.</summary>
+    /// <summary>Returns the index of a goal in the scene.</summary>
     public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
 
-    /// <summary>Index among the things of the scene of a zone.</summary>
+    /// <summary>Returns the index of a zone in the scene.</summary>
     public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
 
     private Bounds3d BoundsOf(int thing) =>
@@ -472,22 +477,23 @@ internal sealed class World
         : thing < FirstPassage + Nets.Length ? Nets[thing - FirstPassage].Bounds
         : Goals[thing - FirstPassage - Nets.Length].Bounds;
 
-    /// <summary>The thing that carries the ball; the first where a state of another scene names one that is not here.</summary>
+    /// <summary>Returns the carrier of the ball; the first collider if a state of another scene names an unknown one.</summary>
     public Collider CarrierOf(in BallState s)
     {
-        // Between steps an engine's collider is known by its number.
+        // Between steps, an engine collider is identified by its own number.
         long index = ColliderOf(s.Carrier, s.Position, s.Time);
         return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
 
-    /// <summary>Puts a ball onto a collider that it touches: what the integrator left of that is within its own error. Heights on level ground are exact.</summary>
+    /// <summary>Projects a ball onto a collider that it touches, to remove the integrator's error.</summary>
+    /// <remarks>Heights on level ground are exact.</remarks>
     /// <returns>The normal there.</returns>
     public Vector3d Hold(ref BallState s, Collider collider)
     {
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
 
-        // p + (r − d) n, and no speed off the surface.
+        // p + (r − d) n, and zero speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
         if (IsLevel && collider == Ground)
@@ -502,15 +508,15 @@ internal sealed class World
     public double Energy(in Motion at, Collider carrier, double time) =>
         (0.5 * Ball.Mass * (at.Velocity - carrier.MaterialVelocity(in at.Position, time)).LengthSquared) + (0.5 * Ball.MomentOfInertia * (at.Spin - carrier.Spin).LengthSquared);
 
-    /// <summary>V_c, the velocity of a surface that a ball touches, at the contact point, m/s.</summary>
+    /// <summary>Returns V_c, the velocity of a touched surface at the contact point, m/s.</summary>
     /// <param name="collider">The surface.</param>
     /// <param name="position">The ball's centre, m.</param>
     /// <param name="normal">n.</param>
-    /// <param name="time">When, s.</param>
+    /// <param name="time">The time, s.</param>
     public Vector3d SurfaceVelocity(Collider collider, in Vector3d position, in Vector3d normal, double time) =>
         collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(position - (Ball.Radius * normal), time);
 
-    /// <summary>Force of the nets that the ball is in.</summary>
+    /// <summary>Returns the accelerations by the nets that the ball is in.</summary>
     public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)
     {
         Vector3d acceleration = default;
@@ -528,9 +534,8 @@ internal sealed class World
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>
-    /// The longest part of a step in which nets change the motion by no more than a small share, s. RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.
-    /// </summary>
+    /// <summary>Returns the longest part of a step in which nets change the motion by a small share only, s.</summary>
+    /// <remarks>RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.</remarks>
     public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk)
     {
         double longest = double.PositiveInfinity;
@@ -545,10 +550,10 @@ internal sealed class World
                 // c of a part c/λ, from |ȧ| c⁴/(120 λ²) = ε.
                 double change = Math.Sqrt(Math.Sqrt(120.0 * ErrorInNets * rate * rate / jerk));
 
-                // Also where a net without stiffness makes that no number.
+                // A net with zero stiffness makes this NaN; the comparison then picks the default.
                 change = change > UsualChangeInNets ? Math.Min(LargestChangeInNets, change) : UsualChangeInNets;
 
-                // As deep as it may come within the part p: p λ(δ + p v) = c, quadratic in p.
+                // Use the maximum depth within the part p: p λ(δ + p v) = c, quadratic in p.
                 double bend = Nets[i].RatePerDepth * speed;
                 longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
             }
@@ -557,7 +562,7 @@ internal sealed class World
         return longest;
     }
 
-    /// <summary>The longest piece that nets change the motion in by no more than in so many parts, s.</summary>
+    /// <summary>Returns the longest piece that needs at most this number of such parts, s.</summary>
     public double LongestPieceInNets(in BallState s, int parts)
     {
         double longest = double.PositiveInfinity;
@@ -566,7 +571,7 @@ internal sealed class World
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                // As deep as it may come within the piece p: p λ(δ + p v) = n c.
+                // Use the maximum depth within the piece p: p λ(δ + p v) = n c.
                 double change = parts * UsualChangeInNets;
                 double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(s.Position, SideOf(s.NetSides, i))));
                 double bend = Nets[i].RatePerDepth * speed;
@@ -577,10 +582,10 @@ internal sealed class World
         return longest;
     }
 
-    /// <summary>True of a ball that came to rest in a net and on nothing else.</summary>
+    /// <summary>True if the ball rests in a net and on no other object.</summary>
     public bool HangsInNet(in BallState s) => s.Motion == MotionState.Rest && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
 
-    /// <summary>The net of those that the ball is in in which it is deepest; −1 where it is in none.</summary>
+    /// <summary>Returns the net in which the ball is deepest; −1 if it is in none.</summary>
     public int DeepestNet(in BallState s)
     {
         int deepest = -1;
@@ -595,6 +600,6 @@ internal sealed class World
         return deepest;
     }
 
-    /// <summary>σ of a net.</summary>
+    /// <summary>Returns σ of a net.</summary>
     public static double SideOf(ulong sides, int net) => (sides >> net & 1) != 0 ? 1.0 : -1.0;
 }

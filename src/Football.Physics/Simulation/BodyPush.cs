@@ -96,7 +96,7 @@ internal sealed class BodyPush
         BallState pushed = s;
         pushed.Position = from;
 
-        // Search the push as a straight path of nearly zero duration for a stationary object.
+        // Treat the push as a straight path of nearly zero duration, and search it for a stationary object.
         var path = PathCubic.Line(in from, (s.Position - from) / Displacement.AtOnce, Displacement.AtOnce);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
         return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= Displacement.AtOnce
@@ -147,7 +147,7 @@ internal sealed class BodyPush
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 
-        // A body exactly above the ball leaves no direction, so push it out in an arbitrary one.
+        // A body exactly above the ball leaves no direction, so push the ball forward, which is an arbitrary choice.
         return share > 1e-12 ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
     }
 

@@ -137,9 +137,8 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: the other branch holds from the crossing on. A piece that starts on a surface has
-        // already
-        // passed that crossing, and may reach the other surface.
+        // On the ground no sliding mode is followed: from the crossing on, the other branch holds.
+        // A piece that starts on a surface has already passed that crossing, and may reach the other surface.
         run.Splits++;
         TSweep whole = sweep;
         if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))

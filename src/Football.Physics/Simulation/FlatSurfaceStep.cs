@@ -2,14 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.
-/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
-/// search is made.
-/// <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes nothing,
-/// and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
-/// </summary>
+/// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the
+/// ground.</summary>
 /// <remarks>
+/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
+/// search is made. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
+/// nothing, and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
 /// Symbols: a_b gravity and buoyancy, a_air the acceleration by the air, T its torque per moment of inertia, N the load per mass.
 /// Sliding: a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T.
 /// Rolling: a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ if the spin shares the air's force; otherwise a_b/(1 + α) + a_air −
@@ -161,8 +159,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     {
         bool rolls = default(TMotion).Rolls;
 
-        // Copy the motion to the plane's axes component by component. The last step wrote single components, and a wide load would stall on
-        // them.
+        // Copy the motion to the plane's axes by components, as the last step wrote them: one wide load would stall.
         // A rolling ball only needs its spin about the normal.
         ref FlightMotion motion = ref s.Flight;
         PlaneMotion start;

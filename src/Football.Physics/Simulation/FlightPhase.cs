@@ -2,10 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Flight, piece by piece. A piece is as long as stability allows. It ends early at the first of these events: a jump of the drag law,
-/// the end of the spin, or a contact.
-/// </summary>
+/// <summary>Flight, piece by piece.</summary>
+/// <remarks>
+/// A piece is as long as stability allows. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
+/// contact.
+/// </remarks>
 internal sealed class FlightPhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {

@@ -2,10 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// The hot path of flight, compiled for one air model and one integrator. It takes a whole step, checks it for events, and moves the ball.
-/// If an event may be within the step, <see cref="SceneStepper{TIntegrator}"/> takes it piece by piece.
-/// </summary>
+/// <summary>The hot path of flight, compiled for one air model and one integrator.</summary>
+/// <remarks>
+/// It takes a whole step, checks it for events, and moves the ball. If an event may be within the step, <see cref="SceneStepper{TIntegrator}"/> takes it piece by piece.
+/// </remarks>
 /// <typeparam name="TAir">The air model, without custom forces.</typeparam>
 /// <typeparam name="TIntegrator">The integrator.</typeparam>
 internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrator>

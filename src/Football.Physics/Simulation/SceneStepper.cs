@@ -160,7 +160,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     protected bool IsClear(ref BallState s, double dt, double airSpeedSquared) =>
         _clear is null || (s.Time + dt <= s.ClearUntil && s.ClearIn == _clearKey) || _clear.Holds(ref s, dt, airSpeedSquared);
 
-    /// <summary>Reports a whole step of flight to the observers. The ball is at its end; the other arguments describe its start.</summary>
+    /// <summary>Reports a whole step of flight to the observers.</summary>
+    /// <remarks>The ball is at its end; the other arguments describe its start.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     protected void Show(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
     {
@@ -191,8 +192,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         return WholeFlight.NotTaken;
     }
 
-    /// <summary>Takes a step piece by piece. If a custom force throws or gives a result out of range, the state and the log are
-    /// restored.</summary>
+    /// <summary>Takes a step piece by piece.</summary>
+    /// <remarks>
+    /// If a custom force throws or gives a result out of range, the state and the log are restored.
+    /// </remarks>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="log">Receives events and counts.</param>
@@ -230,8 +233,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>Steps a ball at rest. Only its time advances if an earlier step found that nothing changes and no object has moved
-    /// since.</summary>
+    /// <summary>Steps a ball at rest.</summary>
+    /// <remarks>
+    /// Only its time advances if an earlier step found that nothing changes and no object has moved since.
+    /// </remarks>
     private void TakeRest(ref BallState s, double dt, StepLog log)
     {
         if (_rests!.Has(in s))
@@ -361,7 +366,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
     }
 
-    /// <summary>Takes the next piece of a slide or a roll. On flat ground the rest of the step is tried as a whole step first.</summary>
+    /// <summary>Takes the next piece of a slide or a roll.</summary>
+    /// <remarks>On flat ground the rest of the step is tried as a whole step first.</remarks>
     private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
     {
         bool mayBeWhole = !(run.Part > 0);

@@ -170,8 +170,8 @@ public sealed class Simulator
         return state.Motion == MotionState.Rest ? AtRest(in next, old._world.HangsInNet(in state)) : next;
     }
 
-    /// <summary>Returns a ball that was at rest in another scene. It stays at rest if rolling friction or its net also holds it
-    /// here.</summary>
+    /// <summary>Returns a ball that was at rest in another scene.</summary>
+    /// <remarks>It stays at rest if rolling friction or its net also holds it here.</remarks>
     private BallState AtRest(in BallState placed, bool hangs)
     {
         BallState still = placed;
@@ -326,8 +326,8 @@ public sealed class Simulator
     /// <summary>The zones of the scene; null if there are none.</summary>
     internal ZoneWatch? Zones { get; }
 
-    /// <summary>Returns the centre of a ball on the ground, m, for callers that give no position. Without ground, the height is
-    /// 0.</summary>
+    /// <summary>Returns the centre of a ball on the ground, m, for callers that give no position.</summary>
+    /// <remarks>Without ground, the height is 0.</remarks>
     internal Vector3d OnGround(double x, double z) => GroundPlace.At(_world, x, z);
 
     /// <inheritdoc cref="Stepper.Pile"/>

@@ -28,11 +28,11 @@ public sealed partial class StepLog
 
     /// <summary>The number of impacts and other events that were counted but not reported.</summary>
     /// <remarks>
-    /// Impacts are resolved together, and not reported, after the tenth at one instant, or after the 14th event of a step if moving objects
-    /// press the ball.
-    /// After the 14th event, impacts below the minimum bounce speed are not reported either. A <see cref="MotionState.Pinned"/> ball has no
-    /// impacts.
-    /// After the 20th event per 0.25 s of a step, only rest, goals and squeezes are reported.
+    /// After the tenth impact at one instant, further impacts are resolved together and not reported. The same holds after the 14th event
+    /// of a step
+    /// if moving objects press the ball. After the 14th event, impacts below the minimum bounce speed are not reported either.
+    /// A <see cref="MotionState.Pinned"/> ball has no impacts. After the 20th event per 0.25 s of a step, only rest, goals and squeezes are
+    /// reported.
     /// </remarks>
     public long UnreportedImpacts { get; internal set; }
 

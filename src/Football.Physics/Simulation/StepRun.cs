@@ -79,15 +79,15 @@ internal ref struct StepRun
     /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>
     public int Named;
 
-    /// <summary>True while the ball slips because its carrier's velocity jumped at the start of the step. A slip that ends within the step
-    /// is not reported.</summary>
+    /// <summary>True while the ball slips because its carrier's velocity jumped at the start of the step.</summary>
+    /// <remarks>A slip that ends within the step is not reported.</remarks>
     public bool Jumped;
 
     /// <summary>The carrier's velocity jump divided by the step length, m/s².</summary>
     public Vector3d CarrierGain;
 
-    /// <summary>1/length, 1/s: converts a jump at the start of the step to an acceleration. It is bounded, so that short steps give finite
-    /// results.</summary>
+    /// <summary>1/length, 1/s: converts a jump at the start of the step to an acceleration.</summary>
+    /// <remarks>It is bounded, so that short steps give finite results.</remarks>
     public readonly double PerStep => 1.0 / Math.Max(Length, ShortestForJumps);
 
     /// <summary>Number of times the ball has lost grip and started to slip.</summary>
@@ -230,8 +230,8 @@ internal ref struct StepRun
         Log.Steps++;
     }
 
-    /// <summary>Reports a piece to the observer, if there is one. Only an observer needs the acceleration at the end of the
-    /// piece.</summary>
+    /// <summary>Reports a piece to the observer, if there is one.</summary>
+    /// <remarks>Only an observer needs the acceleration at the end of the piece.</remarks>
     /// <param name="before">The ball at the start of the piece.</param>
     /// <param name="after">The ball at the end of the piece.</param>
     /// <param name="sweep">The piece.</param>

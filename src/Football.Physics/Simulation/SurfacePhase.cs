@@ -1,20 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Sliding and rolling on any surface, piece by piece. A piece ends at the first of these events: a jump of the drag law, a contact,
-/// the end of the slip, the loss of grip, the end of the load, or rest.
-/// </summary>
+/// <summary>Sliding and rolling on any surface, piece by piece.</summary>
+/// <remarks>
+/// A piece ends at the first of these events: a jump of the drag law, a contact, the end of the slip, the loss of grip, the end of the
+/// load, or rest.
+/// </remarks>
 internal sealed class SurfacePhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
     /// <summary>Longest closed-form end of a slide in a net or on a curved surface, s: there the push changes with the position.</summary>
     private const double CurvedSlideEnd = 1.25e-5;
 
-    /// <summary>
-    /// Tolerance for the end time of a slide in closed form, s, for a step of 20 ms. The closed form is used if the push on the slip is
-    /// constant to within it.
-    /// For other steps the tolerance scales with the step length to the power of the integrator's order.
-    /// </summary>
+    /// <summary>Tolerance for the end time of a slide in closed form, s, for a step of 20 ms.</summary>
+    /// <remarks>
+    /// The closed form is used if the push on the slip is constant to within it. For other steps the tolerance scales with the step length
+    /// to the power of the integrator's order.
+    /// </remarks>
     private const double SlideEnd = 1e-10;
 
     /// <summary>The same tolerance for integrators of an order below four, s.</summary>
@@ -23,18 +24,18 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Upper bound of this tolerance as a share of the step.</summary>
     private const double LargestSlideEnd = 1e-3;
 
-    /// <summary>The closed form requires the squared push to be below this share of the squared friction. Otherwise the slip may never
-    /// end.</summary>
+    /// <summary>The closed form requires the squared push to be below this share of the squared friction.</summary>
+    /// <remarks>Otherwise the slip may never end.</remarks>
     private const double LargestPush = 0.9999;
 
     /// <summary>The thesis' heuristic (2.28) treats a slip below this as zero, m/s.</summary>
     private const double HeuristicSlip = 1e-3;
 
-    /// <summary>
-    /// Maximum number of times a ball in a net may lose its grip per step. A net that turns slack and taut makes the ball grip and slip in
-    /// turn,
-    /// ever faster. After this many times the ball grips for the rest of the step, which adds no energy.
-    /// </summary>
+    /// <summary>Maximum number of times a ball in a net may lose its grip per step.</summary>
+    /// <remarks>
+    /// A net that turns slack and taut makes the ball grip and slip in turn, ever faster. After this many times the ball grips for the rest
+    /// of the step, which adds no energy.
+    /// </remarks>
     private const int MostSlips = 2;
 
     /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
@@ -47,10 +48,11 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Maximum rotation of the normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
-    /// <summary>
-    /// A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the step.
+    /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the
+    /// step.</summary>
+    /// <remarks>
     /// Its direction then turns into the push almost at once; the ball moves less than 1e-8 m meanwhile in usual steps.
-    /// </summary>
+    /// </remarks>
     private const double Creeping = 256;
 
     private readonly Surroundings _around;
@@ -318,10 +320,8 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>
-    /// Ends a slide in closed form, which holds however the slip turns. Near the end the push and the load are almost constant, so it uses
-    /// their means.
-    /// </summary>
+    /// <summary>Ends a slide in closed form, which holds however the slip turns.</summary>
+    /// <remarks>Near the end the push and the load are almost constant, so it uses their means.</remarks>
     /// <returns>False if the end is not near, or if friction cannot hold the ball afterwards.</returns>
     private bool EndSlip(
         ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, in Vector3d slip, double longest)
@@ -346,7 +346,7 @@ internal sealed class SurfacePhase<TIntegrator>
         var decay = new SlipDecay(in slip, in push, friction);
         Motion end = SlipEnd(in system, s.Time, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
 
-        // Second estimate, with the means of both ends. The error of the end time is what the means neglect.
+        // Second estimate, with the means of both ends. The means leave only an error of higher order in the end time.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there, in end.Spin);
@@ -492,10 +492,10 @@ internal sealed class SurfacePhase<TIntegrator>
             : kept == about ? spin : spin - ((about - kept) * n);
     }
 
-    /// <summary>
-    /// Moves the ball along its carrier onto a second surface that it touches, and iterates if the surfaces are curved.
+    /// <summary>Moves the ball along its carrier onto a second surface that it touches, and iterates if the surfaces are curved.</summary>
+    /// <remarks>
     /// A flush surface, with a nearly equal normal, is skipped: it becomes the next carrier instead.
-    /// </summary>
+    /// </remarks>
     /// <returns>The carrier's normal at the new position.</returns>
     private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
     {

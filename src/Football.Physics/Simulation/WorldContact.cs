@@ -166,7 +166,7 @@ internal sealed class WorldContact
         double most = v.Length;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
 
-        // No impulses stop all contacts from closing, or this happens repeatedly: the ball is squeezed. Only moving objects squeeze.
+        // If no impulses keep all contacts from closing, or if this recurs, the ball is squeezed. Only moving objects squeeze.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);

@@ -155,7 +155,7 @@ internal sealed class WorldGuard
 
             if (!Locate(ref sweep, in found, s.Time, at))
             {
-                // A grazing contact: end the piece there, because the search ahead of it is not done. The next piece searches on.
+                // A grazing contact: end the piece there, because the search stopped there. The next piece searches on.
                 sweep.Step(Math.Max(at, ShortestPiece * path.Length));
                 met = default;
                 break;

@@ -1,10 +1,10 @@
 namespace FootballPhysics;
 
-/// <content>Piles of the cluster.</content>
+/// <content>The piles of the cluster.</content>
 internal sealed partial class BallCluster
 {
-    /// <summary>Finds where the piles go next that have come to the end of a part.</summary>
-    /// <returns>Whether a ball of one bounced, and that ends the step.</returns>
+    /// <summary>Computes the next part of the piles that have reached the end of theirs.</summary>
+    /// <returns>True if a ball of a pile bounced and that ends the step.</returns>
     private bool PlanPiles(BallState[] states, out double time)
     {
         for (int k = 0; k < _piles.Count; k++)
@@ -42,7 +42,7 @@ internal sealed partial class BallCluster
         return false;
     }
 
-    /// <summary>Takes all balls into a pile that lie on each other.</summary>
+    /// <summary>Adds all balls in contact with each other to a pile.</summary>
     private void TakeAllOf(int root, BallState[] states, BallPile pile, double time)
     {
         for (int i = root; i < _isIn.Length; i++)
@@ -58,12 +58,12 @@ internal sealed partial class BallCluster
 
     private void Take(int i, BallState[] states, BallPile pile, double time)
     {
-        // It may have joined already, and not begun.
+        // The ball may have joined the cluster already without having started its step.
         Join(i);
         int at = Array.IndexOf(_cluster, i, _begun, _clusterCount - _begun);
         if (at >= 0)
         {
-            // It begins now: in its place is the first that has not.
+            // Start its step now: swap it with the first ball that has not started.
             Begin(states, i);
             (_cluster[_begun], _cluster[at]) = (i, _cluster[_begun]);
             _begun++;
@@ -78,7 +78,7 @@ internal sealed partial class BallCluster
         }
     }
 
-    /// <summary>Two balls press each other: from now on they are of one pile, with all that lie on them.</summary>
+    /// <summary>Puts two balls in sustained contact, and all balls connected to them, into one pile.</summary>
     private void Press(BallState[] states, int i, int j, double time)
     {
         BallPile? mine = _piles.Of(i);

@@ -1,12 +1,13 @@
 namespace FootballPhysics;
 
-/// <content>What balls push.</content>
+/// <content>Objects pushed by balls.</content>
 internal sealed partial class BallCluster
 {
-    /// <summary>The step is played so many times to find the balls that share a pushed object; after them all balls end their steps at each push.</summary>
+    /// <summary>Maximum number of passes to find the balls that share a pushed object.</summary>
+    /// <remarks>After that, all balls end their steps at each push.</remarks>
     private const int MostPlays = 4;
 
-    /// <summary>Forgets which balls can reach a pushed object that another ball can reach as well.</summary>
+    /// <summary>Clears the list of balls that share a pushed object.</summary>
     public void ForgetShares() => _shares.Clear();
 
     /// <inheritdoc cref="PushShares.Find"/>
@@ -24,11 +25,12 @@ internal sealed partial class BallCluster
         return found;
     }
 
-    /// <summary>A ball meets what it pushes, or what ends the step: all that may meet that too go there first.</summary>
-    /// <returns>Whether it ends the step.</returns>
+    /// <summary>Handles a push, or another event that ends the step of a ball: other balls that may reach the object move to that time
+    /// first.</summary>
+    /// <returns>True if it ends the step.</returns>
     private bool Push(BallState[] states, in Happening met, double end)
     {
-        // The ball goes up to what it pushes, which then moves differently.
+        // Move the ball to the object that it pushes; the push changes the object's motion.
         _pushed.ReadBefore();
         StepLog own = _current[met.Ball];
         own.HaltsAtPush = true;
@@ -42,7 +44,7 @@ internal sealed partial class BallCluster
             return true;
         }
 
-        // Balls that may find it elsewhere go to that time while it is where it was, and look again.
+        // Move balls that may reach the object to that time while its motion is still the old one. Then recompute their paths.
         _pushed.ReadAfter();
         for (int k = 0; k < _clusterCount; k++)
         {

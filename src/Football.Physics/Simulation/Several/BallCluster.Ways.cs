@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <content>Where the balls go, and what happens first there.</content>
+/// <content>The paths of the balls, and the first event on them.</content>
 internal sealed partial class BallCluster
 {
     /// <inheritdoc cref="BallMeetings.MayMeet"/>
@@ -12,17 +12,17 @@ internal sealed partial class BallCluster
     /// <summary>The balls that share a pushed object.</summary>
     public PushShares Shares => _shares;
 
-    /// <summary>Looks where a ball goes from where it has got to; and who may be in its way that was not before.</summary>
+    /// <summary>Computes the path of a ball from its current state, and adds the balls that it may reach.</summary>
     private void Try(BallState[] states, int i, double end)
     {
-        // A try pushes what has a mass as the step would: afterwards that is put back.
+        // A trial pushes objects with a mass like the step itself, so restore their motions afterwards.
         _pushed.Keep();
         _trials[i].Run(_simulators[i], in states[i], _span.Left(in states[i], end), _stopAt, _shares[i], in _current[i].Spent);
         _pushed.PutBack();
         Reach(states, i);
     }
 
-    /// <summary>Struck, a ball may get farther than was expected of it, and meet balls that were no neighbours.</summary>
+    /// <summary>Extends the reach of a ball after an impact: it may now reach balls that were not its neighbours.</summary>
     private void Reach(BallState[] states, int i)
     {
         _meets.Change(i);
@@ -33,7 +33,7 @@ internal sealed partial class BallCluster
             return;
         }
 
-        // With room, so that the next time it need not be looked who else there is.
+        // Add a margin to the reach, so that later calls need not search for further balls.
         reach *= MoreReach;
         for (int k = 0; k < _isIn.Length; k++)
         {
@@ -47,7 +47,7 @@ internal sealed partial class BallCluster
         _meets.Forget();
     }
 
-    /// <summary>The first event: two balls meet, or one meets what it pushes, or what ends the step.</summary>
+    /// <summary>Finds the first event: a contact of two balls, a push, or an event that ends the step.</summary>
     private Happening FindFirst(double end)
     {
         _meets.Find(_cluster, _clusterCount, _before, _reaches);
@@ -61,7 +61,7 @@ internal sealed partial class BallCluster
                 int j = _meets.Second(pair);
                 if (!_piles.AreOne(i, j))
                 {
-                    // Not beyond where one of the two halts, or a pile is at the end of its part.
+                    // Search only as far as both paths are known: up to a halt, or to the end of a pile's part.
                     double until = Math.Min(Math.Min(KnownUntil(i), KnownUntil(j)), end);
                     first = Happening.Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
                 }
@@ -73,6 +73,6 @@ internal sealed partial class BallCluster
         return first;
     }
 
-    /// <summary>Where a ball goes is known until this time, s: to where it halts, or of a pile to the end of its part.</summary>
+    /// <summary>Returns the time up to which a path is known, s: to its halt, or for a pile to the end of its part.</summary>
     private double KnownUntil(int ball) => _piles.Of(ball)?.Until ?? _trials[ball].HaltsAt;
 }

@@ -1,21 +1,23 @@
 namespace FootballPhysics;
 
-/// <summary>Balls that may meet in a step, played again from before it: always the first that happens among them, to the last bit by the balls' own steps.</summary>
+/// <summary>Balls that may collide in a step, stepped again together from its start: event by event, bit-identical to their own
+/// steps.</summary>
 internal sealed partial class BallCluster
 {
-    /// <summary>More impacts than this, and one for each pair, at one instant: the rest of it is without restitution.</summary>
+    /// <summary>Maximum number of impacts at one instant, plus one per pair. The rest of the instant is without restitution.</summary>
     private const int MostAtOnce = 8;
 
-    /// <summary>So many impacts with others a ball may have in a step one by one; after them it is one of a pile.</summary>
+    /// <summary>Maximum number of separate impacts of a ball with others per step. After that it joins a pile.</summary>
     private const int MostMeetings = 16;
 
-    /// <summary>So often balls push something, or meet another, in a step, for each of them; the rest of it is played as if there were no other ball.</summary>
+    /// <summary>Maximum number of pushes and ball contacts per ball and step.</summary>
+    /// <remarks>After that the balls ignore each other for the rest of the step.</remarks>
     private const int MostImpacts = 256;
 
-    /// <summary>A ball that gets farther than was expected may get by so much farther still.</summary>
+    /// <summary>Margin factor for the reach of a ball that moves farther than expected.</summary>
     private const double MoreReach = 1.25;
 
-    /// <summary>Two balls touch where the gap is less than this, m; and of two times closer than this, s, one is the other.</summary>
+    /// <summary>Gap below which two balls touch, m, and time difference below which two times are equal, s.</summary>
     private const double Closed = 1e-13;
 
     private readonly Simulator[] _simulators;
@@ -42,11 +44,11 @@ internal sealed partial class BallCluster
     private bool _clears;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
-    /// <param name="contact">What two balls are to each other.</param>
-    /// <param name="friction">The friction of that, where two balls press each other.</param>
+    /// <param name="contact">The material of impacts between balls.</param>
+    /// <param name="friction">The friction coefficient of sustained contact between balls.</param>
     /// <param name="before">The balls before the step.</param>
-    /// <param name="reaches">Not less than how far each gets in it, m.</param>
-    /// <param name="logs">Where events and counts of each go.</param>
+    /// <param name="reaches">Upper bound of each ball's displacement in the step, m.</param>
+    /// <param name="logs">Receive the events and counts of each ball.</param>
     public BallCluster(Simulator[] simulators, in ContactMaterial contact, double friction, BallState[] before, double[] reaches, StepLog[] logs)
     {
         int count = simulators.Length;
@@ -76,19 +78,19 @@ internal sealed partial class BallCluster
         _touch = new BallTouch(simulators, _trials, _piles, _pushed);
     }
 
-    /// <summary>How many balls are in it.</summary>
+    /// <summary>Number of balls in the cluster.</summary>
     public int Count => _clusterCount;
 
-    /// <summary>A ball of it.</summary>
+    /// <summary>Index of a ball of the cluster.</summary>
     public int this[int index] => _cluster[index];
 
-    /// <summary>True when a ball is in it.</summary>
+    /// <summary>True if a ball is in the cluster.</summary>
     public bool Has(int ball) => _isIn[ball];
 
-    /// <summary>True when a ball of it has pushed something.</summary>
+    /// <summary>True if a ball of the cluster has pushed an object.</summary>
     public bool HasPushed(int ball) => _current[ball].Pushed;
 
-    /// <summary>Takes all balls out.</summary>
+    /// <summary>Removes all balls.</summary>
     public void Clear()
     {
         for (int k = 0; k < _clusterCount; k++)
@@ -99,7 +101,7 @@ internal sealed partial class BallCluster
         _clusterCount = 0;
     }
 
-    /// <summary>Takes a ball in.</summary>
+    /// <summary>Adds a ball.</summary>
     public void Join(int ball)
     {
         if (!_isIn[ball])
@@ -110,22 +112,23 @@ internal sealed partial class BallCluster
         }
     }
 
-    /// <summary>Ends a step that failed.</summary>
+    /// <summary>Ends a step after an exception.</summary>
     public void Abandon() => Array.ForEach(_current, log => log.Abandon());
 
-    /// <summary>Which balls lie on each other before the step.</summary>
+    /// <summary>The balls in sustained contact before the step.</summary>
     public BallRests Rests => _rests;
 
-    /// <summary>Plays the balls of a cluster again from before the step: always the first event, then the balls whose paths it changes.</summary>
+    /// <summary>Steps the balls of the cluster from the start of the step: always the first event, then the balls whose paths it
+    /// changes.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    /// <param name="watched">Logs whose observers see the paths; null for the cluster's own logs.</param>
+    /// <param name="watched">Logs whose observers receive the paths; null for the cluster's own logs.</param>
     /// <param name="motions">The motions of all objects before the step.</param>
-    /// <returns>Whether an event ended the step.</returns>
+    /// <returns>True if an event ended the step.</returns>
     public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
-        // First find the balls that share an object that is pushed: an observer sees one play only.
+        // First find the balls that share a pushed object: an observer must see only one pass.
         bool mayPush = _simulators[0].World.MayGiveWay;
         bool ended = false;
         for (int k = 0; watched is null || mayPush; k++)
@@ -153,13 +156,13 @@ internal sealed partial class BallCluster
         _stopAt = stopAt;
         double end = _span.End;
 
-        // By number: of what happens at one time the first that is asked for counts.
+        // Sort by index: of simultaneous events, the first one found counts.
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
         _piles.Clear();
         _meets.Forget();
 
-        // What they pushed in the first try goes back with them.
+        // Undo the pushes of the first trial as well.
         motions.Read();
         motions.PutBack();
         int impacts = 0;
@@ -168,7 +171,7 @@ internal sealed partial class BallCluster
         bool ended = false;
         while (!ended)
         {
-            // A ball that joins later begins at the step's start, as it was there.
+            // A ball that joins later starts from its state at the start of the step.
             BeginNew(states);
             if (PlanPiles(states, out double planned))
             {
@@ -177,7 +180,7 @@ internal sealed partial class BallCluster
                 break;
             }
 
-            // Up to the first thing that happens every ball goes as if it were alone, and every pile to the end of its part.
+            // Up to the first event, every ball moves as if alone, and every pile moves to the end of its part.
             Happening first = FindFirst(end);
             BallPile? pile = _piles.First(end);
             bool spent = impacts >= MostImpacts * _clusterCount;
@@ -197,7 +200,7 @@ internal sealed partial class BallCluster
             impacts++;
             if (first.IsMeeting)
             {
-                // As many impacts at one instant as contacts and some more, as in a pile: the rest of it without restitution.
+                // After too many impacts at one instant, resolve the rest of the instant without restitution, as in a pile.
                 bool presses = atOnce > MostAtOnce + (_clusterCount * (_clusterCount - 1) / 2);
                 ended = Collide(states, in first, presses);
             }
@@ -207,7 +210,7 @@ internal sealed partial class BallCluster
             }
         }
 
-        // Nothing more happens: on to the end of the step, or up to what ended it.
+        // No further event: move all balls to the end of the step, or to the event that ended it.
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -232,10 +235,11 @@ internal sealed partial class BallCluster
         return ended;
     }
 
-    /// <summary>Puts balls that are new in the cluster back to where they were before the step, those that lie on each other into piles, and looks where the others go.</summary>
+    /// <summary>Resets new balls of the cluster to the start of the step, puts touching ones into piles, and computes the paths of the
+    /// others.</summary>
     private void BeginNew(BallState[] states)
     {
-        // Where one of them goes others may join.
+        // The path of a ball may add further balls to the cluster.
         for (int k = _begun; _begun < _clusterCount || k < _begun; k++)
         {
             for (; _begun < _clusterCount; _begun++)
@@ -260,7 +264,7 @@ internal sealed partial class BallCluster
         }
     }
 
-    /// <summary>Puts a ball back to where it was before the step.</summary>
+    /// <summary>Resets a ball to its state before the step.</summary>
     private void Begin(BallState[] states, int i)
     {
         states[i] = _before[i];
@@ -269,7 +273,7 @@ internal sealed partial class BallCluster
         _piles.Leave(i);
     }
 
-    /// <summary>Moves a ball on to a time within its way, as its step would have gone; of a pile all balls.</summary>
+    /// <summary>Moves a ball to a time on its path, exactly as its own step would; if it is in a pile, all balls of the pile.</summary>
     private void Commit(BallState[] states, int i, double time)
     {
         if (_piles.Of(i) is { } pile)
@@ -283,7 +287,7 @@ internal sealed partial class BallCluster
         double left = _span.Left(in s, time);
         StepLog own = _current[i];
 
-        // Where the ball goes has been computed: as far as it is known to go by itself, or to where it touches another.
+        // Reuse a computed path if one exists: the trial to the end of the step, or the path to the contact with another ball.
         if (_touch.TryTake(i, ref s, time, own) || (time == _span.End && _trials[i].TryTake(ref s, time, own)))
         {
             return;
@@ -294,7 +298,7 @@ internal sealed partial class BallCluster
             _simulators[i].Advance(ref s, left, own);
         }
 
-        // A path whose memory is full ends a step early, not the ball.
+        // A path with a full buffer ends a step early, but the ball must go on.
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;
@@ -304,8 +308,8 @@ internal sealed partial class BallCluster
         s.Time = time;
     }
 
-    /// <summary>Two balls meet: both go there, to the last bit by their own steps, and both get the impulse; or they press each other from then on.</summary>
-    /// <returns>Whether that ends the step.</returns>
+    /// <summary>Resolves a contact of two balls: both move there exactly by their own steps and get the impulse, or form a pile.</summary>
+    /// <returns>True if that ends the step.</returns>
     private bool Collide(BallState[] states, in Happening met, bool presses)
     {
         int i = met.Ball;
@@ -318,7 +322,7 @@ internal sealed partial class BallCluster
         BallProperties other = _simulators[j].Scene.Ball;
         BallContact.Gap(in states[i], ball.Radius, in states[j], other.Radius, out Vector3d n, out double rate);
 
-        // Gently they press each other, and so do those that meet again and again: solved as one, without a restitution that nobody sees.
+        // Slow contacts, and balls that hit each other repeatedly, are in sustained contact: solve them as a pile without restitution.
         if (presses || rate > -BallContact.Gentle || HasHitEnough(i) || HasHitEnough(j))
         {
             _current[i].UnreportedImpacts++;
@@ -336,10 +340,12 @@ internal sealed partial class BallCluster
         return _stopAt == StopAt.Impact;
     }
 
-    /// <summary>True when a ball has had all impacts that it may have in a step one by one, by itself or with its pile.</summary>
+    /// <summary>True if a ball has used its separate impacts in this step, by itself or with its pile.</summary>
     private bool HasHitEnough(int i) => _meetings[i] >= MostMeetings || _piles.Of(i) is { IsSpent: true };
 
-    /// <summary>What becomes of a ball that was hit: on the ground it keeps its carrier, unless the impulse lifts it; what leans on others is a pile with them.</summary>
+    /// <summary>Sets the state of a ball after a hit by another ball.</summary>
+    /// <remarks>A supported ball keeps its carrier unless the impulse lifts it. A ball that touches other balls forms a pile with
+    /// them.</remarks>
     private void GoOn(BallState[] states, int i, in Motion after, in Vector3d n)
     {
         if (!_piles.Has(i) && _rests.IsHeld(i))

@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>The contact of two balls: how near they are, and the impulse that both get.</summary>
+/// <summary>The contact of two balls: their gap, and the impulse between them.</summary>
 internal static class BallContact
 {
-    /// <summary>Slower than this, m/s, two balls press each other: no bounce, and no impact that is told.</summary>
+    /// <summary>Two balls that close more slowly than this are in sustained contact, m/s: no bounce, and no impact event.</summary>
     public const double Gentle = 0.01;
 
-    /// <summary>Distance between the surfaces of two balls, m, and how fast it grows, m/s.</summary>
+    /// <summary>Returns the gap between the surfaces of two balls, m, and its rate, m/s.</summary>
     public static double Gap(in BallState first, double firstRadius, in BallState second, double secondRadius, out Vector3d normal, out double rate)
     {
         Vector3d apart = first.Position - second.Position;
@@ -16,13 +16,15 @@ internal static class BallContact
         return distance - (firstRadius + secondRadius);
     }
 
-    /// <summary>
-    /// The impact of two balls that touch and come closer: <c>J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂)</c>, <c>J_t = −(1 + e_t) s/κ</c>, at most μ J_n, with
-    /// <c>κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂</c>. To the last bit the same whichever of them is called the first.
-    /// </summary>
+    /// <summary>Computes the impact of two balls that touch and close.</summary>
+    /// <remarks>
+    /// <c>J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂)</c>, <c>J_t = −(1 + e_t) s/κ</c>, at most μ J_n, with <c>κ = 1/m₁ + 1/m₂ + r₁²/I₁ +
+    /// r₂²/I₂</c>.
+    /// The result is bit-identical if the two balls are swapped.
+    /// </remarks>
     /// <param name="ball">The first ball.</param>
-    /// <param name="other">The second one.</param>
-    /// <param name="material">Their contact.</param>
+    /// <param name="other">The second ball.</param>
+    /// <param name="material">The material of their contact.</param>
     /// <param name="n">Normal, from the second to the first.</param>
     /// <param name="first">The first ball before.</param>
     /// <param name="second">The second ball before.</param>

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <content>Events of all balls, in order.</content>
 public sealed partial class BallGroup
 {
-    /// <summary>Adds the events of all balls in order of time, then of the balls; and the counts.</summary>
+    /// <summary>Adds the counts, and the events of all balls ordered by time and then by ball.</summary>
     private void Tell(StepLog log)
     {
         log.Steps += _flown.Steps;
@@ -40,7 +40,7 @@ public sealed partial class BallGroup
         }
     }
 
-    /// <summary>Puts an event in its place among those of the step: by time, then by ball, then as they happened to it.</summary>
+    /// <summary>Inserts an event in order: by time, then by ball, then by its order within the ball.</summary>
     private void Insert(in BallEvent happened, int count)
     {
         if (count == _told.Length)

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <content>The steps of all balls as if there were no other, and the balls that must be played together.</content>
+/// <content>The independent steps of all balls, and the choice of the balls that must be stepped together.</content>
 public sealed partial class BallGroup
 {
-    /// <summary>The balls that lie on each other, which are stepped as one: their own steps would lead them through each other.</summary>
+    /// <summary>Finds the piles, which are stepped as one: independent steps would move their balls through each other.</summary>
     private void FindPiles(double dt)
     {
         bool covers = true;
@@ -21,13 +21,14 @@ public sealed partial class BallGroup
         _cluster.Rests.Look(_before, _neighbours);
     }
 
-    /// <summary>Every ball takes its step as if there were no other.</summary>
+    /// <summary>Takes the step of every ball as if there were no other ball.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    /// <param name="holds">False if a ball got farther than its neighbours were searched.</param>
-    /// <param name="again">True if all balls must be played again: an event ended a step, not all events had room, or the reach of a ball that pushed an object is not known.</param>
-    /// <returns>Whether a ball has pushed something.</returns>
+    /// <param name="holds">False if a ball moved farther than the search for neighbours assumed.</param>
+    /// <param name="again">True if all balls must be stepped again: an event ended a step, events were dropped, or the reach of a ball that
+    /// pushed an object is unknown.</param>
+    /// <returns>True if a ball has pushed an object.</returns>
     private bool Fly(BallState[] states, double dt, StopAt stopAt, out bool holds, out bool again)
     {
         holds = true;
@@ -101,7 +102,8 @@ public sealed partial class BallGroup
         return pushes;
     }
 
-    /// <summary>The space ahead of the other balls was searched before something was pushed. The outcome does not depend on which balls were played together.</summary>
+    /// <summary>Resets the clear times of other balls after a push, so that the result does not depend on which balls were stepped
+    /// together.</summary>
     private void ForgetSpaceAhead(BallState[] states)
     {
         int pushing = 0;
@@ -117,7 +119,7 @@ public sealed partial class BallGroup
         }
     }
 
-    /// <summary>The greatest speed at the events of the last ball, m/s.</summary>
+    /// <summary>Returns the greatest speed at the events of the last ball, m/s.</summary>
     private double Fastest(int first)
     {
         double squared = 0;
@@ -137,7 +139,8 @@ public sealed partial class BallGroup
             FormattableString.Invariant($"states[{ball}].time is {state.Time:R}; allowed: {time:R}, the time of the first ball."), nameof(state));
     }
 
-    /// <summary>Measures the reach of balls that exceed the bounds of their spheres, and finds the neighbours again if a ball has left its sphere.</summary>
+    /// <summary>Measures the reach of balls that exceed the bounds of their spheres, and finds the neighbours again if a ball left its
+    /// sphere.</summary>
     private void RenewNeighbours(double dt, bool again)
     {
         // If all balls are stepped again, measure their paths among objects that are not yet pushed.
@@ -168,7 +171,7 @@ public sealed partial class BallGroup
         }
     }
 
-    /// <summary>True when a ball was never faster in its step than its sphere was made for: before and after each event.</summary>
+    /// <summary>True if a ball never exceeded the speed that its sphere was built for, before and after each event.</summary>
     private bool KeepsPace(int ball, int first)
     {
         for (int k = first; k < _flown.Events.Count; k++)
@@ -184,7 +187,7 @@ public sealed partial class BallGroup
         return true;
     }
 
-    /// <summary>The balls that may meet another in this step.</summary>
+    /// <summary>Finds the balls that may reach another ball in this step.</summary>
     private void FindCluster(bool all, bool pushes, double dt)
     {
         _cluster.Clear();

@@ -189,11 +189,11 @@ public sealed partial class BallGroup
 
     /// <summary>Advances all balls up to the first event that ends the step.</summary>
     /// <param name="states">The balls.</param>
-    /// <param name="dt">Time to advance by, s.</param>
-    /// <param name="log">Where events and counts are added.</param>
-    /// <param name="stopAt">The impact of any ball may end it.</param>
-    /// <param name="watched">Logs of the balls, one each, whose observers see their pieces; null where nobody watches.</param>
-    /// <returns>Whether an event ended it.</returns>
+    /// <param name="dt">Time to advance, s.</param>
+    /// <param name="log">Receives events and counts.</param>
+    /// <param name="stopAt">The event that ends the step.</param>
+    /// <param name="watched">One log per ball, whose observers receive the pieces; null without observers.</param>
+    /// <returns>True if an event ended it.</returns>
     internal bool Step(BallState[] states, double dt, StepLog? log, StopAt stopAt, StepLog[]? watched)
     {
         Check.Given(nameof(states), states);
@@ -294,7 +294,7 @@ public sealed partial class BallGroup
         return all;
     }
 
-    /// <summary>The step of one ball that calls code of the game: if that throws, nothing has changed.</summary>
+    /// <summary>Steps a single ball with code of the game. If that throws, the ball is unchanged.</summary>
     private bool TryAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
     {
         _before[0] = state;
@@ -312,7 +312,7 @@ public sealed partial class BallGroup
         }
     }
 
-    /// <summary>The step of one ball.</summary>
+    /// <summary>Steps a single ball.</summary>
     private bool StepAlone(ref BallState state, double dt, StepLog log, StopAt stopAt)
     {
         BallState.Launched(in state);

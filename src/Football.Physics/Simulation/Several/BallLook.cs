@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A ball that is followed to a time within its step.</summary>
+/// <summary>A ball followed to a time within its step.</summary>
 internal sealed class BallLook
 {
     private readonly StepLog _log = new();
@@ -10,14 +10,14 @@ internal sealed class BallLook
     /// <summary>The ball at that time.</summary>
     public BallState State;
 
-    /// <summary>Forgets the ball.</summary>
+    /// <summary>Discards the ball.</summary>
     public void Forget() => _ball = -1;
 
-    /// <summary>Follows a ball as its step goes. Afterwards the objects that it pushes move as before.</summary>
+    /// <summary>Follows a ball along its step. The motions of the objects that it pushes are restored afterwards.</summary>
     /// <param name="simulator">The scene of the ball.</param>
-    /// <param name="ball">The ball's number.</param>
+    /// <param name="ball">The index of the ball.</param>
     /// <param name="from">The ball.</param>
-    /// <param name="duration">How long, s.</param>
+    /// <param name="duration">The duration, s.</param>
     /// <param name="spent">The counters of its step.</param>
     /// <param name="pushed">The motions of all objects that balls push.</param>
     public void Follow(Simulator simulator, int ball, in BallState from, double duration, in StepBudget spent, PushedMotions pushed)
@@ -38,20 +38,21 @@ internal sealed class BallLook
         }
     }
 
-    /// <summary>Moves a ball to a time to which it was followed, if it has not changed since and has pushed nothing.</summary>
-    /// <param name="ball">The ball's number.</param>
+    /// <summary>Moves a ball to the time to which it was followed, if it is unchanged and has pushed no object.</summary>
+    /// <param name="ball">The index of the ball.</param>
     /// <param name="s">The ball.</param>
     /// <param name="time">The time, s.</param>
-    /// <param name="own">Where its events and counts go.</param>
+    /// <param name="own">Receives its events and counts.</param>
     public bool TryTake(int ball, ref BallState s, double time, StepLog own) => ball == _ball && TryTake(ref s, in _from, in State, time, _log, own);
 
-    /// <summary>Moves a ball to the end of a path that was computed, if that path starts where the ball is, ends at a time, and pushes nothing.</summary>
+    /// <summary>Moves a ball to the end of a computed path that starts at its state, ends at the given time, and pushes no
+    /// object.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="from">The start of the path.</param>
     /// <param name="end">Its end.</param>
     /// <param name="time">The time, s.</param>
     /// <param name="log">The events and counts of the path.</param>
-    /// <param name="own">Where those of the ball go.</param>
+    /// <param name="own">Receives those of the ball.</param>
     public static bool TryTake(ref BallState s, in BallState from, in BallState end, double time, StepLog log, StepLog own)
     {
         bool isSame = end.Time == time && from.Time == s.Time && from.Position == s.Position && from.Velocity == s.Velocity && from.Spin == s.Spin

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>When the balls of a cluster meet, pair by pair: of those whose ways have not changed since it was asked, what was found then holds.</summary>
+/// <summary>Caches the contact time of each pair of balls in a cluster, until the path of one of them changes.</summary>
 internal sealed class BallMeetings
 {
     private readonly BallTrial[] _trials;
@@ -9,7 +9,7 @@ internal sealed class BallMeetings
     private Pair[] _pairs = new Pair[16];
     private bool _isOld = true;
 
-    /// <param name="trials">The ways of all balls of the group.</param>
+    /// <param name="trials">The paths of all balls of the group.</param>
     /// <param name="radii">Their radii, m.</param>
     public BallMeetings(BallTrial[] trials, double[] radii)
     {
@@ -18,30 +18,30 @@ internal sealed class BallMeetings
         _changes = new int[radii.Length];
     }
 
-    /// <summary>How many pairs may meet.</summary>
+    /// <summary>Number of pairs that may collide.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The balls of a pair.</summary>
+    /// <summary>The first ball of a pair.</summary>
     public int First(int pair) => _pairs[pair].Ball;
 
     /// <inheritdoc cref="First"/>
     public int Second(int pair) => _pairs[pair].Other;
 
-    /// <summary>Others may meet than before.</summary>
+    /// <summary>Marks the pairs as outdated.</summary>
     public void Forget() => _isOld = true;
 
-    /// <summary>True when two balls may meet that get so far in the step, m.</summary>
+    /// <summary>True if two balls with given reaches in this step may touch, m.</summary>
     public bool MayMeet(BallState[] before, int ball, double reach, int other, double otherReach)
     {
         double most = reach + otherReach + _radii[ball] + _radii[other] + ContactSearch.Touching;
         return (before[ball].Position - before[other].Position).LengthSquared <= most * most;
     }
 
-    /// <summary>Finds the pairs that may meet, in the order of the balls, where that may have changed.</summary>
+    /// <summary>Finds the pairs that may collide, in the order of the balls, if they are outdated.</summary>
     /// <param name="balls">The balls of the cluster.</param>
-    /// <param name="count">How many they are.</param>
+    /// <param name="count">Their number.</param>
     /// <param name="before">All balls before the step.</param>
-    /// <param name="reaches">Not less than how far each gets in it, m.</param>
+    /// <param name="reaches">Upper bound of each ball's displacement in the step, m.</param>
     public void Find(int[] balls, int count, BallState[] before, double[] reaches)
     {
         if (!_isOld)
@@ -65,7 +65,7 @@ internal sealed class BallMeetings
         }
     }
 
-    /// <summary>A ball goes another way than before.</summary>
+    /// <summary>Marks the path of a ball as changed.</summary>
     public void Change(int ball) => _changes[ball]++;
 
     private void Add(int ball, int other)
@@ -78,10 +78,10 @@ internal sealed class BallMeetings
         _pairs[Count++] = new Pair { Ball = ball, Other = other, Asked = -1 };
     }
 
-    /// <summary>When the two of a pair meet, s; infinite where they do not.</summary>
-    /// <param name="pair">Which.</param>
-    /// <param name="until">Until when their ways are known, s.</param>
-    /// <param name="atEnd">Whether what is there at that very time counts.</param>
+    /// <summary>Returns the time at which a pair touches, s; infinite if it does not.</summary>
+    /// <param name="pair">Index of the pair.</param>
+    /// <param name="until">The time up to which their paths are known, s.</param>
+    /// <param name="atEnd">Whether a contact exactly at that time counts.</param>
     public double TimeOf(int pair, double until, bool atEnd)
     {
         ref Pair asked = ref _pairs[pair];
@@ -104,10 +104,10 @@ internal sealed class BallMeetings
         public int Ball;
         public int Other;
 
-        /// <summary>How often their ways had changed when it was asked; −1 where it was not.</summary>
+        /// <summary>Number of path changes at the last search; −1 if there was none.</summary>
         public int Asked;
 
-        /// <summary>When they meet, s.</summary>
+        /// <summary>Contact time, s.</summary>
         public double Time;
     }
 }

@@ -1,18 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Which of several balls may meet in a step. Around each is a sphere that it does not leave for some steps; balls whose spheres touch are neighbours, and only
-/// neighbours are looked at. Until a ball leaves its sphere a step asks each ball one comparison.
-/// </summary>
+/// <summary>Finds pairs of balls that may collide in a step.</summary>
+/// <remarks>
+/// Each ball has a sphere that it does not leave for some steps. Balls whose spheres touch are neighbours, and only neighbours are tested.
+/// Until a ball leaves its sphere, a step needs one comparison per ball.
+/// </remarks>
 internal sealed class BallNeighbours
 {
-    /// <summary>How many steps a sphere is made for.</summary>
+    /// <summary>Number of steps that a sphere covers.</summary>
     private const double Ahead = 16;
 
-    /// <summary>A sphere is at least so much larger than the ball, m: what lies still may be nudged.</summary>
+    /// <summary>Minimum margin of a sphere around the ball, m: a resting ball may be nudged.</summary>
     private const double LeastRoom = 0.25;
 
-    /// <summary>In the time of a sphere a ball may fall, m/s².</summary>
+    /// <summary>Acceleration allowed for while a sphere is valid, m/s².</summary>
     public const double Fall = 10;
 
     private readonly Sphere[] _spheres;
@@ -32,17 +33,17 @@ internal sealed class BallNeighbours
         }
     }
 
-    /// <summary>How many pairs of neighbours there are.</summary>
+    /// <summary>Number of pairs of neighbours.</summary>
     public int Count => _count;
 
     /// <summary>A pair of neighbours, the lower index first.</summary>
     public (int First, int Second) this[int index] => _pairs[index];
 
-    /// <summary>How far a ball that keeps within what its sphere was made for gets in a step, m.</summary>
+    /// <summary>Maximum displacement per step of a ball that keeps to the bounds of its sphere, m.</summary>
     public double ReachOf(int ball) => _spheres[ball].Reach;
 
-    /// <summary>True when a step that a ball has taken without an event is within what its sphere was made for.</summary>
-    /// <param name="ball">Which.</param>
+    /// <summary>True if a step without events keeps to the bounds of the ball's sphere.</summary>
+    /// <param name="ball">Index of the ball.</param>
     /// <param name="before">The ball before the step.</param>
     /// <param name="after">The ball after it.</param>
     /// <param name="dt">Length of the step, s.</param>
@@ -61,20 +62,20 @@ internal sealed class BallNeighbours
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
     }
 
-    /// <summary>True when a ball is within its sphere: then those that it touches are among its neighbours.</summary>
+    /// <summary>True if a ball is within its sphere, so that all balls that it touches are among its neighbours.</summary>
     public bool Covers(int ball, in BallState at) =>
         _step > 0 && (at.Position - _spheres[ball].Center).Length + _spheres[ball].Radius + ContactSearch.Touching <= _spheres[ball].Outer;
 
-    /// <summary>True when a ball's sphere was made for such a speed, of which this is the square, m²/s².</summary>
+    /// <summary>True if a ball's sphere allows a speed, given as its square, m²/s².</summary>
     public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;
 
-    /// <summary>True when a step in which a ball got so far, m, is within its sphere.</summary>
+    /// <summary>True if a step with a given displacement stays within the ball's sphere, m.</summary>
     public bool Holds(int ball, in BallState before, double reach, double dt) =>
         dt <= _step && (before.Position - _spheres[ball].Center).Length + reach + _spheres[ball].Radius <= _spheres[ball].Outer;
 
-    /// <summary>Makes the spheres anew around where the balls were before a step.</summary>
+    /// <summary>Builds the spheres around the positions before a step.</summary>
     /// <param name="before">The balls before the step.</param>
-    /// <param name="reaches">Not less than how far each got from there in it, m.</param>
+    /// <param name="reaches">Upper bound of each ball's displacement in the step, m.</param>
     /// <param name="dt">Length of the step, s.</param>
     public void Renew(BallState[] before, double[] reaches, double dt)
     {
@@ -98,7 +99,7 @@ internal sealed class BallNeighbours
         FindPairs();
     }
 
-    /// <summary>Sweep and prune along x; the order hardly changes from one time to the next.</summary>
+    /// <summary>Sweep and prune along x. Insertion sort, because the order hardly changes between calls.</summary>
     private void FindPairs()
     {
         for (int i = 1; i < _order.Length; i++)
@@ -145,19 +146,19 @@ internal sealed class BallNeighbours
 
     private struct Sphere
     {
-        /// <summary>Where the ball was, m.</summary>
+        /// <summary>Position of the ball when the sphere was built, m.</summary>
         public Vector3d Center;
 
-        /// <summary>A ball no farther from there than this at the start of a step stays within the sphere in it: the square, m².</summary>
+        /// <summary>Squared distance from the centre up to which a ball stays within the sphere for one more step, m².</summary>
         public double RoomSquared;
 
-        /// <summary>... where it is no faster than this: the square, m²/s².</summary>
+        /// <summary>Squared maximum speed, m²/s².</summary>
         public double SpeedSquared;
 
-        /// <summary>In a step it gets no farther than this, m.</summary>
+        /// <summary>Maximum displacement per step, m.</summary>
         public double Reach;
 
-        /// <summary>From the center its surface gets no farther than this, m.</summary>
+        /// <summary>Radius of the sphere, m. It contains the surface of the ball.</summary>
         public double Outer;
 
         /// <summary>Radius of the ball, m.</summary>

@@ -88,8 +88,8 @@ internal sealed partial class BallPile
         };
     }
 
-    /// <summary>A contact that was there in the part before begins with its impulses.</summary>
-    /// <param name="share">How much of them.</param>
+    /// <summary>Warm start: a contact of the previous part starts with its impulses.</summary>
+    /// <param name="share">Scale factor of the impulses.</param>
     private bool Continue(double share)
     {
         int first = 0;

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <content>Rest of the pile.</content>
 internal sealed partial class BallPile
 {
-    /// <summary>Puts a ball onto what stands still and bears it: the gap that the part left would be another impact.</summary>
+    /// <summary>Projects a ball onto stationary surfaces with a load: a gap left by the part would cause another impact.</summary>
     private void HoldOnto(int index, BallState[] states)
     {
         ref readonly PileMember member = ref _solver.Members[index];
@@ -18,7 +18,7 @@ internal sealed partial class BallPile
         }
     }
 
-    /// <summary>A ball at rest keeps a key of the balls that it touches, and of what stands still but may move.</summary>
+    /// <summary>Stores in a resting ball a key of the balls that it touches, and of stationary objects that may move later.</summary>
     private void SetKey(int index, BallState[] states)
     {
         ref readonly PileMember member = ref _solver.Members[index];
@@ -34,7 +34,7 @@ internal sealed partial class BallPile
         s.ClearIn = key;
     }
 
-    /// <summary>True when the contacts hold the balls as they lie, without speed; nothing rests on what moves in this step.</summary>
+    /// <summary>True if the contacts hold the balls at zero velocity, and no ball rests on an object that moves in this step.</summary>
     private bool Holds(BallState[] states)
     {
         double pull = 0;
@@ -64,7 +64,7 @@ internal sealed partial class BallPile
         return _solver.Fastest() <= Held * pull;
     }
 
-    /// <summary>True when every ball is slow enough to rest, and the contacts hold all of them, one at least on what stands still.</summary>
+    /// <summary>True if every ball is slow enough, the contacts hold all of them, and at least one stationary object has a load.</summary>
     private bool Rests(BallState[] states, StepLog[] logs)
     {
         for (int i = 0; i < Count; i++)

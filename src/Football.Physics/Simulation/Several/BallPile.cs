@@ -1,46 +1,50 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Balls that lie on each other, in one step: from the time at which they begin to press each other to its end. A few whose contacts keep their modes go by whole steps of the
-/// method (<see cref="PileWholes"/>); else in few equal parts, with impulses for all of them at once.
-/// What is closer than a ball may come in a part is a contact by its gap; what closes so fast that it bounces does so at the part's start. Nothing that stands still is entered.
-/// </summary>
+/// <summary>Steps a pile: balls in sustained contact with each other.</summary>
+/// <remarks>
+/// A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a
+/// few equal parts,
+/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce at the start of
+/// the part.
+/// No ball enters a stationary object.
+/// </remarks>
 internal sealed partial class BallPile
 {
-    /// <summary>Length of a part, s; and how many a step may have.</summary>
+    /// <summary>Length of a part, s, and the maximum number of parts per step.</summary>
     private const double Part = 2e-3;
     private const int MostParts = 16;
 
-    /// <summary>So many parts it has at most that others cut short which hit it.</summary>
+    /// <summary>Maximum number of parts per step, including those cut short by other balls that hit the pile.</summary>
     private const int MostPlans = 24;
 
-    /// <summary>So many whole steps are tried in a step; what has had a part goes on in parts.</summary>
+    /// <summary>Maximum number of attempts at whole steps per step. After a part, the pile continues in parts.</summary>
     private const int MostWholes = 16;
 
-    /// <summary>Contacts are looked for this much farther, m, than the balls get.</summary>
+    /// <summary>Margin of the search for contacts beyond the motion of the balls, m.</summary>
     private const double Near = 1e-5;
 
-    /// <summary>Of two that lie on each other the gap is no more than this, m.</summary>
+    /// <summary>Maximum gap of two balls in sustained contact, m.</summary>
     public const double Leaning = 1e-6;
 
-    /// <summary>Rounds of the solver: of the first part, which begins from nothing; of the next ones; and where it is asked whether the pile rests.</summary>
+    /// <summary>Solver iterations: for the first part (cold start), for further parts, and for the check of rest.</summary>
     private const int FirstRounds = 48;
     private const int NextRounds = 20;
     private const int RestRounds = 256;
 
-    /// <summary>Impulses that change a ball's speed by less than this share of what its forces do in a part are found.</summary>
+    /// <summary>The solver stops if a change of speed is below this share of the change by the forces in a part.</summary>
     private const double Settled = 1e-5;
 
-    /// <summary>A pile rests where its contacts leave no ball more than this share of the forces on it.</summary>
+    /// <summary>A pile rests if its contacts leave each ball at most this share of the forces on it.</summary>
     private const double Held = 1e-3;
 
-    /// <summary>Where it is asked whether a pile rests, after so long, s.</summary>
+    /// <summary>Length of the part that is solved to check for rest, s.</summary>
     private const double RestPart = 1e-3;
 
-    /// <summary>
-    /// b of two balls that lie on each other, m, as long as no more is said: 2/3 of the radius of a patch that bears a few balls' weight at 0.8 bar. Without it a ball
-    /// between two others would turn about their contacts for ever.
-    /// </summary>
+    /// <summary>Minimum drilling length b of two balls in sustained contact, m.</summary>
+    /// <remarks>
+    /// 2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without it a ball between two others would spin for
+    /// ever.
+    /// </remarks>
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;
@@ -59,9 +63,9 @@ internal sealed partial class BallPile
     private int _wholes;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
-    /// <param name="contact">What two balls are to each other where they bounce.</param>
-    /// <param name="friction">The friction of that, where they press each other.</param>
-    /// <param name="room">Room that all piles of a group share.</param>
+    /// <param name="contact">The material of impacts between balls.</param>
+    /// <param name="friction">The friction coefficient of sustained contact between balls.</param>
+    /// <param name="room">Memory that all piles of a group share.</param>
     public BallPile(Simulator[] simulators, in ContactMaterial contact, double friction, ClusterRoom room)
     {
         _simulators = simulators;
@@ -72,28 +76,28 @@ internal sealed partial class BallPile
         _whole = new PileWholes(simulators, _solver, friction, friction * Math.Max(LeastDrilling, contact.DrillingLength), room);
     }
 
-    /// <summary>How many balls are in it.</summary>
+    /// <summary>Number of balls in the pile.</summary>
     public int Count => _solver.Count;
 
-    /// <summary>A ball of it.</summary>
+    /// <summary>Index of a ball of the pile.</summary>
     public int this[int index] => _solver.Members[index].Ball;
 
-    /// <summary>True when it has been planned so often in the step that a ball which hits it is one of it from then on.</summary>
+    /// <summary>True if the pile has used its parts in this step, so that a ball that hits it joins it at once.</summary>
     public bool IsSpent => _plans >= MostPlans;
 
-    /// <summary>Until when its balls have got, s.</summary>
+    /// <summary>Time up to which its balls have moved, s.</summary>
     public double Time { get; private set; }
 
-    /// <summary>Until when it is known where they go, s.</summary>
+    /// <summary>Time up to which its paths are computed, s.</summary>
     public double Until { get; private set; }
 
-    /// <summary>True when its balls go on by a whole step of the method; else straight on.</summary>
+    /// <summary>True if its balls take a whole step of the integrator; otherwise they move in straight lines.</summary>
     public bool IsWhole { get; private set; }
 
-    /// <summary>The way of a ball in a whole step.</summary>
+    /// <summary>Returns the path of a ball in a whole step.</summary>
     public PathCubic PathOf(int index) => _whole.PathOf(index);
 
-    /// <summary>Empties it, for a step of a length, s.</summary>
+    /// <summary>Empties the pile for a step of a given length, s.</summary>
     public void Clear(double time, double step)
     {
         _solver.Count = 0;
@@ -108,7 +112,7 @@ internal sealed partial class BallPile
         Until = time;
     }
 
-    /// <summary>Takes a ball in, that has got to the pile's time.</summary>
+    /// <summary>Adds a ball that has reached the pile's time.</summary>
     public void Add(int ball, ref BallState s)
     {
         BallProperties its = _simulators[ball].Scene.Ball;
@@ -130,7 +134,8 @@ internal sealed partial class BallPile
         });
     }
 
-    /// <summary>Takes in all balls of another pile of its time, with what is known of them: of the two none is the first.</summary>
+    /// <summary>Adds all balls of another pile at the same time, with their computed forces.</summary>
+    /// <remarks>The result does not depend on the order of the piles.</remarks>
     public void Absorb(BallPile other)
     {
         for (int m = 0; m < other.Count; m++)
@@ -157,7 +162,7 @@ internal sealed partial class BallPile
         Until = Time;
     }
 
-    /// <summary>Puts its balls into an order that their places decide, the lowest first: so their numbers decide nothing.</summary>
+    /// <summary>Sorts the balls by position, lowest first, so that their indices have no effect.</summary>
     public void Sort(BallState[] states)
     {
         PileMember[] members = _solver.Members;
@@ -181,11 +186,11 @@ internal sealed partial class BallPile
         return p.Y != q.Y ? p.Y < q.Y : p.X != q.X ? p.X < q.X : p.Z != q.Z ? p.Z < q.Z : a.Ball < b.Ball;
     }
 
-    /// <summary>Finds where its balls go in the next part.</summary>
+    /// <summary>Computes the motion of its balls in the next part.</summary>
     /// <param name="states">The balls, at the pile's time.</param>
-    /// <param name="end">When the step ends, s.</param>
-    /// <param name="logs">Where events and counts of each go.</param>
-    /// <returns>Whether something bounced.</returns>
+    /// <param name="end">End time of the step, s.</param>
+    /// <param name="logs">Receive the events and counts of each ball.</param>
+    /// <returns>True if a ball bounced.</returns>
     public bool Plan(BallState[] states, double end, StepLog[] logs)
     {
         _plans++;
@@ -271,10 +276,10 @@ internal sealed partial class BallPile
     /// <summary>Mean velocity of a ball in the part, m/s.</summary>
     public Vector3d WayOf(int index) => _solver.Members[index].Way;
 
-    /// <summary>Something has changed a ball's velocity: where they go is not known any more.</summary>
+    /// <summary>Discards the computed motion after a change of a ball's velocity.</summary>
     public void Forget() => Until = Time;
 
-    /// <summary>Moves its balls on to a time within the part.</summary>
+    /// <summary>Moves its balls to a time within the part.</summary>
     public void MoveTo(BallState[] states, double time, StepLog[] logs)
     {
         double h = Until - Time;
@@ -328,7 +333,7 @@ internal sealed partial class BallPile
         }
     }
 
-    /// <summary>Every ball goes on by itself; or all of them rest.</summary>
+    /// <summary>Ends the pile: all balls come to rest, or each continues on its own.</summary>
     public void End(BallState[] states, StepLog[] logs)
     {
         bool rests = Rests(states, logs);
@@ -373,7 +378,7 @@ internal sealed partial class BallPile
         }
     }
 
-    /// <summary>Shows a piece to the observer, if there is one: straight from place to place.</summary>
+    /// <summary>Reports a piece to the observer, if there is one: a straight line between the two positions.</summary>
     private static void Show(in BallState before, in BallState after, StepLog log)
     {
         double h = after.Time - before.Time;

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>The piles of a group in one step, and which ball is of which.</summary>
+/// <summary>The piles of a group in one step, and the pile of each ball.</summary>
 internal sealed class BallPiles
 {
-    /// <summary>The number of no pile.</summary>
+    /// <summary>The index for no pile.</summary>
     private const int NoPile = -1;
 
     private readonly Simulator[] _simulators;
@@ -14,8 +14,8 @@ internal sealed class BallPiles
     private ClusterRoom? _room;
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
-    /// <param name="contact">What two balls are to each other where they bounce.</param>
-    /// <param name="friction">The friction of that, where they press each other.</param>
+    /// <param name="contact">The material of impacts between balls.</param>
+    /// <param name="friction">The friction coefficient of sustained contact between balls.</param>
     public BallPiles(Simulator[] simulators, in ContactMaterial contact, double friction)
     {
         _simulators = simulators;
@@ -24,29 +24,29 @@ internal sealed class BallPiles
         _pileOf = new int[simulators.Length];
     }
 
-    /// <summary>How many there are; one that has become a part of another has no balls.</summary>
+    /// <summary>Number of piles. A pile merged into another has no balls.</summary>
     public int Count { get; private set; }
 
-    /// <summary>One of them.</summary>
+    /// <summary>Returns a pile.</summary>
     public BallPile this[int index] => _piles[index];
 
-    /// <summary>Forgets all of them.</summary>
+    /// <summary>Removes all piles.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>A ball is of none.</summary>
+    /// <summary>Marks a ball as outside all piles.</summary>
     public void Leave(int ball) => _pileOf[ball] = NoPile;
 
-    /// <summary>True when a ball is of one.</summary>
+    /// <summary>True if a ball is in a pile.</summary>
     public bool Has(int ball) => _pileOf[ball] >= 0;
 
-    /// <summary>True when two balls are of one.</summary>
+    /// <summary>True if two balls are in the same pile.</summary>
     public bool AreOne(int ball, int other) => _pileOf[ball] >= 0 && _pileOf[ball] == _pileOf[other];
 
-    /// <summary>The pile of a ball; null where it is of none.</summary>
+    /// <summary>Returns the pile of a ball; null if it is in none.</summary>
     public BallPile? Of(int ball) => _pileOf[ball] < 0 ? null : _piles[_pileOf[ball]];
 
-    /// <summary>A new one.</summary>
-    /// <param name="time">When it begins, s.</param>
+    /// <summary>Starts a new pile.</summary>
+    /// <param name="time">Its start time, s.</param>
     /// <param name="step">Length of the step, s.</param>
     public BallPile Begin(double time, double step)
     {
@@ -61,14 +61,14 @@ internal sealed class BallPiles
         return pile;
     }
 
-    /// <summary>A ball becomes one of a pile.</summary>
+    /// <summary>Adds a ball to a pile.</summary>
     public void Add(int ball, ref BallState s, BallPile pile)
     {
         pile.Add(ball, ref s);
         _pileOf[ball] = Array.IndexOf(_piles, pile);
     }
 
-    /// <summary>A pile becomes a part of another, of the same time.</summary>
+    /// <summary>Merges a pile into another at the same time.</summary>
     public void Unite(BallPile pile, BallPile other, BallState[] states, double step)
     {
         int number = Array.IndexOf(_piles, pile);
@@ -82,7 +82,7 @@ internal sealed class BallPiles
         pile.Sort(states);
     }
 
-    /// <summary>The pile that comes first to the end of its part; null where all are at a time, s.</summary>
+    /// <summary>Returns the pile whose part ends first; null if all have reached a time, s.</summary>
     public BallPile? First(double end)
     {
         BallPile? first = null;

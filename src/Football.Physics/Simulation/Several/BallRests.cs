@@ -2,10 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>
-/// Which balls lie on each other before a step. Those that touch and move are a pile. Those that came to rest in one lie still as long as all are there that they touched: each
-/// keeps a key of them in its state, so that nothing has to be remembered beside the states. The key holds also what they touched that a game, an engine or an impact may move.
-/// </summary>
+/// <summary>Finds the balls in sustained contact with each other before a step.</summary>
+/// <remarks>
+/// Touching balls that move form a pile. Balls that came to rest in a pile stay at rest while all their contacts remain. Each stores a key
+/// of its contacts
+/// in its state, so no other memory is needed. The key includes touched objects that a game, an engine or an impact may move.
+/// </remarks>
 internal sealed class BallRests
 {
     private readonly Simulator[] _simulators;
@@ -25,7 +27,7 @@ internal sealed class BallRests
         _keys = new ulong[radii.Length];
     }
 
-    /// <summary>The lowest number of the balls that a ball lies with.</summary>
+    /// <summary>Returns the lowest index among the balls connected to a ball.</summary>
     public int RootOf(int ball)
     {
         while (_root[ball] != ball)
@@ -37,13 +39,13 @@ internal sealed class BallRests
         return ball;
     }
 
-    /// <summary>True when a ball is one of a pile that moves.</summary>
+    /// <summary>True if a ball is in a pile that moves.</summary>
     public bool IsInPile(int ball) => _isPile[RootOf(ball)];
 
-    /// <summary>True when a ball rests in a pile.</summary>
+    /// <summary>True if a ball rests in a pile.</summary>
     public bool IsHeld(int ball) => _keys[ball] != 0 && !IsInPile(ball);
 
-    /// <summary>Looks at the balls before a step.</summary>
+    /// <summary>Processes the balls before a step.</summary>
     public void Look(BallState[] states, BallNeighbours neighbours)
     {
         for (int i = 0; i < states.Length; i++)
@@ -69,7 +71,9 @@ internal sealed class BallRests
         }
     }
 
-    /// <summary>Two balls that touch: where either moves they are a pile, if they come together or apart gently; at rest they lie with each other where they came to it in one.</summary>
+    /// <summary>Connects two touching balls.</summary>
+    /// <remarks>If either moves, they form a pile if their relative speed is low. At rest they are connected if both came to rest in a
+    /// pile.</remarks>
     private void Join(int i, int j, BallState[] states)
     {
         ref readonly BallState a = ref states[i];
@@ -110,17 +114,18 @@ internal sealed class BallRests
         _isPile[root] = isPile;
     }
 
-    /// <summary>True when two balls lie on each other.</summary>
+    /// <summary>True if two balls touch.</summary>
     public static bool Touches(in BallState a, double radius, in BallState b, double other)
     {
         double most = radius + other + BallPile.Leaning;
         return (a.Position - b.Position).LengthSquared <= most * most;
     }
 
-    /// <summary>A key of nothing; to it those of all balls are added that one touches. Even, and not 0: those of scenes are odd.</summary>
+    /// <summary>The key of no contact; the keys of all touched balls are added to it.</summary>
+    /// <remarks>Even and nonzero, because keys of scenes are odd.</remarks>
     public const ulong FirstKey = 1UL << 63;
 
-    /// <summary>A key of a ball at rest, by its place, or of an object, by its normal.</summary>
+    /// <summary>Returns the key of a resting ball by its position, or of an object by its normal.</summary>
     public static ulong KeyOf(in Vector3d position)
     {
         var key = default(ClearKey);
@@ -128,13 +133,14 @@ internal sealed class BallRests
         return key.Value << 1;
     }
 
-    /// <summary>True if balls can rest on a surface: it stands still in this step, and the ball is not in it (contacts.md, Rest).</summary>
-    /// <param name="contact">The surface beside the ball.</param>
+    /// <summary>True if balls can rest on a surface: it is stationary in this step, and the ball is not inside it (contacts.md,
+    /// Rest).</summary>
+    /// <param name="contact">The contact with the surface.</param>
     /// <param name="collider">Its object.</param>
     public static bool Bears(in Contact contact, Collider collider) =>
         !contact.Moves || (collider.StandsStill && contact.Gap >= -BallPile.Leaning);
 
-    /// <summary>A key of the objects that a ball touches and that stand still in this step, but may move in another one.</summary>
+    /// <summary>Returns the key of touched objects that are stationary in this step but may move in another one.</summary>
     [SkipLocalsInit]
     public static ulong KeyOfMovers(World world, in BallState s)
     {
@@ -151,7 +157,7 @@ internal sealed class BallRests
         return key;
     }
 
-    /// <summary>The key of these objects at the start of a step. An engine may have moved its own since the last one.</summary>
+    /// <summary>Returns this key at the start of a step. An engine may have moved its colliders since the last step.</summary>
     private ulong MoversNow(int ball, in BallState s)
     {
         World world = _simulators[ball].World;
@@ -159,6 +165,6 @@ internal sealed class BallRests
         return KeyOfMovers(world, in s);
     }
 
-    /// <summary>True of a ball that came to rest in a pile.</summary>
+    /// <summary>True if a ball came to rest in a pile.</summary>
     public static bool RestsInPile(in BallState s) => s.Motion == MotionState.Rest && s.ClearIn != 0 && (s.ClearIn & 1) == 0;
 }

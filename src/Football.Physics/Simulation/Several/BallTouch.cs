@@ -1,16 +1,16 @@
 namespace FootballPhysics;
 
-/// <summary>The time at which two balls touch, by their own steps, and the states of both at that time.</summary>
+/// <summary>Finds the time at which two balls touch on their own steps, and their states at that time.</summary>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="trials">The paths of the balls to the end of the step.</param>
 /// <param name="piles">The piles.</param>
 /// <param name="pushed">The motions of all objects that balls push.</param>
 internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, BallPiles piles, PushedMotions pushed)
 {
-    /// <summary>Two balls touch if the gap is less than this, m.</summary>
+    /// <summary>Two balls touch if their gap is below this, m.</summary>
     private const double Closed = 1e-13;
 
-    /// <summary>The time of a meeting is searched within this distance of the time that the paths tell, s.</summary>
+    /// <summary>The contact time is searched within this interval around the estimate from the paths, s.</summary>
     private const double Nearby = 1e-3;
 
     private const int MostNewton = 12;
@@ -18,9 +18,9 @@ internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, Ball
     private readonly BallLook _first = new();
     private readonly BallLook _second = new();
 
-    /// <summary>The time at which two balls touch: Newton's method, which starts at the time that their dense paths tell.</summary>
+    /// <summary>Returns the time at which two balls touch: Newton's method, started at the estimate from their dense paths.</summary>
     /// <param name="states">The balls.</param>
-    /// <param name="met">The meeting.</param>
+    /// <param name="met">The contact.</param>
     /// <param name="span">The step.</param>
     /// <param name="current">The logs of the balls.</param>
     public double Locate(BallState[] states, in Happening met, in StepSpan span, StepLog[] current)
@@ -47,19 +47,19 @@ internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, Ball
         return time;
     }
 
-    /// <summary>Moves a ball to a time to which it was last followed, if it has not changed since.</summary>
+    /// <summary>Moves a ball to the time to which it was last followed, if it is unchanged.</summary>
     /// <param name="ball">The ball.</param>
     /// <param name="s">Its state.</param>
     /// <param name="time">The time, s.</param>
-    /// <param name="own">Where its events and counts go.</param>
-    /// <returns>False if the state at that time is not known.</returns>
+    /// <param name="own">Receives its events and counts.</param>
+    /// <returns>False if the state at that time is unknown.</returns>
     public bool TryTake(int ball, ref BallState s, double time, StepLog own)
     {
         bool taken = _first.TryTake(ball, ref s, time, own) || _second.TryTake(ball, ref s, time, own);
         return taken;
     }
 
-    /// <summary>Forgets the states.</summary>
+    /// <summary>Discards the states.</summary>
     public void Forget()
     {
         _first.Forget();

@@ -1,6 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>A ball's path from its position within a step to the step's end, or to where it pushes an object that another ball may reach, as if there were no other ball.</summary>
+/// <summary>The path of a ball as if there were no other ball.</summary>
+/// <remarks>It leads to the end of the step, or to the push of an object that another ball may reach.</remarks>
 internal sealed class BallTrial : PieceObserver
 {
     private PathCubic[] _paths = new PathCubic[8];
@@ -9,30 +10,30 @@ internal sealed class BallTrial : PieceObserver
     private BallState _start;
     private bool _isStep;
 
-    /// <summary>Events and counts of the trial.</summary>
+    /// <summary>The events and counts of the path.</summary>
     public StepLog Log { get; } = new();
 
-    /// <summary>The ball at its end.</summary>
+    /// <summary>The ball at the end of the path.</summary>
     public BallState End;
 
-    /// <summary>When it begins, s.</summary>
+    /// <summary>Start time, s.</summary>
     public double From => _start.Time;
 
-    /// <summary>When it pushes something, or meets what ends the step, s; infinite where it comes to the end.</summary>
+    /// <summary>Time of the push or of the event that ends the path, s; infinite if it reaches the end of the step.</summary>
     public double HaltsAt { get; private set; }
 
-    /// <summary>Not less than how far the ball gets from where it begins, m.</summary>
+    /// <summary>Upper bound of the ball's displacement from the start, m.</summary>
     public double Reach { get; private set; }
 
     /// <inheritdoc/>
     public override bool WantsEndAcceleration => false;
 
-    /// <summary>Takes the way.</summary>
+    /// <summary>Computes the path.</summary>
     /// <param name="simulator">The ball's scene.</param>
-    /// <param name="start">Where it has got to.</param>
-    /// <param name="duration">How long it goes on, s.</param>
+    /// <param name="start">The ball at the start.</param>
+    /// <param name="duration">The duration, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
-    /// <param name="haltsAtPush">True if it ends where the ball pushes something.</param>
+    /// <param name="haltsAtPush">True if it ends when the ball pushes an object.</param>
     /// <param name="spent">The counters of the step so far.</param>
     public void Run(Simulator simulator, in BallState start, double duration, StopAt stopAt, bool haltsAtPush, in StepBudget spent)
     {
@@ -58,18 +59,18 @@ internal sealed class BallTrial : PieceObserver
         Reach += (End.Position - last).Length;
     }
 
-    /// <summary>Moves a ball to the end of the path, if it is still where the path starts and the path pushes nothing.</summary>
+    /// <summary>Moves a ball to the end of the path, if it is still at the start of the path and the path pushes no object.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="time">The end of the step, s.</param>
-    /// <param name="own">Where its events and counts go.</param>
+    /// <param name="time">End time of the step, s.</param>
+    /// <param name="own">Receives its events and counts.</param>
     public bool TryTake(ref BallState s, double time, StepLog own) => _isStep && BallLook.TryTake(ref s, in _start, in End, time, Log, own);
 
-    /// <summary>Takes a whole step of a ball that met others in the last step: if it meets one again, its path is known.</summary>
-    /// <param name="simulator">The ball's scene, in which nothing can be pushed.</param>
+    /// <summary>Takes a whole step of a ball that hit others in the last step, and keeps its path in case it does so again.</summary>
+    /// <param name="simulator">The ball's scene, in which no object can be pushed.</param>
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
-    /// <param name="own">Where its events and counts go.</param>
-    /// <returns>False if the path could not be kept; then the ball has not moved.</returns>
+    /// <param name="own">Receives its events and counts.</param>
+    /// <returns>False if the path could not be kept; the ball has then not moved.</returns>
     public bool TakeStep(Simulator simulator, ref BallState s, double dt, StepLog own)
     {
         Run(simulator, in s, dt, StopAt.Time, haltsAtPush: false, StepBudget.New);
@@ -80,19 +81,19 @@ internal sealed class BallTrial : PieceObserver
     /// <summary>True if the path is that of a whole step.</summary>
     public bool IsWhole { get; set; }
 
-    /// <summary>Takes a way straight on, as a pile finds it.</summary>
-    /// <param name="start">Where it begins.</param>
+    /// <summary>Sets a straight path of a ball in a pile.</summary>
+    /// <param name="start">The ball at the start.</param>
     /// <param name="velocity">The velocity, m/s.</param>
-    /// <param name="duration">How long it goes on, s.</param>
+    /// <param name="duration">The duration, s.</param>
     public void Go(in BallState start, in Vector3d velocity, double duration)
     {
         Go(in start, PathCubic.Line(start.Position, in velocity, duration));
         Reach = duration * velocity.Length;
     }
 
-    /// <summary>Takes a way as a pile finds it.</summary>
-    /// <param name="start">Where it begins.</param>
-    /// <param name="path">Where it leads.</param>
+    /// <summary>Sets the path of a ball in a pile.</summary>
+    /// <param name="start">The ball at the start.</param>
+    /// <param name="path">The path.</param>
     public void Go(in BallState start, in PathCubic path)
     {
         _start = start;
@@ -108,7 +109,7 @@ internal sealed class BallTrial : PieceObserver
         Reach = path.Length * path.FastestSpeed;
     }
 
-    /// <summary>Place at a time, m, and velocity, m/s, of a ball that goes as its pile found.</summary>
+    /// <summary>Returns position, m, and velocity, m/s, at a time for a ball in a pile.</summary>
     public Vector3d At(double time, out Vector3d velocity)
     {
         velocity = _paths[0].VelocityAt(time - _times[0]);
@@ -132,11 +133,11 @@ internal sealed class BallTrial : PieceObserver
         return false;
     }
 
-    /// <summary>The path at a time, and until when it is that one.</summary>
-    /// <param name="time">When, s.</param>
-    /// <param name="index">Where to look first; then which piece it is.</param>
-    /// <param name="start">When the piece begins, s.</param>
-    /// <param name="until">When it ends, s; infinite after the last.</param>
+    /// <summary>Returns the piece of the path at a time.</summary>
+    /// <param name="time">The time, s.</param>
+    /// <param name="index">First index to check; on return, the index of the piece.</param>
+    /// <param name="start">Start time of the piece, s.</param>
+    /// <param name="until">End time of the piece, s; infinite after the last one.</param>
     public PathCubic At(double time, ref int index, out double start, out double until)
     {
         while (index < _count && _times[index] + _paths[index].Length <= time)
@@ -151,12 +152,12 @@ internal sealed class BallTrial : PieceObserver
         return isOn ? _paths[index] : PathCubic.Line(index < _count ? _paths[index].At(0) : End.Position, Vector3d.Zero, 0);
     }
 
-    /// <summary>The first time at which two balls touch and come closer; infinite where they do not. Walked as one thing is met by a ball, by conservative advancement.</summary>
-    /// <param name="other">The other ball's way.</param>
-    /// <param name="distance">Between their centers where they touch, m.</param>
-    /// <param name="from">Where to begin, s.</param>
-    /// <param name="until">Where to end, s.</param>
-    /// <param name="atEnd">Whether what is there at that very time counts.</param>
+    /// <summary>Returns the first time at which two balls touch and close, by conservative advancement; infinite if they do not.</summary>
+    /// <param name="other">The other ball's path.</param>
+    /// <param name="distance">Distance of the centres at contact, m.</param>
+    /// <param name="from">Start of the search, s.</param>
+    /// <param name="until">End of the search, s.</param>
+    /// <param name="atEnd">Whether a contact exactly at that time counts.</param>
     public double Meets(BallTrial other, double distance, double from, double until, bool atEnd)
     {
         int i = 0;
@@ -195,12 +196,12 @@ internal sealed class BallTrial : PieceObserver
         return double.PositiveInfinity;
     }
 
-    /// <summary>Where two balls touch without coming closer, the search goes on after this, s.</summary>
+    /// <summary>Minimum advance of the search if two balls touch without closing, s.</summary>
     private const double ShortestAdvance = 1e-7;
 
-    /// <summary>... and after this share of a time that is so late that a clock does not tell less.</summary>
+    /// <summary>Relative minimum advance at late times, where the clock is coarse.</summary>
     private const double Rounding = 5e-16;
 
-    /// <summary>Balls that overlap by more than this, m, are put apart whether they come closer or not.</summary>
+    /// <summary>Balls that overlap by more than this are separated even if they do not close, m.</summary>
     private const double Overlap = 1e-6;
 }

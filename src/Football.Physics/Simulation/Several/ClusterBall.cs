@@ -1,12 +1,12 @@
 namespace FootballPhysics;
 
-/// <summary>A ball of a cluster that is solved together, in one step of the method.</summary>
+/// <summary>A ball of a cluster that is solved as one system, in one step of the integrator.</summary>
 internal struct ClusterBall
 {
-    /// <summary>What it does by itself.</summary>
+    /// <summary>Steps the ball on its own.</summary>
     public PilePhase Pile;
 
-    /// <summary>What it may meet.</summary>
+    /// <summary>The world of the ball.</summary>
     public World World;
 
     /// <summary>1/m, 1/kg; 1/I, 1/(kg m²); r, m.</summary>
@@ -14,16 +14,16 @@ internal struct ClusterBall
     public double PerInertia;
     public double Radius;
 
-    /// <summary>The ball at the step's start and at its end.</summary>
+    /// <summary>The ball at the start and at the end of the step.</summary>
     public BallState Start;
     public BallState End;
 
-    /// <summary>Where it is at a stage, and the rates there: of all but the contacts, and of all.</summary>
+    /// <summary>The motion at a stage, and the rates there: without contacts, and with them.</summary>
     public Motion At;
     public MotionRates Free;
     public MotionRates Rates;
 
-    /// <summary>The rates at the start and at the end; and those of the stages between.</summary>
+    /// <summary>The rates at the start and at the end, and those of the stages between.</summary>
     public MotionRates First;
     public MotionRates Last;
     public MotionRates SecondRates;
@@ -31,67 +31,70 @@ internal struct ClusterBall
     public Motion Second;
     public Motion Third;
 
-    /// <summary>The contact that rolling resistance and drilling friction belong to; −1 for none.</summary>
+    /// <summary>The contact at which rolling resistance and drilling friction act; −1 for none.</summary>
     public int Bearer;
 
-    /// <summary>Where it rolls to at the start.</summary>
+    /// <summary>The direction of its roll at the start.</summary>
     public Vector3d Along;
 
-    /// <summary>Which way it spins about the bearer's normal, relative to that; 0 where drilling friction holds that spin.</summary>
+    /// <summary>Sign of its spin about the bearer's normal, relative to the bearer; 0 if drilling friction holds that spin.</summary>
     public double SpinSign;
 
-    /// <summary>True when drilling friction holds the spin about the bearer's normal; and what holds it, rad/s².</summary>
+    /// <summary>True if drilling friction holds the spin about the bearer's normal, and the holding torque, rad/s².</summary>
     public bool HoldsSpin;
     public double HeldSpin;
 }
 
-/// <summary>A contact of a cluster: of one ball with a thing that stands still, or of two balls. Loads and friction of it are forces, N.</summary>
+/// <summary>A contact of a cluster: of a ball with a stationary object, or of two balls.</summary>
+/// <remarks>Its loads and friction are forces, N.</remarks>
 internal struct ClusterContact
 {
-    /// <summary>What it is to the first ball. Of two balls the collider is −1, and rates are those of one relative to the other.</summary>
+    /// <summary>The contact as seen from the first ball.</summary>
+    /// <remarks>For two balls the collider is −1, and rates are relative to the second ball.</remarks>
     public SetContact On;
 
-    /// <summary>The balls; the second is −1 where there is none.</summary>
+    /// <summary>The balls; the second is −1 if there is none.</summary>
     public int First;
     public int Second;
 
-    /// <summary>Gap when it was looked at, m; of a thing only where that bears nothing.</summary>
+    /// <summary>Gap at the last update, m; for an object, only if it has no load.</summary>
     public double Gap;
 
-    /// <summary>b μ of two balls, m; which way one turns against the other about the normal, 0 where friction holds them; and the torque, N m.</summary>
+    /// <summary>For two balls: b μ, m; the sign of the relative spin about the normal, 0 if friction holds it; and the torque, N
+    /// m.</summary>
     public double Lever;
     public double TwistSign;
     public bool HoldsTwist;
     public double Twist;
 
-    /// <summary>b μ N of two balls that are held, less what holds them, N m.</summary>
+    /// <summary>b μ N minus the holding torque, for two balls whose relative spin is held, N m.</summary>
     public readonly double TwistGrip => (Lever * On.Load) - Math.Abs(Twist);
 
-    /// <summary>How many unknowns it has.</summary>
+    /// <summary>Number of unknowns of the contact.</summary>
     public readonly int Width => On.Width + (On.Bears && HoldsTwist ? 1 : 0);
 }
 
-/// <summary>An unknown force of a cluster: what a unit of it does to the balls of its contact, and the condition that it is there for.</summary>
+/// <summary>An unknown force of a cluster: the response of the balls to a unit of it, and the condition that determines it.</summary>
 internal struct ClusterRow
 {
-    /// <summary>The balls; the second is −1 where there is none.</summary>
+    /// <summary>The balls; the second is −1 if there is none.</summary>
     public int First;
     public int Second;
 
-    /// <summary>What the condition asks of: the accelerations of both.</summary>
+    /// <summary>The coefficients of both balls' accelerations in the condition.</summary>
     public Vector3d AlongV;
     public Vector3d AlongW;
     public Vector3d OtherAlongV;
     public Vector3d OtherAlongW;
     public double Asked;
 
-    /// <summary>The accelerations that a unit of force gives both.</summary>
+    /// <summary>The accelerations of both balls by a unit force.</summary>
     public Vector3d PushV;
     public Vector3d PushW;
     public Vector3d OtherPushV;
     public Vector3d OtherPushW;
 
-    /// <summary>What drilling friction takes of them where it holds a spin, rad/s².</summary>
+    /// <summary>The part of these that drilling friction takes if it holds a spin, rad/s².</summary>
     public double Held;
     public double OtherHeld;
 }

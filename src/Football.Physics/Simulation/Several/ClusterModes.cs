@@ -1,30 +1,31 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// The modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> finds them for one ball: which of them bear a load, which stick, which balls
-/// turn against each other; and whether they still hold at the end of a step.
-/// </summary>
+/// <summary>Determines the modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> does for one ball.</summary>
+/// <remarks>
+/// The modes: which contacts have a load, which stick, and which balls spin relative to each other. It also checks that they hold at the
+/// end of a step.
+/// </remarks>
 internal static class ClusterModes
 {
-    /// <summary>A slip below this, m/s, is none: what impulses leave of it that are known well enough.</summary>
+    /// <summary>A slip below this counts as zero, m/s: it is within the error of the impulses.</summary>
     private const double Sticking = 3e-5;
 
-    /// <summary>... and a spin about a normal below this, rad/s.</summary>
+    /// <summary>A spin about a normal below this counts as zero, rad/s.</summary>
     private const double Turning = 3e-4;
 
-    /// <summary>A ball that rolls slower than this, m/s, has no direction of its roll.</summary>
+    /// <summary>A ball that rolls more slowly than this has no direction of roll, m/s.</summary>
     private const double Standing = 1e-6;
 
-    /// <summary>Changes of mode, for each contact and beside them, after which the conditions have no solution that this finds.</summary>
+    /// <summary>Maximum number of mode changes per contact, and maximum number of iterations to find the bearers.</summary>
     private const int ChangesOfContact = 3;
     private const int MostBearers = 4;
 
-    /// <summary>Two that touch and do not press each other are no nearer than this at the end, m.</summary>
+    /// <summary>Maximum overlap at the end of two balls that touch without load, m.</summary>
     private const double Entered = 1e-9;
 
-    /// <summary>Finds the modes, beginning with all contacts that bear.</summary>
-    /// <param name="system">The balls and contacts, looked at.</param>
-    /// <returns>False where none were found, or one of the balls stands.</returns>
+    /// <summary>Determines the modes, starting with all contacts active.</summary>
+    /// <param name="system">The balls and contacts, already updated.</param>
+    /// <returns>False if none were found, or if one of the balls is at a standstill.</returns>
     public static bool Find(ClusterSystem system)
     {
         for (int i = 0; i < system.Count; i++)
@@ -67,7 +68,8 @@ internal static class ClusterModes
         return false;
     }
 
-    /// <summary>True when the modes hold at the end of a step, looked at: no load and no grip has ended, no slip, spin or roll has passed zero, nothing is entered.</summary>
+    /// <summary>True if the modes hold at the end of a step: no load or grip has ended, no slip, spin or roll has passed zero, no
+    /// overlap.</summary>
     public static bool Hold(ClusterSystem system)
     {
         for (int i = 0; i < system.ContactCount; i++)
@@ -111,16 +113,16 @@ internal static class ClusterModes
         return true;
     }
 
-    /// <summary>How fast one ball of a contact turns against the other about the normal, rad/s.</summary>
+    /// <summary>Returns the relative spin of the two balls of a contact about the normal, rad/s.</summary>
     private static double About(ClusterSystem system, in ClusterContact contact) =>
         contact.Second < 0 ? 0 : Vector3d.Dot(system.Balls[contact.First].At.Spin - system.Balls[contact.Second].At.Spin, in contact.On.Normal);
 
-    /// <summary>The load below which there is none, N.</summary>
+    /// <summary>Returns the load below which a contact counts as unloaded, N.</summary>
     private static double LeastLoad(ClusterSystem system, in ClusterContact contact) => SurfaceForces.Least / system.Balls[contact.First].PerMass;
 
     private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + SetContact.BeyondCone);
 
-    /// <summary>Solves for the forces with the modes as they are; the bearers follow from the loads.</summary>
+    /// <summary>Solves the forces with the current modes; the bearers follow from the loads.</summary>
     private static bool Force(ClusterSystem system)
     {
         for (int round = 0; round < MostBearers; round++)
@@ -157,8 +159,8 @@ internal static class ClusterModes
         return true;
     }
 
-    /// <summary>Where a ball rolls to on its bearer, and how it spins there.</summary>
-    /// <returns>False where it stands.</returns>
+    /// <summary>Determines the direction of a ball's roll on its bearer, and its spin there.</summary>
+    /// <returns>False if it is at a standstill.</returns>
     private static bool Roll(ref ClusterBall ball, in SetContact on)
     {
         double about = Vector3d.Dot(ball.At.Spin, in on.Normal) - on.CarrierSpin;
@@ -170,7 +172,8 @@ internal static class ClusterModes
         return !on.Sticks || speed > Standing;
     }
 
-    /// <summary>Of the contacts with what stands still the sticking one with the greatest load, or of all where none sticks.</summary>
+    /// <summary>Returns the sticking contact with the greatest load on a stationary object; if none sticks, the one with the greatest
+    /// load.</summary>
     private static int BearerOf(ClusterSystem system, int ball)
     {
         int bearer = -1;
@@ -189,8 +192,8 @@ internal static class ClusterModes
         return bearer;
     }
 
-    /// <summary>Changes one mode that cannot be: what pulls most is let go, what would be entered bears, what needs more friction than there is slips.</summary>
-    /// <returns>False where all can.</returns>
+    /// <summary>Changes one inconsistent mode: opens the most negative load, closes a penetrating contact, or starts a slip.</summary>
+    /// <returns>False if all modes are consistent.</returns>
     private static bool Change(ClusterSystem system)
     {
         int worst = -1;
@@ -234,7 +237,7 @@ internal static class ClusterModes
         return Slips(system) || Turns(system);
     }
 
-    /// <summary>What needs most more friction than there is slips: against the friction that it needed.</summary>
+    /// <summary>Starts a slip at the contact that exceeds its friction cone most, against the friction that it needed.</summary>
     private static bool Slips(ClusterSystem system)
     {
         int worst = -1;
@@ -259,7 +262,7 @@ internal static class ClusterModes
         return true;
     }
 
-    /// <summary>What drilling friction cannot hold begins to turn against what held it.</summary>
+    /// <summary>Starts a relative spin that drilling friction cannot hold, against the holding torque.</summary>
     private static bool Turns(ClusterSystem system)
     {
         for (int i = 0; i < system.ContactCount; i++)
@@ -297,8 +300,8 @@ internal static class ClusterModes
         }
     }
 
-    /// <summary>A slip that begins goes where its own rate leads: the direction of the friction is looked for until both agree.</summary>
-    /// <returns>Whether the forces have changed so much that the modes must be looked at again.</returns>
+    /// <summary>Iterates the direction of a starting slip until friction and the rate of the slip agree.</summary>
+    /// <returns>True if the forces have changed so much that the modes must be checked again.</returns>
     private static bool Start(ClusterSystem system)
     {
         bool changed = false;

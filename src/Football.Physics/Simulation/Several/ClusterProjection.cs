@@ -1,14 +1,15 @@
 namespace FootballPhysics;
 
-/// <summary>Puts the balls of a cluster back onto the contacts that bear: what the method leaves of them is within its own error.</summary>
+/// <summary>Projects the balls of a cluster back onto their loaded contacts, to remove the integrator's error.</summary>
 internal static class ClusterProjection
 {
     private const int MostRounds = 40;
 
-    /// <summary>Below this, m and m/s, nothing is corrected.</summary>
+    /// <summary>Errors below this are not corrected, m and m/s.</summary>
     private const double Closed = 1e-15;
 
-    /// <summary>Places at the end: balls by their shares, and then onto what stands still, so that it is never entered.</summary>
+    /// <summary>Projects the positions at the end: balls by their masses, then onto stationary objects, which they must not
+    /// enter.</summary>
     public static void Places(ClusterSystem system)
     {
         bool moved = true;
@@ -45,9 +46,10 @@ internal static class ClusterProjection
         }
     }
 
-    /// <summary>Velocities: no speed off what bears, no slip at what sticks, by impulses, so that no energy comes from it.</summary>
-    /// <param name="system">The balls and their contacts, looked at where the balls are.</param>
-    /// <param name="atEnd">Whether of the end; else of the start.</param>
+    /// <summary>Projects the velocities by impulses: zero normal speed at loaded contacts, zero slip at sticking ones. Impulses add no
+    /// energy.</summary>
+    /// <param name="system">The balls and their contacts, updated at the balls' positions.</param>
+    /// <param name="atEnd">True for the end of the step, false for the start.</param>
     /// <returns>The largest change, m/s.</returns>
     public static double Velocities(ClusterSystem system, bool atEnd)
     {
@@ -104,12 +106,12 @@ internal static class ClusterProjection
         s.Position += (ball.Radius - at.Distance) * at.Normal;
         if (ball.World.IsLevel && collider == ball.World.Ground)
         {
-            // Heights of a ball on level ground are exact.
+            // Set the exact height of a ball on level ground.
             s.Position = new Vector3d(s.Position.X, ball.World.LevelContact, s.Position.Z);
         }
     }
 
-    /// <summary>Of a ball on what stands still.</summary>
+    /// <summary>Projects the velocity of a ball on a stationary object.</summary>
     private static double End(in SetContact on, ref ClusterBall ball, ref BallState s)
     {
         double off = Vector3d.Dot(s.Velocity, in on.Normal);
@@ -127,7 +129,7 @@ internal static class ClusterProjection
         return Math.Max(Math.Abs(off), slip.Length);
     }
 
-    /// <summary>Of two balls.</summary>
+    /// <summary>Projects the velocities of two balls.</summary>
     private static double End(in SetContact on, ref ClusterBall a, ref BallState first, ref ClusterBall b, ref BallState second)
     {
         Vector3d n = on.Normal;

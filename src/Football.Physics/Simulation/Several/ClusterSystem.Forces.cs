@@ -3,11 +3,12 @@ namespace FootballPhysics;
 /// <content>The forces of the contacts: one linear system for all of them.</content>
 internal sealed partial class ClusterSystem
 {
-    /// <summary>Forces that are not the only ones must meet their conditions to this, as a share of the largest, or there are none.</summary>
+    /// <summary>Tolerance of the conditions if the forces are not unique, as a share of the largest one.</summary>
+    /// <remarks>Otherwise there is no solution.</remarks>
     private const double Met = 1e-7;
 
-    /// <summary>Finds the forces of the contacts, and with them the rates.</summary>
-    /// <returns>False where none meet all conditions.</returns>
+    /// <summary>Solves the contact forces, and with them the rates.</summary>
+    /// <returns>False if no forces satisfy all conditions.</returns>
     public unsafe bool Solve()
     {
         for (int i = 0; i < Count; i++)
@@ -57,14 +58,14 @@ internal sealed partial class ClusterSystem
         return true;
     }
 
-    /// <summary>The rates without contacts: with the bearer's damping, and where drilling friction holds the spin about its normal.</summary>
+    /// <summary>Computes the rates without contacts, including the bearer's damping and a spin held by drilling friction.</summary>
     private void SetFree(ref ClusterBall ball)
     {
         Vector3d spin = ball.Free.SpinAcceleration;
         ball.HeldSpin = 0;
         if (ball.Bearer >= 0)
         {
-            // ω̇_n = −(c_ω/I) (ω − Ω)·n; and d(ω·n)/dt = ω̇·n + ω·ṅ stays zero where it is held.
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n. If the spin is held, d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
             ref readonly SetContact on = ref Contacts[ball.Bearer].On;
             spin -= on.Damping * (Vector3d.Dot(in ball.At.Spin, in on.Normal) - on.CarrierSpin) * on.Normal;
             ball.HeldSpin = ball.HoldsSpin ? -Vector3d.Dot(in ball.At.Spin, in on.Turning) - Vector3d.Dot(in spin, in on.Normal) : 0;
@@ -102,7 +103,7 @@ internal sealed partial class ClusterSystem
 
         if (on.Sticks)
         {
-            // t·(v̇₁ − v̇₂ + n × (r₁ ω̇₁ + r₂ ω̇₂)) = t·(A − ṅ × (r₁ ω₁ + r₂ ω₂))
+            // t·(v̇₁ − v̇₂ + n × (r₁ ω̇₁ + r₂ ω̇₂)) = t·(A − ṅ × (r₁ ω₁ + r₂ ω₂)).
             Vector3d turning = ball.Radius * ball.At.Spin;
             turning += contact.Second < 0 ? Vector3d.Zero : Balls[contact.Second].Radius * Balls[contact.Second].At.Spin;
             Vector3d asked = on.SurfaceRate - Vector3d.Cross(in on.Turning, in turning);
@@ -112,7 +113,7 @@ internal sealed partial class ClusterSystem
 
         if (contact.HoldsTwist)
         {
-            // n·(ω̇₁ − ω̇₂) = −ṅ·(ω₁ − ω₂); the unknown is the torque by r₁, a force like the others.
+            // n·(ω̇₁ − ω̇₂) = −ṅ·(ω₁ − ω₂). The unknown is the torque divided by r₁, so that it has the unit of a force.
             ref readonly ClusterBall other = ref Balls[contact.Second];
             ref ClusterRow twist = ref Begin(size++, in contact);
             twist.AlongW = ball.Radius * n;
@@ -146,7 +147,8 @@ internal sealed partial class ClusterSystem
         Push(ref row, default, in along, in n);
     }
 
-    /// <summary>A force on the first ball, and the opposite one on the second: along the normal, and along the surface, which turns both.</summary>
+    /// <summary>Sets a force on the first ball and the opposite one on the second: along the normal, and along the surface, which turns
+    /// both.</summary>
     private void Push(ref ClusterRow row, in Vector3d load, in Vector3d rub, in Vector3d n)
     {
         ref readonly ClusterBall ball = ref Balls[row.First];
@@ -162,7 +164,8 @@ internal sealed partial class ClusterSystem
         }
     }
 
-    /// <summary>Rolling resistance takes (c₀ + c₁|v|) N/m from the motion, spin and all; drilling friction b μ_s N/I from the spin about the normal.</summary>
+    /// <summary>Adds rolling resistance (c₀ + c₁|v|) N/m against the motion, and drilling friction b μ_s N/I against the spin about the
+    /// normal.</summary>
     private static void AddResistance(in ClusterBall ball, in SetContact on, ref ClusterRow load)
     {
         load.PushW -= ball.SpinSign * on.Drilling * ball.PerMass * on.Normal;
@@ -179,7 +182,7 @@ internal sealed partial class ClusterSystem
         load.PushW -= share / ball.Radius * Vector3d.Cross(in on.Normal, in direction);
     }
 
-    /// <summary>Where drilling friction holds the spin of a ball, it takes what a force adds to that.</summary>
+    /// <summary>Removes the part of a force that drilling friction takes if it holds a ball's spin.</summary>
     private void HoldSpins(ref ClusterRow row)
     {
         row.Held = Hold(in Balls[row.First], ref row.PushW);
@@ -199,7 +202,7 @@ internal sealed partial class ClusterSystem
         return held;
     }
 
-    /// <summary>What the balls do by themselves of what a condition asks for.</summary>
+    /// <summary>Returns the left side of a condition without contact forces.</summary>
     private double Along(in ClusterRow row)
     {
         ref readonly MotionRates rates = ref Balls[row.First].Rates;
@@ -213,7 +216,7 @@ internal sealed partial class ClusterSystem
         return sum;
     }
 
-    /// <summary>What a unit of a force does of what a condition asks for.</summary>
+    /// <summary>Returns the response of a condition to a unit of a force.</summary>
     private static double Response(in ClusterRow row, in ClusterRow force)
     {
         double sum = 0;
@@ -243,7 +246,7 @@ internal sealed partial class ClusterSystem
         return sum;
     }
 
-    /// <summary>True when forces that are not the only ones meet all conditions.</summary>
+    /// <summary>True if forces that are not unique satisfy all conditions.</summary>
     private bool Meets(int size, double largest)
     {
         for (int i = 0; i < size; i++)
@@ -263,7 +266,7 @@ internal sealed partial class ClusterSystem
         return true;
     }
 
-    /// <summary>Gives the balls what the forces do, and says what each contact bears.</summary>
+    /// <summary>Applies the forces to the balls, and stores the loads of the contacts.</summary>
     private void Give(int size)
     {
         for (int i = 0; i < size; i++)

@@ -1,17 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// Balls that press each other, as one system, with the contacts and their modes locked (contacts.md, Balls on balls). With n and ṅ of the line of centres two balls
-/// keep touching, n·(v̇₁ − v̇₂) = −ṅ·(v₁ − v₂); where they stick their slip v₁ − v₂ + n × (r₁ ω₁ + r₂ ω₂) stays zero; where they slip F = −μ N ŝ. Contacts with
-/// what stands still are those of <see cref="ContactSystem"/>. One linear system gives all loads and friction forces; the method advances all balls together.
-/// </summary>
+/// <summary>Balls in sustained contact as one system, with the contacts and their modes locked (contacts.md, Balls on balls).</summary>
+/// <remarks>
+/// With n and ṅ of the line of centres, two balls keep touching if n·(v̇₁ − v̇₂) = −ṅ·(v₁ − v₂).
+/// If they stick, their slip v₁ − v₂ + n × (r₁ ω₁ + r₂ ω₂) stays zero; if they slip, F = −μ N ŝ.
+/// Contacts with stationary objects are those of <see cref="ContactSystem"/>. One linear system gives all loads and friction forces,
+/// and the integrator advances all balls together.
+/// </remarks>
 internal sealed partial class ClusterSystem
 {
-    /// <summary>Balls that are solved together at most, and unknown forces of them.</summary>
+    /// <summary>Maximum number of balls solved together, and of their unknown forces.</summary>
     public const int MostBalls = 8;
     public const int MostRows = 64;
 
-    /// <summary>Contacts of them at most.</summary>
+    /// <summary>Maximum number of their contacts.</summary>
     public const int MostContacts = 32;
 
     private readonly ClusterRow[] _rows;
@@ -19,7 +21,7 @@ internal sealed partial class ClusterSystem
     private readonly double[] _x;
     private readonly double[] _asked;
 
-    /// <param name="room">Where the equations are put together: room that all clusters of a group share.</param>
+    /// <param name="room">Memory for the equations, shared by all clusters of a group.</param>
     public ClusterSystem(ClusterRoom room)
     {
         _rows = room.Rows;
@@ -31,26 +33,27 @@ internal sealed partial class ClusterSystem
     /// <summary>The balls.</summary>
     public ClusterBall[] Balls { get; } = new ClusterBall[MostBalls];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>Number of balls.</summary>
     public int Count { get; set; }
 
     /// <summary>Their contacts.</summary>
     public ClusterContact[] Contacts { get; } = new ClusterContact[MostContacts];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>Number of contacts.</summary>
     public int ContactCount { get; set; }
 
-    /// <summary>Forces give no more than anything that flies has in this time, s.</summary>
+    /// <summary>Time in which the forces are bounded to those of any flight, s.</summary>
     public double Part { get; set; }
 
-    /// <summary>Right-hand sides evaluated for each ball.</summary>
+    /// <summary>Number of force evaluations per ball.</summary>
     public int Evaluations { get; set; }
 
-    /// <summary>Advances all balls from the start by one step of the method, with the rates at the start known, and looks at the contacts at its end.</summary>
-    /// <param name="method">The method.</param>
-    /// <param name="time">When the step starts, s.</param>
-    /// <param name="h">Its length, s.</param>
-    /// <returns>False where the forces of a stage do not exist.</returns>
+    /// <summary>Advances all balls by one step of the integrator from known rates at the start, and updates the contacts at its
+    /// end.</summary>
+    /// <param name="method">The integrator.</param>
+    /// <param name="time">Start time, s.</param>
+    /// <param name="h">Length of the step, s.</param>
+    /// <returns>False if the forces of a stage do not exist.</returns>
     public bool Advance(IIntegrator method, double time, double h)
     {
         double half = 0.5 * h;
@@ -58,7 +61,7 @@ internal sealed partial class ClusterSystem
         switch (method.Order)
         {
             case 4:
-                // The rates at the start, twice in the middle and at the end, as in ClassicalRungeKutta.
+                // Evaluate the rates at the start, twice at the middle and at the end, as in ClassicalRungeKutta.
                 for (int i = 0; i < Count; i++)
                 {
                     ref ClusterBall ball = ref Balls[i];
@@ -109,7 +112,7 @@ internal sealed partial class ClusterSystem
 
                 break;
             default:
-                // Of order one: the place with the velocity at the start, or with the new one.
+                // First order: the position uses the velocity at the start (Euler) or the new one (semi-implicit Euler).
                 for (int i = 0; i < Count; i++)
                 {
                     ref ClusterBall ball = ref Balls[i];
@@ -126,7 +129,7 @@ internal sealed partial class ClusterSystem
         return holds;
     }
 
-    /// <summary>Loads, friction and slips where the balls are at the end.</summary>
+    /// <summary>Computes loads, friction and slips at the end of the step.</summary>
     public bool LookAtEnd(double time)
     {
         for (int i = 0; i < Count; i++)
@@ -144,7 +147,7 @@ internal sealed partial class ClusterSystem
         return holds;
     }
 
-    /// <summary>What acts on the balls where they are, but for their contacts; and how the contacts are.</summary>
+    /// <summary>Computes the forces on the balls without contacts, and updates the contacts.</summary>
     public void Look(double time)
     {
         for (int i = 0; i < Count; i++)
@@ -180,7 +183,7 @@ internal sealed partial class ClusterSystem
         ref readonly MotionRates k3 = ref ball.ThirdRates;
         ref readonly MotionRates k4 = ref ball.Rates;
 
-        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
+        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
         var end = new Motion(
             from.Position + (sixth * (from.Velocity + (2.0 * (ball.Second.Velocity + ball.Third.Velocity)) + ball.At.Velocity)),
             from.Velocity + (sixth * (k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration)),
@@ -210,7 +213,7 @@ internal sealed partial class ClusterSystem
             return;
         }
 
-        // ṅ = (v₁ − v₂)_t/|p₁ − p₂|
+        // ṅ = (v₁ − v₂)_t/|p₁ − p₂|.
         ref readonly ClusterBall other = ref Balls[contact.Second];
         Vector3d apart = ball.At.Position - other.At.Position;
         double distance = apart.Length;
@@ -231,7 +234,8 @@ internal sealed partial class ClusterSystem
     }
 }
 
-/// <summary>Room for the equations of a cluster, and for the ways of two balls: nothing of it outlasts a call.</summary>
+/// <summary>Memory for the equations of a cluster and for the paths of two balls.</summary>
+/// <remarks>Its contents are valid only within a call.</remarks>
 internal sealed class ClusterRoom
 {
     /// <summary>The unknowns.</summary>
@@ -246,7 +250,7 @@ internal sealed class ClusterRoom
     /// <inheritdoc cref="G"/>
     public double[] Asked { get; } = new double[ClusterSystem.MostRows];
 
-    /// <summary>The ways.</summary>
+    /// <summary>The paths.</summary>
     public BallTrial Way { get; } = new();
 
     /// <inheritdoc cref="Way"/>

@@ -1,7 +1,8 @@
 namespace FootballPhysics;
 
-/// <summary>The motions, before a step, of all objects that balls push. They are read at the first push: a step without pushes does not pay for them.</summary>
-/// <param name="world">All that can be met.</param>
+/// <summary>The motions of all pushed objects before a step.</summary>
+/// <remarks>They are read at the first push, so a step without pushes pays nothing.</remarks>
+/// <param name="world">The world.</param>
 internal sealed class MotionsBefore(World world)
 {
     private readonly RigidMotion[] _motions = new RigidMotion[world.GivesWay ? world.Movers : 0];
@@ -10,14 +11,14 @@ internal sealed class MotionsBefore(World world)
     /// <summary>The motions, once they are read.</summary>
     public RigidMotion[] All => _motions;
 
-    /// <summary>A step begins, in which nothing is pushed yet.</summary>
+    /// <summary>Starts a step without pushes.</summary>
     public void Begin()
     {
         _isRead = false;
         world.Engine?.KeepPushes(EnginePushes.OfStep);
     }
 
-    /// <summary>Reads the motions, if nothing was pushed before.</summary>
+    /// <summary>Reads the motions before the first push.</summary>
     public void Read()
     {
         if (!_isRead && _motions.Length > 0)
@@ -28,7 +29,7 @@ internal sealed class MotionsBefore(World world)
         _isRead = true;
     }
 
-    /// <summary>Puts all objects back to their motions before the step.</summary>
+    /// <summary>Restores the motions of all objects before the step.</summary>
     public void PutBack()
     {
         world.Engine?.PutPushesBack(EnginePushes.OfStep);

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>Impacts within a pile, between its balls and with all else.</summary>
+/// <summary>Impacts within a pile: between its balls, and with other objects.</summary>
 internal sealed class PileBounces
 {
-    /// <summary>In a pile nothing bounces that would leave slower than this, m/s, even where the ground lets it.</summary>
+    /// <summary>Minimum exit speed of a bounce in a pile, m/s, even if the ground allows slower ones.</summary>
     private const double LeastBounce = 0.05;
 
     private readonly Simulator[] _simulators;
@@ -13,7 +13,7 @@ internal sealed class PileBounces
 
     /// <param name="simulators">The scenes of all balls of the group.</param>
     /// <param name="solver">The pile's balls and contacts.</param>
-    /// <param name="material">What two balls are to each other.</param>
+    /// <param name="material">The material of impacts between balls.</param>
     public PileBounces(Simulator[] simulators, PileSolver solver, in ContactMaterial material)
     {
         _simulators = simulators;
@@ -21,17 +21,18 @@ internal sealed class PileBounces
         _material = material;
     }
 
-    /// <summary>Begins a step.</summary>
+    /// <summary>Starts a step.</summary>
     public void Clear() => _bounces = 0;
 
-    /// <summary>What bounced in another pile did so in this one.</summary>
+    /// <summary>Adds the bounces of a merged pile.</summary>
     public void Absorb(PileBounces other) => _bounces += other._bounces;
 
-    /// <summary>What closes within the part so fast that it bounces does so now: the first first, one after the other, so that no energy comes from it.</summary>
+    /// <summary>Resolves all contacts that close fast enough to bounce within the part, in order of time.</summary>
+    /// <remarks>One after the other, they add no energy.</remarks>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
-    /// <param name="logs">Where events of each go.</param>
-    /// <returns>Whether anything did.</returns>
+    /// <param name="logs">Receive the events of each ball.</param>
+    /// <returns>True if a ball bounced.</returns>
     public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
         // At most the number of contacts plus eight at one instant, and eight per ball and step.
@@ -61,7 +62,7 @@ internal sealed class PileBounces
         return bounced;
     }
 
-    /// <summary>When a contact closes that bounces, s; infinite where it does not.</summary>
+    /// <summary>Returns the time at which a contact closes and bounces, s; infinite if it does not.</summary>
     private double BounceTime(in PileContact contact, BallState[] states)
     {
         ref readonly PileMember a = ref _solver.Members[contact.First];

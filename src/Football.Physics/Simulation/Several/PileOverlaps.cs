@@ -1,28 +1,30 @@
 namespace FootballPhysics;
 
-/// <summary>Puts the balls of a pile where there is room for them after a part: what stands still is never entered.</summary>
+/// <summary>Resolves the overlaps of a pile after a part. No ball enters a stationary object.</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>
 /// <param name="solver">The pile's balls and contacts.</param>
 internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
 {
-    /// <summary>Balls are put apart, and out of things, in so many rounds at most; out of corners in so many.</summary>
+    /// <summary>Maximum number of iterations for overlaps of balls and objects, and for corners.</summary>
     private const int MostRounds = 128;
     private const int MostCorners = 64;
 
-    /// <summary>Less than this, m, is no overlap: of balls, and with what stands still.</summary>
+    /// <summary>Tolerance of an overlap between balls, and with stationary objects, m.</summary>
     private const double Overlap = 1e-7;
     private const double Closed = 1e-13;
 
-    /// <summary>The greatest depth of a ball in stationary surfaces at the end of a part, m; and the most rounds of projections that ensure it.</summary>
+    /// <summary>Maximum depth of a ball in stationary surfaces at the end of a part, m, and the maximum number of projections to reach
+    /// it.</summary>
     private const double Inside = 5e-10;
     private const int MostWays = 16;
 
-    /// <summary>Out of what moves a ball is put by no more than this, m/s.</summary>
+    /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
-    /// <summary>Puts balls apart that overlap, each by its share, and then out of what moves, by no more than a distance, and out of what stands still.</summary>
+    /// <summary>Separates overlapping balls by their masses, then pushes them out of moving objects up to a distance, and out of stationary
+    /// ones.</summary>
     /// <param name="states">The balls.</param>
-    /// <param name="duration">How long the part took, s.</param>
+    /// <param name="duration">Duration of the part, s.</param>
     public void PutApart(BallState[] states, double duration)
     {
         bool moved = true;
@@ -63,7 +65,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         }
     }
 
-    /// <summary>How much two balls overlap at most, m; 0 if none do.</summary>
+    /// <summary>Returns the maximum overlap of two balls, m; 0 if none overlap.</summary>
     public double Deepest(BallState[] states)
     {
         double deepest = 0;
@@ -81,7 +83,8 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         return deepest;
     }
 
-    /// <summary>Pressed by many, a ball may get beyond the contacts that were looked for, or have no room between them: out of all that stands still, or back.</summary>
+    /// <summary>Pushes a ball out of all stationary objects, or back to its old position: many balls may push it past the known
+    /// contacts.</summary>
     private void StayOut(in PileMember member, BallState[] states)
     {
         World world = simulators[member.Ball].World;
@@ -119,15 +122,15 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         return false;
     }
 
-    /// <summary>Puts a ball out of what stands still.</summary>
+    /// <summary>Pushes a ball out of stationary objects.</summary>
     public void KeepOut(int member, BallState[] states)
     {
         KeepOut(in solver.Members[member], states, 0);
         StayOut(in solver.Members[member], states);
     }
 
-    /// <summary>Puts a ball out of what it overlaps; what stands still comes last, so that it is never entered.</summary>
-    /// <returns>Whether it was in something.</returns>
+    /// <summary>Pushes a ball out of objects that it overlaps; stationary ones last, so that the ball does not enter them.</summary>
+    /// <returns>True if it overlapped an object.</returns>
     private bool KeepOut(in PileMember member, BallState[] states, double outOfTheWay)
     {
         World world = simulators[member.Ball].World;

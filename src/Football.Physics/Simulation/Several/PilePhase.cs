@@ -1,18 +1,19 @@
 namespace FootballPhysics;
 
-/// <summary>What a ball of a pile does by itself: the forces on it beside its contacts, its way through nets and goals, and what becomes of it after the pile.</summary>
+/// <summary>Steps a single ball of a pile: the forces without contacts, its path through nets and goals, and its state after the
+/// pile.</summary>
 internal sealed class PilePhase
 {
-    /// <summary>So many nets and goals a ball comes to on its way in a part.</summary>
+    /// <summary>Maximum number of nets and goals on the path of a part.</summary>
     private const int MostPassages = 8;
 
-    /// <summary>A ball that does not slip faster than this, m/s, rolls.</summary>
+    /// <summary>A ball with a slip below this rolls, m/s.</summary>
     private const double RollingSlip = 1e-6;
 
-    /// <summary>Deeper than this, m, in an object that moves a ball is squeezed, and not carried by that.</summary>
+    /// <summary>A ball deeper than this in a moving object is squeezed by it and not supported, m.</summary>
     private const double LargestOverlap = 1e-6;
 
-    /// <summary>Of a ball that is slower than this, m/s, no change of its motion is told: in a pile it may slip and grip in turn.</summary>
+    /// <summary>Below this speed no slide or roll is reported, m/s: in a pile a ball may alternately slip and grip.</summary>
     private const double ToldSpeed = 0.05;
 
     private readonly Surroundings _around;
@@ -33,14 +34,14 @@ internal sealed class PilePhase
         _nets = new NetGuard(_world);
     }
 
-    /// <summary>The method that takes whole steps of it.</summary>
+    /// <summary>The integrator of its whole steps.</summary>
     public IIntegrator Method { get; }
 
-    /// <summary>How long a whole step of the method may be, s; 0 where the method would make the ball faster.</summary>
+    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="h">How long it should be, s.</param>
+    /// <param name="h">The requested length, s.</param>
     /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
-    /// <param name="gain">By how much friction may make the ball faster in it, m/s.</param>
+    /// <param name="gain">Maximum speed gain by friction, m/s.</param>
     public double LongestWhole(in BallState s, double h, double damping, double gain)
     {
         bool spirals = false;
@@ -48,17 +49,17 @@ internal sealed class PilePhase
         return spirals ? 0 : part;
     }
 
-    /// <summary>What acts on the ball but for its contacts, for a part of a step.</summary>
+    /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">Length of the part, s.</param>
-    /// <param name="atRest">Whether the ball is asked for as if it lay still.</param>
+    /// <param name="atRest">Whether to compute them for a ball at rest.</param>
     public MotionRates Free(in BallState s, double h, bool atRest)
     {
         Vector3d v = atRest ? Vector3d.Zero : s.Velocity;
         Vector3d w = atRest ? Vector3d.Zero : s.Spin;
         Vector3d u = v - _around.Wind;
 
-        // The drag law is locked to the branch at the start of the part: its jump is not located here.
+        // Lock the drag law to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
@@ -66,7 +67,7 @@ internal sealed class PilePhase
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + own forces. Of a carried ball's air no more counts than on one surface: what it does along the carrier, or nothing.
+        // a = L (ω × u) − D u + custom forces. For a supported ball only the share of the air counts that acts on one surface.
         Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
         Vector3d acceleration = air.Acceleration + flow;
         if (carried && !_world.SharesAir)
@@ -81,14 +82,14 @@ internal sealed class PilePhase
         return PartForces.Bounded(_world, _nets, in s, in at, new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed), h);
     }
 
-    /// <summary>Moves the ball straight on, through the nets and goals on its way.</summary>
+    /// <summary>Moves the ball in a straight line, through the nets and goals on its path.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="duration">How long, s.</param>
+    /// <param name="duration">The duration, s.</param>
     /// <param name="way">Its mean velocity, m/s.</param>
     /// <param name="v">Its velocity at the end, m/s.</param>
     /// <param name="w">Its spin at the end, rad/s.</param>
-    /// <param name="airSpeed">Its speed through the air, m/s, where that counts.</param>
-    /// <param name="log">Where events and counts go.</param>
+    /// <param name="airSpeed">Its air speed, m/s, if it is needed.</param>
+    /// <param name="log">Receives events and counts.</param>
     public void Move(ref BallState s, double duration, in Vector3d way, in Vector3d v, in Vector3d w, double airSpeed, StepLog log)
     {
         double end = s.Time + duration;
@@ -117,10 +118,10 @@ internal sealed class PilePhase
         log.Steps++;
     }
 
-    /// <summary>The ball goes on by itself: what bears it most carries it, else it flies.</summary>
+    /// <summary>Releases the ball from the pile: the surface with the greatest load becomes its carrier; otherwise it flies.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="carrier">The collider that bears it most; −1 where none does.</param>
-    /// <param name="log">Where events go.</param>
+    /// <param name="carrier">The collider with the greatest load; −1 if there is none.</param>
+    /// <param name="log">Receives the events.</param>
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
@@ -144,7 +145,7 @@ internal sealed class PilePhase
             return;
         }
 
-        // Onto it, to the last bit; without slip the spin is that of pure rolling.
+        // Project the ball onto the surface exactly. Without slip, set the spin of pure rolling.
         Collider on = _world.Colliders[carrier];
         MotionState before = s.Motion;
         bool same = _world.ColliderOf(s.Carrier, s.Position, s.Time) == carrier;
@@ -159,7 +160,9 @@ internal sealed class PilePhase
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
     }
 
-    /// <summary>What moves has not left the ball yet: put onto that at once, the ball would be in another one. It goes out of it no faster than a squeezed ball may.</summary>
+    /// <summary>Keeps a ball squeezed that a moving object still overlaps: projected onto it at once, the ball would enter another
+    /// object.</summary>
+    /// <remarks>It leaves the object at the speed allowed for a squeezed ball.</remarks>
     private void StaySqueezed(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
@@ -174,10 +177,10 @@ internal sealed class PilePhase
         Tell(in s, BallEventKind.Pinned, (int)s.Carrier, in n, in w, begins, log);
     }
 
-    /// <summary>The ball rests in the pile.</summary>
+    /// <summary>Brings the ball to rest in the pile.</summary>
     /// <param name="s">The ball.</param>
-    /// <param name="carrier">The collider that bears it most; −1 where other balls alone do.</param>
-    /// <param name="log">Where the event goes.</param>
+    /// <param name="carrier">The collider with the greatest load; −1 if only other balls support it.</param>
+    /// <param name="log">Receives the event.</param>
     public void Rest(ref BallState s, int carrier, StepLog log)
     {
         var run = new StepRun(0, s.Time, log);

@@ -1,24 +1,25 @@
 namespace FootballPhysics;
 
-/// <summary>
-/// The impulses of all contacts of a pile over a short time, Coulomb's law at all of them at once: no contact closes by more than its gap, none pulls, and friction is at
-/// most μ times the load. Projected Gauss–Seidel, one contact after the other in an order that the places of the balls decide, up and down in turn, with conjugate gradients between the rounds.
-/// </summary>
+/// <summary>Solves the impulses of all contacts of a pile over a short time, with Coulomb's law at all of them.</summary>
+/// <remarks>
+/// No contact closes by more than its gap, no load is negative, and friction is at most μ times the load.
+/// Method: projected Gauss–Seidel in alternating order by the positions of the balls, with conjugate gradients between the iterations.
+/// </remarks>
 internal sealed class PileSolver
 {
-    /// <summary>So often it is asked whether all balls stand still.</summary>
+    /// <summary>Number of iterations between two checks whether all balls are at a standstill.</summary>
     private const int RoundsBetween = 8;
 
     /// <summary>The balls.</summary>
     public PileMember[] Members = new PileMember[8];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>Number of balls.</summary>
     public int Count;
 
     /// <summary>Their contacts.</summary>
     public PileContact[] Contacts = new PileContact[32];
 
-    /// <summary>How many there are.</summary>
+    /// <summary>Number of contacts.</summary>
     public int ContactCount;
 
     /// <summary>Adds a contact.</summary>
@@ -32,11 +33,11 @@ internal sealed class PileSolver
         Contacts[ContactCount++] = contact;
     }
 
-    /// <summary>Finds the impulses, from those that the contacts have already.</summary>
+    /// <summary>Solves the impulses, starting from those that the contacts already hold.</summary>
     /// <param name="h">The time, s.</param>
-    /// <param name="mostRounds">How many rounds there are at most.</param>
-    /// <param name="settled">Where no impulse changes a ball's speed by more than this, m/s, they are found.</param>
-    /// <param name="slow">... or where no ball is faster than this, m/s; negative where that is not asked for.</param>
+    /// <param name="mostRounds">Maximum number of iterations.</param>
+    /// <param name="settled">Change of a ball's speed below which the solver has converged, m/s.</param>
+    /// <param name="slow">Speed of all balls below which it also stops, m/s; negative to skip this check.</param>
     public void Solve(double h, int mostRounds, double settled, double slow = -1)
     {
         for (int i = 0; i < Count; i++)
@@ -57,7 +58,7 @@ internal sealed class PileSolver
         double before = 0;
         for (int round = 0; round < mostRounds && change > settled; round++)
         {
-            // Up and down in turn: what a ball on top gives reaches the ground in one round.
+            // Alternate the order: the load of a ball on top then reaches the ground in one iteration.
             change = 0;
             double square = 0;
             for (int i = 0; i < ContactCount; i++)
@@ -81,7 +82,8 @@ internal sealed class PileSolver
                 return;
             }
 
-            // The round's change is minus a gradient: on along the conjugate direction, but where that leads astray, and not from the last round.
+            // The change of an iteration approximates a negative gradient: extrapolate along the conjugate direction, except after the last
+            // one.
             if (round < mostRounds - 1 && change > settled)
             {
                 Extrapolate(square <= before ? square / before : 0);
@@ -91,7 +93,7 @@ internal sealed class PileSolver
         }
     }
 
-    /// <summary>The greatest speed of any ball, with its spin, m/s.</summary>
+    /// <summary>Returns the greatest speed of any ball, including its spin, m/s.</summary>
     public double Fastest()
     {
         double fastest = 0;
@@ -103,7 +105,8 @@ internal sealed class PileSolver
         return fastest;
     }
 
-    /// <summary>Nonsmooth nonlinear conjugate gradients (Silcowitz, Niebe, Erleben): β p more of the impulses, with p ← β p + change.</summary>
+    /// <summary>Nonsmooth nonlinear conjugate gradients (Silcowitz, Niebe, Erleben): adds β p to the impulses, with p ← β p +
+    /// change.</summary>
     private void Extrapolate(double beta)
     {
         for (int i = 0; i < ContactCount; i++)
@@ -122,7 +125,7 @@ internal sealed class PileSolver
         }
     }
 
-    /// <summary>The contact with what is no ball that bears a ball most; −1 where none does.</summary>
+    /// <summary>Returns the contact of a ball with the greatest load, other than with balls; −1 if there is none.</summary>
     public int BearerOf(int member)
     {
         ref readonly PileMember ball = ref Members[member];
@@ -130,7 +133,7 @@ internal sealed class PileSolver
         double most = 0;
         for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
         {
-            // Of two that bear the same, to rounding, it is the first.
+            // If two loads are equal to within rounding, the first contact counts.
             if (Contacts[i].Load > most * (1.0 + 1e-9))
             {
                 most = Contacts[i].Load;
@@ -141,14 +144,14 @@ internal sealed class PileSolver
         return bearer;
     }
 
-    /// <summary>One contact by itself.</summary>
-    /// <returns>By how much it changed the speed of a ball, m/s.</returns>
+    /// <summary>Solves a single contact.</summary>
+    /// <returns>Change of the speed of a ball, m/s.</returns>
     private double Press(ref PileContact contact, double h)
     {
         ref readonly PileMember a = ref Members[contact.First];
         Vector3d n = contact.Normal;
 
-        // u = v₁ − r₁ ω₁ × n − V; of a ball V = v₂ + r₂ ω₂ × n.
+        // u = v₁ − r₁ ω₁ × n − V; for a ball, V = v₂ + r₂ ω₂ × n.
         Vector3d turning = a.Radius * a.W;
         Vector3d relative = a.V;
         double perMass = a.PerMass;
@@ -164,19 +167,19 @@ internal sealed class PileSolver
             relative -= contact.Velocity;
         }
 
-        // J_n: they go apart at least as fast as the gap allows.
+        // J_n: the surfaces must separate at least as fast as the gap requires.
         double rate = Vector3d.Dot(in relative, in n);
         double load = Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
         if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
         {
-            // Near, and not pressed.
+            // The contact is near but has no load.
             return 0;
         }
 
         double pushed = load - contact.Load;
         contact.Load = load;
 
-        // J_t: what ends the slip s, as far as friction goes.
+        // J_t: the impulse that stops the slip s, limited by friction.
         Vector3d slip = relative - (rate * n) - Vector3d.Cross(in turning, in n);
         Vector3d rub = contact.Rub - (contact.SlipMass * slip);
         double most = contact.Friction * load;
@@ -192,7 +195,7 @@ internal sealed class PileSolver
         Give(in contact, (pushed * n) + rubbed, in rubbed);
         if (contact.Second >= 0)
         {
-            // About the normal: what ends the turning of one against the other, at most b μ J_n.
+            // About the normal: the impulse that stops the relative spin, at most b μ J_n.
             double about = Vector3d.Dot(a.W - Members[contact.Second].W, in n);
             double twist = contact.Twist - (contact.TwistMass * about);
             double mostTwist = contact.DrillingLength * most;
@@ -205,10 +208,10 @@ internal sealed class PileSolver
         return perMass * Math.Max(Math.Abs(pushed), rubbed.Length);
     }
 
-    /// <summary>Gives an impulse to the ball of a contact, and the opposite one to the other.</summary>
+    /// <summary>Applies an impulse to the first ball of a contact, and the opposite one to the second.</summary>
     private void Give(in PileContact contact, in Vector3d impulse, in Vector3d rub)
     {
-        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J
+        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
         Vector3d turned = Vector3d.Cross(in contact.Normal, in rub);
         ref PileMember a = ref Members[contact.First];
         a.V += a.PerMass * impulse;
@@ -221,7 +224,7 @@ internal sealed class PileSolver
         }
     }
 
-    /// <summary>Turns the balls of a contact against each other about the normal, N m s.</summary>
+    /// <summary>Applies an impulse to the relative spin of two balls about the normal, N m s.</summary>
     private void Twist(ref PileContact contact, double impulse)
     {
         if (contact.Second >= 0)
@@ -233,8 +236,8 @@ internal sealed class PileSolver
         }
     }
 
-    /// <summary>Rolling resistance and drilling, on the contact that bears a ball most and is no ball.</summary>
-    /// <returns>By how much it changed the spin, rad/s.</returns>
+    /// <summary>Applies rolling resistance and drilling friction at the contact with the greatest load, other than with balls.</summary>
+    /// <returns>Change of the spin, rad/s.</returns>
     private double Resist(ref PileMember ball, double h)
     {
         int bearer = -1;
@@ -245,7 +248,7 @@ internal sealed class PileSolver
             load = Math.Max(load, Contacts[i].Load);
         }
 
-        // Another contact is the heaviest now: what was resisted on the last one is given back.
+        // Another contact now has the greatest load: undo the resistance at the old one.
         if (bearer != ball.Bearer)
         {
             ball.W -= ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
@@ -263,7 +266,7 @@ internal sealed class PileSolver
         Vector3d n = contact.Normal;
         double perLoad = contact.Load * ball.PerInertia;
 
-        // About the normal: ω_n/(1 + c_ω h/I) by damping, then drilling towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + c_ω h/I), then drilling friction brings it towards zero by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in ball.W, in n);
         double damped = (about - ball.Drilling) / (1.0 + (h * contact.SpinDamping * ball.PerInertia));
         double most = contact.DrillingLength * contact.Friction * perLoad;
@@ -271,7 +274,7 @@ internal sealed class PileSolver
         double drilled = kept - about;
         ball.Drilling += drilled;
 
-        // Across it, where it sticks: (1 + α)(c₀ + c₁ |v|) r J_n/I against the rolling, and not beyond its end.
+        // Across the normal, if the contact sticks: rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the rolling.
         double share = contact.RollingFriction + (contact.RollingFrictionBySpeed * (ball.V - contact.Velocity).Length);
         double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * share * ball.Radius * perLoad : 0;
         Vector3d rolling = ball.W - (about * n) - ball.Rolling;
@@ -287,7 +290,7 @@ internal sealed class PileSolver
 /// <summary>A ball of a pile.</summary>
 internal struct PileMember
 {
-    /// <summary>Its number in the group.</summary>
+    /// <summary>Its index in the group.</summary>
     public int Ball;
 
     /// <summary>1/m, 1/kg.</summary>
@@ -302,17 +305,17 @@ internal struct PileMember
     /// <summary>r, m.</summary>
     public double Radius;
 
-    /// <summary>What acts on it beside its contacts.</summary>
+    /// <summary>The rates without contacts.</summary>
     public MotionRates Free;
 
-    /// <summary>Until when that is known well enough, s.</summary>
+    /// <summary>Time up to which these rates are valid, s.</summary>
     public double FreeUntil;
 
-    /// <summary>Velocity and spin that the solver finds, m/s and rad/s.</summary>
+    /// <summary>Velocity and spin in the solver, m/s and rad/s.</summary>
     public Vector3d V;
     public Vector3d W;
 
-    /// <summary>... and at the start of the part.</summary>
+    /// <summary>Velocity and spin at the start of the part, m/s and rad/s.</summary>
     public Vector3d StartV;
     public Vector3d StartW;
 
@@ -322,50 +325,51 @@ internal struct PileMember
     /// <summary>The ball at the start of the part.</summary>
     public BallState From;
 
-    /// <summary>True if the observer has not seen its last part, at the end of which the ball may still be put apart from others.</summary>
+    /// <summary>True if its last part was not reported yet, because the ball may still be separated from others at its end.</summary>
     public bool IsUnshown;
 
-    /// <summary>Its contacts with all but balls: the first of them, and how many there are.</summary>
+    /// <summary>Its contacts with objects other than balls: index of the first, and their number.</summary>
     public int FirstContact;
     public int OwnContacts;
 
-    /// <summary>The contact that resists its turning; −1 for none. What that took of the rolling, and of the spin about its normal, rad/s.</summary>
+    /// <summary>The contact that resists its rotation; −1 for none.</summary>
+    /// <remarks>Also the spin removed from the rolling, and from the spin about its normal, rad/s.</remarks>
     public int Bearer;
     public Vector3d Rolling;
     public double Drilling;
 }
 
-/// <summary>A contact of a pile: of two of its balls, or of one with anything else.</summary>
+/// <summary>A contact of a pile: of two of its balls, or of a ball with another object.</summary>
 internal struct PileContact
 {
     /// <summary>The ball, as a member of the pile.</summary>
     public int First;
 
-    /// <summary>The other ball; −1 where it is none.</summary>
+    /// <summary>The other ball; −1 if the contact is with another object.</summary>
     public int Second;
 
     /// <summary>Index of the collider; −1 for a ball.</summary>
     public int Collider;
 
-    /// <summary>True when that moves.</summary>
+    /// <summary>True if that collider moves.</summary>
     public bool Moves;
 
-    /// <summary>True when no ball can rest on it: it moves in this step, or a ball is in it.</summary>
+    /// <summary>True if no ball can rest on it: it moves in this step, or overlaps a ball.</summary>
     public bool MovesNow;
 
-    /// <summary>True when friction holds it.</summary>
+    /// <summary>True if friction holds the contact.</summary>
     public bool Sticks;
 
     /// <summary>n, towards the first ball.</summary>
     public Vector3d Normal;
 
-    /// <summary>V of what is no ball, m/s.</summary>
+    /// <summary>V of the collider, m/s.</summary>
     public Vector3d Velocity;
 
-    /// <summary>Distance, m; 0 where they overlap.</summary>
+    /// <summary>Distance, m; 0 for an overlap.</summary>
     public double Gap;
 
-    /// <summary>1/(1/m₁ + 1/m₂), and with r²/I of both beside it, kg.</summary>
+    /// <summary>1/(1/m₁ + 1/m₂), and the same including r²/I of both, kg.</summary>
     public double NormalMass;
     public double SlipMass;
 
@@ -375,7 +379,7 @@ internal struct PileContact
     /// <summary>μ_s.</summary>
     public double Friction;
 
-    /// <summary>c₀, c₁ and c_ω of what is no ball.</summary>
+    /// <summary>c₀, c₁ and c_ω of the collider.</summary>
     public double RollingFriction;
     public double RollingFrictionBySpeed;
     public double SpinDamping;
@@ -389,10 +393,10 @@ internal struct PileContact
     /// <summary>J_t, N s.</summary>
     public Vector3d Rub;
 
-    /// <summary>Of two balls the impulse about n, N m s.</summary>
+    /// <summary>For two balls: the angular impulse about n, N m s.</summary>
     public double Twist;
 
-    /// <summary>By how much a round changed both, N s; and the direction that it goes on along.</summary>
+    /// <summary>Changes of both in an iteration, N s, and the search direction.</summary>
     public double LoadChange;
     public Vector3d RubChange;
     public double LoadStep;

@@ -1,20 +1,21 @@
 namespace FootballPhysics;
 
-/// <summary>Whole steps of a pile by the method: of a few balls whose contacts keep their modes all along (contacts.md, Balls on balls).</summary>
+/// <summary>Whole steps of a pile with the integrator, for a few balls whose contacts keep their modes (contacts.md, Balls on
+/// balls).</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>
 /// <param name="solver">The pile's balls and contacts.</param>
-/// <param name="friction">The friction of two balls that press each other.</param>
-/// <param name="lever">b μ of them, m.</param>
-/// <param name="room">Room that all piles of a group share.</param>
+/// <param name="friction">The friction coefficient of sustained contact between balls.</param>
+/// <param name="lever">b μ of such contacts, m.</param>
+/// <param name="room">Memory that all piles of a group share.</param>
 internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, double friction, double lever, ClusterRoom room)
 {
-    /// <summary>Faster than this, m/s, balls come together or apart, and do not press each other.</summary>
+    /// <summary>Maximum relative speed of two balls in sustained contact, m/s.</summary>
     private const double Pressing = 3e-5;
 
-    /// <summary>A correction of less than this, m/s, leaves the forces as they are.</summary>
+    /// <summary>A correction below this does not change the forces, m/s.</summary>
     private const double Corrected = 1e-11;
 
-    /// <summary>A normal turns by no more than this in a whole step, rad: that of a curved thing, and the line of centres of two balls.</summary>
+    /// <summary>Maximum rotation of a normal per whole step, rad: of a curved surface, or of the line of centres of two balls.</summary>
     private const double LargestTurn = 0.05;
     private const double LargestTurnOfBalls = 0.1;
 
@@ -23,22 +24,22 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private readonly int[] _touchingCount = new int[ClusterSystem.MostBalls];
     private double _time;
 
-    /// <summary>Length of the whole step that was found, s.</summary>
+    /// <summary>Length of the whole step found, s.</summary>
     public double Length { get; private set; }
 
-    /// <summary>True when the last try has looked at the forces at its start, which the balls of the pile then have.</summary>
+    /// <summary>True if the last attempt has computed the forces at the start, which the balls of the pile then hold.</summary>
     public bool HasLooked { get; private set; }
 
-    /// <summary>The way of a ball in it.</summary>
+    /// <summary>Returns the path of a ball in the step.</summary>
     public PathCubic PathOf(int index) => PathOf(in _cluster.Balls[index], Length);
 
-    /// <summary>Tries a step, or the first of few equal parts of it, with the contacts and their modes as they are at its start.</summary>
+    /// <summary>Tries a step, or the first of a few equal parts of it, with the contacts and modes at its start.</summary>
     /// <param name="states">The balls.</param>
-    /// <param name="time">When it starts, s.</param>
-    /// <param name="left">Its length, s.</param>
-    /// <param name="least">Parts are no shorter than this, s.</param>
-    /// <param name="logs">Where counts of each go.</param>
-    /// <returns>False where no modes are found, or they do not hold up to its end, or something is met in it.</returns>
+    /// <param name="time">Start time, s.</param>
+    /// <param name="left">Length of the step, s.</param>
+    /// <param name="least">Minimum length of a part, s.</param>
+    /// <param name="logs">Receive the counts of each ball.</param>
+    /// <returns>False if no modes are found, they do not hold to the end, or a ball reaches another object.</returns>
     public bool Try(BallState[] states, double time, double left, double least, StepLog[] logs)
     {
         HasLooked = false;
@@ -67,12 +68,12 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         return holds;
     }
 
-    /// <summary>Moves the balls on within the step that was found: where it is cut short the method takes it anew, up to there.</summary>
+    /// <summary>Moves the balls within the step found. If it is cut short, the integrator repeats it up to there.</summary>
     /// <param name="states">The balls.</param>
-    /// <param name="duration">How long, s.</param>
-    /// <param name="isCut">Whether that is not all of it.</param>
-    /// <param name="time">When it ends, s.</param>
-    /// <param name="logs">Where pieces and counts of each go.</param>
+    /// <param name="duration">The duration, s.</param>
+    /// <param name="isCut">Whether that is only a part of it.</param>
+    /// <param name="time">End time, s.</param>
+    /// <param name="logs">Receive the pieces and counts of each ball.</param>
     public void Move(BallState[] states, double duration, bool isCut, double time, StepLog[] logs)
     {
         ClusterSystem system = _cluster;
@@ -94,14 +95,14 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             log.Evaluations += system.Evaluations;
             if (log.IsWatched)
             {
-                // A path whose memory is full ends a step early, not the pile.
+                // A path with a full buffer ends its own step early, but not the pile's.
                 log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
                 log.Halted = false;
             }
         }
     }
 
-    /// <summary>Tells the pile's contacts, found anew, what each has given in a time, s.</summary>
+    /// <summary>Stores in the pile's new contacts the impulses over a time, s.</summary>
     public void Load(double duration)
     {
         for (int i = 0; i < solver.ContactCount; i++)
@@ -122,7 +123,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         }
     }
 
-    /// <summary>True when all balls are so slow that they rest, or are about to.</summary>
+    /// <summary>True if all balls are slow enough to rest or almost so.</summary>
     private bool AreSlow(BallState[] states)
     {
         for (int i = 0; i < solver.Count; i++)
@@ -144,8 +145,8 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private static PathCubic PathOf(in ClusterBall ball, double h) =>
         PathCubic.Between(ball.Start.Position, ball.Start.Velocity, ball.End.Position, ball.End.Velocity, h);
 
-    /// <summary>The balls and what they touch, neither closing nor leaving.</summary>
-    /// <returns>False where an impulse is called for, something moves, or there are too many contacts.</returns>
+    /// <summary>Sets up the balls and the contacts that neither close nor separate.</summary>
+    /// <returns>False if an impulse is needed, an object moves, or there are too many contacts.</returns>
     private bool Prepare(ClusterSystem system, BallState[] states, double least)
     {
         system.Part = least;
@@ -241,7 +242,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         return true;
     }
 
-    /// <summary>The modes at the start, and the rates there; leftover speeds of what bears and sticks are ended.</summary>
+    /// <summary>Determines the modes and rates at the start, and removes remaining normal speeds and slips.</summary>
     private bool FindModes(ClusterSystem system)
     {
         system.Look(_time);
@@ -276,7 +277,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         return holds;
     }
 
-    /// <summary>How long a whole step may be by stability, slips that turn and normals that turn, s.</summary>
+    /// <summary>Returns the longest whole step that stability, turning slips and turning normals allow, s.</summary>
     private double LongestWhole(ClusterSystem system, BallState[] states, double h)
     {
         double longest = h;
@@ -319,7 +320,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         return longest;
     }
 
-    /// <summary>Takes a whole step of the method, and puts the balls onto what bears them.</summary>
+    /// <summary>Takes a whole step of the integrator, and projects the balls onto their contacts.</summary>
     private bool Advance(ClusterSystem system, double h)
     {
         bool holds = system.Advance(MethodOf(), _time, h);
@@ -334,7 +335,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         return holds;
     }
 
-    /// <summary>True when the balls stay on the same surfaces, and meet nothing else on their ways.</summary>
+    /// <summary>True if the balls stay on the same surfaces, and reach no other object on their paths.</summary>
     private bool MeetsNothing(ClusterSystem system, double h)
     {
         for (int i = 0; i < system.Count; i++)

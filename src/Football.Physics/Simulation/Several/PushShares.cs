@@ -1,24 +1,26 @@
 namespace FootballPhysics;
 
-/// <summary>The balls that can reach an object that is pushed in a step and that another ball can reach as well: only their steps end at a push.</summary>
+/// <summary>Finds the balls that can reach a pushed object which another ball can reach as well.</summary>
+/// <remarks>Only their steps end at a push.</remarks>
 /// <param name="pushed">The motions of all objects that balls push.</param>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="before">The balls before the step.</param>
 internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, BallState[] before)
 {
-    /// <summary>The reach of a ball is estimated with this factor of room.</summary>
+    /// <summary>Safety factor of the estimated reach.</summary>
     private const double MoreReach = 1.1;
 
     private readonly double[] _reaches = new double[before.Length];
     private readonly bool[] _shares = new bool[before.Length];
 
-    /// <summary>True if a ball shares an object.</summary>
+    /// <summary>True if a ball shares an object with another ball.</summary>
     public bool this[int ball] => _shares[ball];
 
-    /// <summary>
-    /// Sets the distance that a ball may get from where it was before the step, m. It follows from this step alone: the spheres of neighbours depend on earlier steps,
-    /// and a step that is played again must end at the same pushes.
-    /// </summary>
+    /// <summary>Sets an upper bound of the ball's displacement in the step, m.</summary>
+    /// <remarks>
+    /// It depends on this step alone, because a repeated step must end at the same pushes. The spheres of neighbours depend on earlier
+    /// steps.
+    /// </remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="after">The ball after its own step.</param>
     /// <param name="fastest">Its greatest speed at the events of the step, m/s.</param>
@@ -29,19 +31,19 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
         _reaches[ball] = MoreReach * ((after.Position - before[ball].Position).Length + (dt * (speed + (BallNeighbours.Fall * dt))));
     }
 
-    /// <summary>A ball gets at least so far, m.</summary>
+    /// <summary>Raises the bound of a ball's displacement, m.</summary>
     public void Extend(int ball, double reach) => _reaches[ball] = Math.Max(_reaches[ball], reach);
 
-    /// <summary>No ball shares an object.</summary>
+    /// <summary>Marks no ball as sharing an object.</summary>
     public void Clear() => Array.Clear(_shares, 0, _shares.Length);
 
-    /// <summary>All balls share an object.</summary>
+    /// <summary>Marks all balls as sharing an object.</summary>
     public void Fill() => _shares.AsSpan().Fill(true);
 
-    /// <summary>Finds the balls that share an object, after the step was taken.</summary>
+    /// <summary>Finds the balls that share an object, after the step.</summary>
     /// <param name="motions">The motions of all objects before the step.</param>
     /// <param name="dt">Length of the step, s.</param>
-    /// <returns>Whether there are balls that were not known to share an object.</returns>
+    /// <returns>True if it found new ones.</returns>
     public bool Find(MotionsBefore motions, double dt)
     {
         bool found = false;

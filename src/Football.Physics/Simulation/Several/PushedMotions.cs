@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Motions of all that balls push: before and after a push, and as they are put back after a look at what would come.</summary>
-/// <param name="world">All that can be met.</param>
+/// <summary>The motions of all objects that balls push: before and after a push, and saved during a look-ahead.</summary>
+/// <param name="world">The world.</param>
 internal sealed class PushedMotions(World world)
 {
     private readonly RigidMotion[] _before = new RigidMotion[world.GivesWay ? world.Movers : 0];
@@ -10,14 +10,14 @@ internal sealed class PushedMotions(World world)
     private RigidMotion[] _first = [];
     private int _next;
 
-    /// <summary>Remembers how all moves before a push.</summary>
+    /// <summary>Saves all motions before a push.</summary>
     public void ReadBefore()
     {
         Read(_before);
         world.Engine?.KeepPushes(EnginePushes.BeforePush);
     }
 
-    /// <summary>Remembers how all moves after it, and puts it back to how it moved before.</summary>
+    /// <summary>Saves all motions after a push, and restores those before it.</summary>
     public void ReadAfter()
     {
         Read(_after);
@@ -26,28 +26,28 @@ internal sealed class PushedMotions(World world)
         world.Engine?.PutPushesBack(EnginePushes.BeforePush);
     }
 
-    /// <summary>Puts all to how it moves after the push.</summary>
+    /// <summary>Restores all motions after the push.</summary>
     public void PutAfter()
     {
         Restore(_after);
         world.Engine?.PutPushesBack(EnginePushes.AfterPush);
     }
 
-    /// <summary>Remembers how all moves before one only looks.</summary>
+    /// <summary>Saves all motions before a trial.</summary>
     public void Keep()
     {
         Read(_kept);
         world.Engine?.KeepPushes(EnginePushes.OfTry);
     }
 
-    /// <summary>... and puts it back.</summary>
+    /// <summary>Restores the motions before the trial.</summary>
     public void PutBack()
     {
         world.Engine?.PutPushesBack(EnginePushes.OfTry);
         Restore(_kept);
     }
 
-    /// <summary>Puts all to how it moved at some time.</summary>
+    /// <summary>Restores saved motions.</summary>
     private void Restore(RigidMotion[] motions)
     {
         if (motions.Length > 0)
@@ -56,11 +56,11 @@ internal sealed class PushedMotions(World world)
         }
     }
 
-    /// <summary>True when a ball may come to a place where something is that was pushed, or would have been.</summary>
-    /// <param name="position">Where it is, m.</param>
-    /// <param name="reach">How far it and its surface get, m.</param>
-    /// <param name="time">When the push is, s.</param>
-    /// <param name="end">Until when that counts, s.</param>
+    /// <summary>True if a ball may reach an object whose motion the push changes.</summary>
+    /// <param name="position">Position of the ball, m.</param>
+    /// <param name="reach">Maximum distance that the ball and its surface reach, m.</param>
+    /// <param name="time">Time of the push, s.</param>
+    /// <param name="end">End of the time considered, s.</param>
     public bool MayBeMet(in Vector3d position, double reach, double time, double end)
     {
         bool meets = world.Engine is not null;
@@ -78,7 +78,7 @@ internal sealed class PushedMotions(World world)
         return meets;
     }
 
-    /// <summary>Begins to list the objects that were pushed in a step that has been taken.</summary>
+    /// <summary>Starts the enumeration of the objects pushed in a finished step.</summary>
     /// <param name="motions">The motions of all objects before the step.</param>
     public void BeginPushes(MotionsBefore motions)
     {
@@ -87,10 +87,10 @@ internal sealed class PushedMotions(World world)
         Read(_after);
     }
 
-    /// <summary>The next object that was pushed.</summary>
-    /// <param name="time">The start of the step, s.</param>
-    /// <param name="dt">Its length, s.</param>
-    /// <param name="box">A box around all positions of the object in the step, pushed and not pushed.</param>
+    /// <summary>Returns the next pushed object.</summary>
+    /// <param name="time">Start time of the step, s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="box">A box around all positions of the object in the step, with and without the push.</param>
     /// <returns>False after the last one.</returns>
     public bool NextPush(double time, double dt, out Bounds3d box)
     {

@@ -1,19 +1,20 @@
 namespace FootballPhysics;
 
-/// <summary>The time that a step of a group takes.</summary>
-/// <param name="start">The time of its start, s.</param>
-/// <param name="length">Its length, s.</param>
+/// <summary>The time span of a step of a group.</summary>
+/// <param name="start">Start time, s.</param>
+/// <param name="length">Length, s.</param>
 internal readonly struct StepSpan(double start, double length)
 {
-    /// <summary>The time of its start, s.</summary>
+    /// <summary>Start time, s.</summary>
     public double Start { get; } = start;
 
-    /// <summary>Its length, s.</summary>
+    /// <summary>Length, s.</summary>
     public double Length { get; } = length;
 
-    /// <summary>The time of its end, s.</summary>
+    /// <summary>End time, s.</summary>
     public double End { get; } = start + length;
 
-    /// <summary>The duration from a ball's time to a time within the step, s: a whole step has the length of the step to the last bit.</summary>
+    /// <summary>Returns the duration from a ball's time to a time within the step, s.</summary>
+    /// <remarks>For a whole step it is exactly the length.</remarks>
     public double Left(in BallState s, double time) => s.Time == Start && time == End ? Length : Math.Max(0, time - s.Time);
 }
