@@ -228,6 +228,7 @@ while IFS= read -r line; do
   # The version is that of the package above, so that nothing is built twice; the SDK's own packages are where they always are.
   case $line in
     "dotnet pack"*) quietly "getting started: $line" env -u NUGET_PACKAGES "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true bash -c "$line" < /dev/null ;;
+    "dotnet add"*) bash -c "$line --prerelease" < /dev/null > "$work/said" 2> "$log" || fail "getting started: $line" ;;
     *) bash -c "$line" < /dev/null > "$work/said" 2> "$log" || fail "getting started: $line" ;;
   esac
 done < <(blocks "$root/docs/getting-started.md" sh)

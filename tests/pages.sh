@@ -204,5 +204,5 @@ dotnet docs/Site/bin/Release/net10.0/football-site.dll "$work/site" > "$work/log
 pictures site "$work/site/index.html"
 search=$(probe "$work/site/index.html" 'document.getElementById("search").value = "roll back"; show();')
 open search 1280,900 light "file://$search"
-grep -q '<li><a href="determinism.html#rollback"' "$work/search.dom" || fail "site: the search does not find what is there"
+grep -q '<li><a href="networking.html#rollback"' "$work/search.dom" || fail "site: the search does not find what is there"
 echo "ok    site: $(ls "$work/site"/*.html | grep -vc probe) pages; the search answers"

@@ -83,6 +83,9 @@ internal sealed class SitePage
         }
     }
 
+    /// <summary>The page that lists all others.</summary>
+    public const string ContentsSource = "docs/contents.md";
+
     /// <summary>The folder of the pages for contributors.</summary>
     public const string Internals = "docs/internals/";
 

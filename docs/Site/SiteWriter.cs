@@ -14,10 +14,8 @@ internal static partial class SiteWriter
     /// <param name="folder">Where the site goes.</param>
     public static IReadOnlyList<string> Write(string repository, string folder)
     {
-        string readme = Read(repository, "README.md");
-        // The README's last list gives the order; a link in a sentence above the list does not count. The pages for contributors follow in alphabetical order.
-        string[] internals = [.. Directory.GetFiles(Path.Combine(repository, SitePage.Internals), "*.md").Select(file => SitePage.Internals + Path.GetFileName(file)).Order(StringComparer.Ordinal)];
-        string[] sources = ["README.md", .. Linked().Matches(readme).Select(match => match.Groups[1].Value).Reverse().Distinct().Reverse(), .. internals];
+        // The page of contents gives the order.
+        string[] sources = ["README.md", SitePage.ContentsSource, .. Linked().Matches(Read(repository, SitePage.ContentsSource)).Select(match => "docs/" + match.Groups[1].Value).Distinct()];
         string[] reference = Read(repository, SitePage.Api).Split("\n## ");
         var types = reference.Skip(1).Select(part => SitePage.AddressOf(part.Split('\n')[0])).ToHashSet();
         SitePage[] pages = [.. sources.Select(source => new SitePage(source, source == SitePage.Api ? reference[0] : Read(repository, source), types))];
@@ -85,6 +83,6 @@ internal static partial class SiteWriter
         return new StreamReader(asset, Encoding.UTF8).ReadToEnd();
     }
 
-    [GeneratedRegex(@"\]\((docs/[a-z-]+\.md)")]
+    [GeneratedRegex(@"\]\(((?:internals/)?[a-z-]+\.md)")]
     private static partial Regex Linked();
 }

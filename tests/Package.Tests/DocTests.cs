@@ -53,14 +53,12 @@ public sealed class DocTests
     }
 
     [Fact]
-    public void Every_page_is_linked_from_the_README_or_from_CONTRIBUTING_and_no_link_is_dead()
+    public void Every_page_is_linked_from_the_page_of_contents_and_no_link_is_dead()
     {
-        string readme = Repository.Text("README.md");
-        string contributing = Repository.Text("CONTRIBUTING.md");
-        foreach (string page in Repository.Pages.Where(page => page.StartsWith("docs/", StringComparison.Ordinal)))
-        {
-            Assert.Contains($"]({page})", page.StartsWith("docs/internals/", StringComparison.Ordinal) ? contributing : readme);
-        }
+        const string Contents = "docs/contents.md";
+        string contents = Repository.Text(Contents);
+        Assert.Contains($"]({Contents})", Repository.Text("README.md"));
+        Assert.All(Repository.Pages.Where(page => page.StartsWith("docs/", StringComparison.Ordinal) && page != Contents), page => Assert.Contains($"]({page["docs/".Length..]})", contents));
 
         foreach (string page in Repository.Pages)
         {

@@ -62,7 +62,7 @@ public sealed partial class SiteTests
     }
 
     [Theory]
-    [InlineData("Rollback", "determinism.html#rollback")]
+    [InlineData("Rollback", "networking.html#rollback")]
     [InlineData("bouncing pass", "cookbook.html#a-bouncing-pass")]
     [InlineData("UntilPlane", "prediction.html#looking-ahead")]
     public void Its_search_knows(string words, string address)

@@ -8,7 +8,7 @@ internal abstract class FuzzTarget
     /// <summary>The kinds.</summary>
     public static IReadOnlyList<FuzzTarget> All { get; } = [new ScenarioFuzz(), new KickLogFuzz(), new SegmentFuzz(), new SnapshotFuzz()];
 
-    /// <summary>A step has no more evaluations, docs/stability.md.</summary>
+    /// <summary>A step has no more evaluations, docs/troubleshooting.md.</summary>
     private const long MostEvaluations = 32_768;
 
     /// <summary>What it is, in the plural.</summary>

@@ -3,7 +3,7 @@ namespace FootballPhysics.Labs.Stress;
 /// <summary>The distribution of the evaluations of a step, for each ball of it.</summary>
 internal sealed class EvaluationCounts
 {
-    /// <summary>A step has no more, docs/stability.md; a larger count is in the last bin.</summary>
+    /// <summary>A step has no more, docs/troubleshooting.md; a larger count is in the last bin.</summary>
     public const int Most = 32_768;
 
     private readonly long[] _steps = new long[Most + 2];

@@ -9,11 +9,12 @@ public sealed class SizeTests
     [Fact]
     public void The_pages_tell_the_sizes_of_a_state_as_they_are()
     {
-        string network = RepositoryFiles.Text("docs/network.md");
-        Assert.Contains($"`BallState`, {Unsafe.SizeOf<BallState>()} bytes ({Snapshot.Size} as bytes with `Snapshot.Write`, {Snapshot.QuantizedSize} in the", RepositoryFiles.Text("docs/determinism.md"));
-        Assert.Contains($"`Snapshot.Write`, {Snapshot.Size} bytes", network);
-        Assert.Contains($"array<Byte>[{Snapshot.Size}]", network);
+        string page = RepositoryFiles.Text("docs/networking.md");
+        Assert.Contains($"| `BallState` | {Unsafe.SizeOf<BallState>()} bytes in memory |", page);
+        Assert.Contains($"| `Snapshot.Write`, `Snapshot.Read` | {Snapshot.Size} bytes, with a checksum |", page);
+        Assert.Contains($"| `TryWriteQuantized`, `ReadQuantized` | {Snapshot.QuantizedSize} bytes |", page);
+        Assert.Contains($"array<Byte>[{Snapshot.Size}]", page);
         Assert.Equal(24, Snapshot.QuantizedSize);
-        Assert.Contains($"Every {Recording.KeyframeTicks} ticks a recording has a whole state", RepositoryFiles.Text("docs/determinism.md"));
+        Assert.Contains($"Every {Recording.KeyframeTicks} ticks a recording has a whole state", page);
     }
 }

@@ -7,7 +7,7 @@ public sealed class UntrustedStateTests
 {
     private const double Tick = 1.0 / 60;
 
-    /// <summary>stability.md: the most evaluations, and pieces, of a step.</summary>
+    /// <summary>docs/troubleshooting.md: the most evaluations, and pieces, of a step.</summary>
     private const long MostEvaluations = 32_768;
     private const long MostPieces = 8_192;
 
