@@ -10,23 +10,6 @@ public sealed class ProseTests
     /// <summary>Pages and folders that are over the limit. A rewritten one is removed from this list; nothing is added.</summary>
     internal static IReadOnlySet<string> NotYetRewritten { get; } = new HashSet<string>
     {
-        "README.md",
-        "docs/choosing-integrator-and-step.md",
-        "docs/comparison.md",
-        "docs/cookbook.md",
-        "docs/determinism.md",
-        "docs/engines.md",
-        "docs/events.md",
-        "docs/games.md",
-        "docs/getting-started.md",
-        "docs/network.md",
-        "docs/performance.md",
-        "docs/prediction.md",
-        "docs/queries.md",
-        "docs/questions.md",
-        "docs/stability.md",
-        "docs/troubleshooting.md",
-        "docs/world.md",
         "src/Football.Physics.Batch",
         "src/Football.Physics.Engines",
         "src/Football.Physics.Tracks",
