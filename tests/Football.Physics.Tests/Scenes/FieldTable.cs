@@ -9,7 +9,7 @@ internal static class FieldTable
     /// <summary>The table in Markdown.</summary>
     public static string Markdown()
     {
-        var text = new StringBuilder("\n| field | what | unit | allowed | default | evidence |\n|---|---|---|---|--:|---|\n");
+        var text = new StringBuilder("\n| field | meaning | unit | allowed | default | evidence |\n|---|---|---|---|--:|---|\n");
         Add(text, "ball", SceneFields.Ball, BallProperties.Modern);
         Add(text, "ball.dragCurve", SceneFields.Drag, DragCurve.Modern);
         Add(text, "dials", SceneFields.Dials, new Dials());
