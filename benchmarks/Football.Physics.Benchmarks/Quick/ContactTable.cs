@@ -26,7 +26,7 @@ internal static class ContactTable
         print("");
         print("## A ball that several surfaces touch");
         print("");
-        print("Steps of 10 ms in the default scene, as ratios to a flight step of the same method in the same run. Worst: the slowest of 24 steps, each the shortest of seven times.");
+        print("Steps of 10 ms in the default scene, relative to a flight step of the same method in the same run. Worst: the slowest of 24 steps, each measured seven times; the minimum counts.");
         print("");
         print("| | ns a step | flight step, ns | ratio | worst step, ns | ratio | evaluations | most | bytes | |");
         print("|---|--:|--:|--:|--:|--:|--:|--:|--:|---|");

@@ -27,7 +27,7 @@ internal static class FirstUseTable
         print("");
         print($"## {Name}");
         print("");
-        print($"The first time of each in a process, one after the other: median of {Rounds} processes. Warm: after `Simulator.WarmUp()`, `Aimer.WarmUp()` and `BallBatch.WarmUp()`, called {WarmUps} times with {Loading} ms of other loading after each; the row is of the first call. The default scene. Slide and roll: the slowest of the first steps into that motion, in it, and out of it. Reach: cold.");
+        print($"The first call of each in a process, one after the other: the median of {Rounds} processes. Warm: after `Simulator.WarmUp()`, `Aimer.WarmUp()` and `BallBatch.WarmUp()`, called {WarmUps} times with {Loading} ms of other loading after each; the row is the first call. The scene is the default. Slide and roll: the slowest of the first steps into, during and out of that motion. Reach: cold.");
         print("");
         print("| | cold | reach | | warm |");
         print("|---|--:|--:|---|--:|");

@@ -32,7 +32,7 @@ internal static class GroupTable
         print("");
         print("## A ball in a group");
         print("");
-        print("RK2 at 10 ms in the default scene, as ratios to the yardstick in the same run.");
+        print("RK2 at 10 ms in the default scene, relative to the yardstick in the same run.");
         print("");
         print("| | ns a step | yardstick | ns a step | ratio | reach | | bytes |");
         print("|---|--:|---|--:|--:|--:|---|--:|");

@@ -29,7 +29,7 @@ internal static class HeapTable
         print("");
         print("## A heap");
         print("");
-        print("Balls dropped into a box, 8 s at 60 Hz, or the steps that a minute is enough for. To reach: 5 ms a step and 50 evaluations a ball for 60 balls, 1e-6 m.");
+        print("Balls dropped into a box, 8 s at 60 Hz, or as many steps as one minute allows. Targets: 5 ms per step and 50 evaluations per ball for 60 balls, and 1e-6 m.");
         print("");
         print("| | steps | µs a ball and step | mean step, ms | worst step, ms | evaluations a ball and step | most in a step, a ball | deepest, m | events | at rest |");
         print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|");

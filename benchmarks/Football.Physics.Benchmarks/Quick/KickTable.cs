@@ -17,7 +17,7 @@ internal static class KickTable
         print("");
         print("## A kick");
         print("");
-        print("A free kick of 27 m/s with spin, from the foot until it rests, at 60 Hz: its time by its steps, in flight steps of 10 ms of the same scene and method; in the scene that everybody has, `new Scene()`, and in the published one. Rolling and sliding at 10 ms.");
+        print("A free kick of 27 m/s with spin, from the foot to rest, at 60 Hz. The ratio is the time per step, relative to a flight step of 10 ms in the same scene with the same method. The scenes are the default, `new Scene()`, and the published one. Rolling and sliding use 10 ms.");
         print("");
         print("| | ns a step | yardstick, ns | ratio | reach | | bytes | published: ns | ratio |");
         print("|---|--:|--:|--:|--:|---|--:|--:|--:|");

@@ -51,7 +51,7 @@ internal static class PredictionTable
         print("");
         print("## Prediction");
         print("");
-        print("An aim in plain RK2 steps of the same process; the true miss is the closest approach of the kick that was found in RK4 at 5 ms, which is not timed.");
+        print("The cost of an aim, in RK2 steps of `plain` in the same process. The true miss is the closest approach of the kick, simulated with RK4 at 5 ms; this check is not timed.");
         print("");
         print("| | µs | plain RK2 steps | reach | simulations | true miss, mm: mean | p95 | worst | at the point, worst | hit | out of reach | bytes | | thesis (Unity) |");
         print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|--:|");

@@ -54,9 +54,9 @@ internal static class QuickCommand
         Print(text, "");
         Print(text, $"{DateTime.UtcNow:yyyy-MM-dd}, {Machine()}, {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.OSDescription.Trim()}.");
         Print(text, $"Written by `dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick {arguments}`.");
-        Print(text, "Medians of rounds in which subject and yardstick alternate. Compare ratios, not times: on a shared machine a row's times move together, by a half and more.");
-        Print(text, "`plain` is the same laws in straightforward double C# with `Math.Pow` and `Math.Exp`, in the same process. Reach: what the project set itself.");
-        Print(text, "Fast shots: 24 m/s, 20 to 30 rad/s; mixed shots: 12 to 27 m/s, 0 to 25 rad/s, on both branches of the drag law. Bytes: allocated by one operation.");
+        Print(text, "Medians of rounds in which subject and yardstick alternate. Compare ratios, not times: on a shared machine, the times of a row change together, by 50 % and more.");
+        Print(text, "`plain` is an implementation of the same laws in straightforward double C# with `Math.Pow` and `Math.Exp`, in the same process. Reach: the project's own target.");
+        Print(text, "Fast shots: 24 m/s, 20 to 30 rad/s; mixed shots: 12 to 27 m/s, 0 to 25 rad/s, on both branches of the drag law. Bytes: the memory that one operation allocates.");
 
         IReadOnlyList<KickRow> kicks = [.. KickTable.Rows.Where(row => Wanted("Kick: " + row.Name, only))];
         IReadOnlyList<TargetRow> targets = [.. TargetTable.Rows.Where(row => Wanted(row.Name, only))];
@@ -132,8 +132,8 @@ internal static class QuickCommand
         Print(text, "");
         Print(text, "## Time for one ball");
         Print(text, "");
-        Print(text, "10 ms steps through the public `Simulator.Step`, events looked for and the drag law's jump located.");
-        Print(text, "Error: mean distance of the landings (look-ahead: of the ends) of the same shots from RK4 at 0.5 ms.");
+        Print(text, "10 ms steps through the public `Simulator.Step`, with events, and with the jump of the drag law located.");
+        Print(text, "Error: the mean distance between the landings (for a look-ahead: the ends) and those of RK4 at 0.5 ms.");
         Print(text, "");
         Print(text, "| | ns | yardstick, ns | ratio | reach | | bytes | error | thesis (Unity) |");
         Print(text, "|---|--:|--:|--:|--:|---|--:|--:|--:|");
@@ -155,7 +155,7 @@ internal static class QuickCommand
         Print(text, "");
         Print(text, "## What a scene does not need is free");
         Print(text, "");
-        Print(text, "RK2 at 10 ms. Code: bytes of the integrator's method in the JIT's own listing (`DOTNET_JitDisasmSummary`), and of the method around it that looks for events. Buoyancy is one number with gravity: without it the code is the same.");
+        Print(text, "RK2 at 10 ms. Code: the size of the integrator's method in bytes, as the JIT lists it (`DOTNET_JitDisasmSummary`), and that of the method around it, which finds events. Buoyancy is part of gravity, so the code is the same without it.");
         Print(text, "");
         Print(text, "| | ns a step | all forces then, ns | ratio | code | around it |");
         Print(text, "|---|--:|--:|--:|--:|--:|");

@@ -16,7 +16,7 @@ internal static class ScriptTable
         print("");
         print("## On Mono");
         print("");
-        print("The netstandard2.1 assembly and `plain` on Mono, by `benchmarks/mono.sh`. Reach: ≤ 0.30 of plain there.");
+        print("The netstandard2.1 assembly and `plain` on Mono, measured by `benchmarks/mono.sh`. Reach: ≤ 0.30 of `plain` there.");
         print("");
         Run(print, "mono.sh", share.ToString(CultureInfo.InvariantCulture));
     }
@@ -27,7 +27,7 @@ internal static class ScriptTable
         print("");
         print($"## {AheadOfTimeName}");
         print("");
-        print("Programs of one ball by NativeAOT, optimised for speed, symbols stripped, by `benchmarks/aot.sh`. The library alone was 17.8 MB and 57 s before profiles.");
+        print("Programs with one ball, compiled with NativeAOT for speed, symbols stripped, measured by `benchmarks/aot.sh`. Before profiles, the library alone took 17.8 MB and 57 s.");
         print("");
         Run(print, "aot.sh");
     }

@@ -35,7 +35,7 @@ internal static class WorldTable
         print("");
         print("## The ball among things");
         print("");
-        print("RK2 at 10 ms: fast shots of 0.6 s that meet nothing, beside the same over an empty pitch; in the default scene, and in the published one. Before the goal: from 3 m before its line, any way.");
+        print("RK2 at 10 ms: fast shots of 0.6 s that hit nothing, relative to the same shots over an empty pitch, in the default scene and in the published one. Before the goal: from 3 m before its line, in any direction.");
         print("");
         print("| | ns a step | empty pitch then, ns | ratio | reach | | bytes | published: ns | ratio |");
         print("|---|--:|--:|--:|--:|---|--:|--:|--:|");
