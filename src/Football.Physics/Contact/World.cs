@@ -13,6 +13,7 @@ internal sealed class World
 
     private readonly string[] _names;
     private readonly int _zones;
+
     /// <summary>Bounding spheres of the moving obstacles, which come first in <see cref="Moving"/>; bodies come last.</summary>
     private readonly MovingSpheres _movers = new();
     private long _known;
@@ -352,8 +353,7 @@ internal sealed class World
         .. scene.Zones.Select(zone => zone.Name),
     ];
 
-    /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its
-    /// duration.</summary>
+    /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its duration.</summary>
     public double FreeFor(in StraightWay way)
     {
         // Most paths reach no box at all, so test that first.

@@ -2,29 +2,24 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the
-/// ground.</summary>
+/// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.</summary>
 /// <remarks>
 /// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
 /// search is made. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
 /// nothing, and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
 /// Symbols: a_b gravity and buoyancy, a_air the acceleration by the air, T its torque per moment of inertia, N the load per mass.
 /// Sliding: a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T.
-/// Rolling: a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ if the spin shares the air's force; otherwise a_b/(1 + α) + a_air −
-/// ….
+/// Rolling: a = (a_b + a_air + α r T × n)/(1 + α) − (c₀ + c₁|v|) N v̂ if the spin shares the air's force; otherwise a_b/(1 + α) + a_air − ….
 /// About the normal: −(c_ω/I) ω_n − sign(ω_n) b μ_s N m/I.
 /// </remarks>
-/// <typeparam name="TAir">The laws of the air. If they vary: <see cref="FieldAir{TLaw}"/>, or <see cref="SceneAir"/>, which supports any
-/// mixture.</typeparam>
+/// <typeparam name="TAir">The laws of the air. If they vary: <see cref="FieldAir{TLaw}"/>, or <see cref="SceneAir"/>, which supports any mixture.</typeparam>
 internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>If h² |ω(h) × ω(0)| is below this, two terms of the Magnus series suffice: the axis turns little (tested in
-    /// WholeRun).</summary>
+    /// <summary>If h² |ω(h) × ω(0)| is below this, two terms of the Magnus series suffice: the axis turns little (tested in WholeRun).</summary>
     private const double LittleTurn = 1e-3;
 
-    /// <summary>If a roll needs more than this share of the available friction, or keeps less than this share of its weight as load, the
-    /// pieces take the step.</summary>
+    /// <summary>If a roll needs a larger share of the available friction, or keeps a smaller share of its weight as load, the pieces take the step.</summary>
     private const double Ample = 0.9;
     private const double Slight = 0.05;
 

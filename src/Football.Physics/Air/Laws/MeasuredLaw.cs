@@ -82,10 +82,13 @@ internal struct MeasuredLaw : ITableLaw
         _constantDrag = forces.Drag == ForceLaw.Constant;
         _constantLift = forces.Magnus == ForceLaw.Constant;
         double dynamic = AirScale.DynamicArea(scene);
-        _ofDrag = forces.Drag switch { ForceLaw.None => 0, ForceLaw.Constant => ConstantDrag.Scale(scene), _ => dynamic };
-        _ofLift = forces.Magnus switch { ForceLaw.None => 0, ForceLaw.Constant => ConstantMagnus.Scale(scene), _ => dynamic * _radius };
+        _ofDrag = Scale(forces.Drag, ConstantDrag.Scale(scene), dynamic);
+        _ofLift = Scale(forces.Magnus, ConstantMagnus.Scale(scene), dynamic * _radius);
         _decay.Prepare(scene);
     }
+
+    /// <summary>Returns the scale of a force: 0 if it is absent.</summary>
+    private static double Scale(ForceLaw law, double constant, double fitted) => law == ForceLaw.None ? 0 : law == ForceLaw.Constant ? constant : fitted;
 
     private LawTables TablesOf(DragCurve curve)
     {
