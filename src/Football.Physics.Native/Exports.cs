@@ -29,7 +29,7 @@ internal static unsafe partial class Exports
         (int, int, int, int) given = (version, stateBytes, ballBytes, eventBytes);
         return given == mine
             ? NativeStatus.Ok
-            : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the library that is loaded.");
+            : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the loaded library.");
     }
 
     /// <summary>The version of the library, like "0.1.0".</summary>

@@ -61,7 +61,7 @@ internal static unsafe class Guard
         }
         catch (ArgumentOutOfRangeException refusal)
         {
-            throw new ArgumentException($"of states[{Text(i)}], {refusal.Message}", refusal);
+            throw new ArgumentException($"states[{Text(i)}]: {refusal.Message}", refusal);
         }
     }
 
@@ -90,7 +90,7 @@ internal static unsafe class Guard
             double end = ((BallState*)(states + i))->Time + seconds;
             if (!(end + (0.25 * dt) > end))
             {
-                throw Refusal("dt", Text(dt), $"more than the rounding of the clock of states[{Text(i)}], at {Text(end)} s");
+                throw Refusal("dt", Text(dt), $"more than the rounding error of the clock of states[{Text(i)}] at {Text(end)} s");
             }
         }
     }
@@ -150,7 +150,7 @@ internal static unsafe class Guard
     private static ArgumentException Null(string name) => Refusal(name, "null", "a pointer");
 
     private static HandleException NoScene(NativeScene* handle) => new(
-        handle is null ? "scene is null; allowed: a scene from fp_scene_create." : "scene is no handle of a scene, or was freed; allowed: a scene from fp_scene_create.");
+        handle is null ? "scene is null. Pass a scene from fp_scene_create." : "scene is not a valid handle, or was freed. Pass a scene from fp_scene_create.");
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 

@@ -63,14 +63,14 @@ public sealed class MatchBundle
         {
             if (file.Length > LargestFile)
             {
-                throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"{LargestFile} bytes at most"));
+                throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"at most {LargestFile} bytes"));
             }
 
             CheckDirectory(file);
             using var zip = new ZipArchive(file, ZipArchiveMode.Read);
             if (zip.Entries.Count > MostEntries)
             {
-                throw new RefusedException("FILE", FormattableString.Invariant($"a zip file of {zip.Entries.Count} files"), FormattableString.Invariant($"{MostEntries} at most"));
+                throw new RefusedException("FILE", FormattableString.Invariant($"a zip file of {zip.Entries.Count} files"), FormattableString.Invariant($"at most {MostEntries}"));
             }
 
             byte[] about = Entry(zip, "match.json", LargestAbout);
@@ -83,7 +83,7 @@ public sealed class MatchBundle
         }
         catch (InvalidDataException)
         {
-            throw new RefusedException("FILE", "no zip file", "a bundle that Recording.ToBundle wrote");
+            throw new RefusedException("FILE is not a zip file. Pass a bundle that Recording.ToBundle wrote.");
         }
         catch (FormatException broken)
         {
@@ -142,16 +142,16 @@ public sealed class MatchBundle
         long length = file.Length - (end.Length - at) - list;
         if (length is < 0 or > LongestDirectory)
         {
-            throw new RefusedException("FILE", FormattableString.Invariant($"a zip file with {length} bytes before the end of its list of files"), FormattableString.Invariant($"{LongestDirectory} at most"));
+            throw new RefusedException("FILE", FormattableString.Invariant($"a zip file with {length} bytes before the end of its list of files"), FormattableString.Invariant($"at most {LongestDirectory}"));
         }
     }
 
     private static byte[] Entry(ZipArchive zip, string name, int largest)
     {
-        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that Recording.ToBundle wrote");
+        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException($"FILE is a zip file without {name}. Pass a bundle that Recording.ToBundle wrote.");
         if (entry.Length > largest)
         {
-            throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"{largest} bytes at most"));
+            throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"at most {largest} bytes"));
         }
 
         // As it comes: the length that the file names may be any number.

@@ -54,7 +54,7 @@ public sealed record Scenario
         Scenario scenario = Take(fields.Root);
         fields.Check();
         return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
-            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep, of all balls); allowed: samples of at most {MostSamples:0} steps."));
+            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep × balls); allowed: at most {MostSamples:0} steps with samples."));
     }
 
     /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>

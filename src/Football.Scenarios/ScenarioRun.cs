@@ -104,7 +104,7 @@ public static class ScenarioRun
     }
 
     private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(
-        $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
+        $"the motion overflows before {scenario.Duration} s. Reduce the speeds, the coefficients or stop.time."));
 
     /// <summary>
     /// At the event that ended the run the state is the event's: an impact's own upward speed, the last motion before rest.

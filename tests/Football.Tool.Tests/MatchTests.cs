@@ -86,7 +86,7 @@ public sealed class MatchTests
     {
         FootballCommand done = Match(Track("t,x,y,z"), option);
         Assert.Equal((2, ""), (done.ExitCode, done.Output));
-        Assert.StartsWith($"football: {option[0]} is given; allowed: without --match.", done.Error, StringComparison.Ordinal);
+        Assert.StartsWith($"football: {option[0]} cannot be combined with --match.", done.Error, StringComparison.Ordinal);
     }
 
     [Fact]

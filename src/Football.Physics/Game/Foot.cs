@@ -83,7 +83,7 @@ public sealed record Foot
         // Without an impulse there is no direction to strike in.
         if (!((wantedVelocity - velocity).Length > 0))
         {
-            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
+            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "a velocity that differs from the ball's");
         }
 
         // The strike in closed form; where the leg is fast enough for it, that is all.

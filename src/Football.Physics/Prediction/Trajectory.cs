@@ -283,7 +283,7 @@ public sealed partial class Trajectory
     {
         if (double.IsNaN(time))
         {
-            throw Check.Refusal(nameof(time), "NaN", "a time");
+            throw Check.Refusal(nameof(time), "NaN", "a number");
         }
     }
 

@@ -128,7 +128,7 @@ public sealed record BallProperties
         SceneFields.Check(SceneFields.Ball, this, "ball.");
 
         // Also where the laws of the scene do not follow it: another scene may.
-        Check.Given("ball.dragCurve", DragCurve);
+        Check.Member("ball.dragCurve", DragCurve);
         DragCurve.Validate();
     }
 }

@@ -96,14 +96,14 @@ public sealed record Scene
     public void Validate()
     {
         // What is null is named before anything of it is read.
-        Check.Given("ball", Ball);
-        Check.Given("air", Air);
-        Check.Given("forces", Forces);
-        Check.Given("ground", Ground);
-        Check.Given("obstacles", Obstacles);
-        Check.Given("nets", Nets);
-        Check.Given("goals", Goals);
-        Check.Given("zones", Zones);
+        Check.Member("ball", Ball);
+        Check.Member("air", Air);
+        Check.Member("forces", Forces);
+        Check.Member("ground", Ground);
+        Check.Member("obstacles", Obstacles);
+        Check.Member("nets", Nets);
+        Check.Member("goals", Goals);
+        Check.Member("zones", Zones);
 
         // Parts alone, then what depends on several: the least mass on the air, the most damping and the sharpest hollow on the ball.
         Ball.Validate();
@@ -125,7 +125,7 @@ public sealed record Scene
         double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
-            throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the {displaced:R} kg of air that it displaces"));
+            throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the displaced air's mass, {displaced:R} kg"));
         }
 
         Check.Within("forces.spinDecayCoefficient", Forces.SpinDecayCoefficient, 0, Ball.MostDamping);
@@ -133,7 +133,7 @@ public sealed record Scene
 
     private void ValidateGround()
     {
-        Check.Given("ground.material", Ground.Material);
+        Check.Member("ground.material", Ground.Material);
         Check.Within("ground.tangentialRestitution[0]", Ground.Material.TangentialRestitution, -1, 1);
         Ground.Material.Validate("ground", Ball.MostDamping, mayAdd: false);
         SceneFields.Check(SceneFields.Ground, Ground, "ground.");
@@ -167,7 +167,7 @@ public sealed record Scene
             throw Check.Refusal(
                 "ground.tangentialRestitution",
                 FormattableString.Invariant($"[{Ground.Material.TangentialRestitution}, {z}]"),
-                "two equal numbers on ground that is not level");
+                "two equal numbers, because the ground is not level");
         }
 
         // Its surfaces are checked here, for it is asked for them by number in a step.
@@ -191,7 +191,7 @@ public sealed record Scene
             // Heights are along the vertical: a plane cannot be tilted too.
             if (normal != Vector3d.Up)
             {
-                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
+                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "(0, 1, 0), because ground.heights is set");
             }
         }
     }

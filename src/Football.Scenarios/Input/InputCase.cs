@@ -63,6 +63,6 @@ public sealed record InputCase(string? Name, InputFields? Scenario, RefusedExcep
                 : throw new RefusedException(NameMember, Quote.Short(name.GetRawText()), "a string");
         }
 
-        return named ? throw new RefusedException(ScenarioMember, "missing", "an object beside \"name\"") : root;
+        return named ? throw new RefusedException(ScenarioMember, "missing", "an object next to \"name\"") : root;
     }
 }

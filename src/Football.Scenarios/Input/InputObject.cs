@@ -241,7 +241,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         }
         catch (ArgumentException e)
         {
-            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException(path, e.Message, "what the library takes"));
+            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException($"{path}: {e.Message}"));
             return null;
         }
     }

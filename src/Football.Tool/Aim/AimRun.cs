@@ -18,7 +18,7 @@ internal static class AimRun
         AimResult result = Find(scenario, Compiled(scenario));
         return IsFinite(in result)
             ? result
-            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
+            : throw new RefusedException("the motion overflows. Reduce the speeds, the coefficients or the distances.");
     }
 
     /// <summary>Finds it, whatever its numbers are.</summary>

@@ -78,7 +78,7 @@ internal static class Arguments
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("FILE", $"{Quote.File(file)}, which cannot be read", "a file that can be read, or - for the standard input");
+            throw new RefusedException($"FILE {Quote.File(file)} cannot be read. Pass a file that can be read, or - for standard input.");
         }
     }
 

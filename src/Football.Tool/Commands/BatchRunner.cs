@@ -48,7 +48,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
             bool isGiven = result.GetResult(_file) is { Tokens.Count: > 0 };
             if (isGiven == result.GetResult(other.Option) is not null)
             {
-                result.AddError($"Either FILE or {other.Option.Name} is needed, and not both.");
+                result.AddError($"FILE and {other.Option.Name} exclude each other. Pass exactly one of them.");
             }
         });
         command.SetAction(parsed =>

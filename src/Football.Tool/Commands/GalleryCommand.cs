@@ -76,7 +76,7 @@ internal static class GalleryCommand
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+            throw new RefusedException($"--out {Quote.File(folder)} cannot be created. Pass a folder that can be written.");
         }
     }
 

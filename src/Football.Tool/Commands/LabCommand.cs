@@ -23,7 +23,7 @@ internal static class LabCommand
     public static int Start(IEnumerable<string> args, Terminal terminal)
     {
         string project = Find(AppContext.BaseDirectory) ?? Find(Environment.CurrentDirectory) ?? throw new RefusedException(
-            $"lab is of a checkout, and there is none here; start it within one, or there: dotnet run -c Release --project {Path.GetDirectoryName(Project)} -- …");
+            $"lab needs a checkout of the repository, and the current folder is not in one. Change to a checkout, or run there: dotnet run -c Release --project {Path.GetDirectoryName(Project)} -- …");
         terminal.Text.Flush();
         using Process laboratories = Process.Start(new ProcessStartInfo("dotnet", ["run", "-c", "Release", "--project", project, "--", .. args]))!;
         laboratories.WaitForExit();

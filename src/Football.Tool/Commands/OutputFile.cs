@@ -34,7 +34,7 @@ internal sealed class OutputFile : IDisposable
         }
         catch (Exception e) when (IsFileFault(e))
         {
-            throw new RefusedException(option, $"{Quote.File(path)}, which cannot be written", "a file that can be written");
+            throw new RefusedException($"{option} {Quote.File(path)} cannot be written. Pass a file that can be written.");
         }
     }
 
@@ -52,7 +52,7 @@ internal sealed class OutputFile : IDisposable
             {
                 if (taken.FirstOrDefault(other => other.File == file) is { By: { } by })
                 {
-                    throw new RefusedException(option, $"{Quote.File(path)}, which is {by}'s file too", "a file of its own");
+                    throw new RefusedException($"{option} {Quote.File(path)} is the file of {by} too. Pass another file.");
                 }
 
                 taken.Add((option, file));

@@ -46,7 +46,7 @@ internal sealed class MatchCommand
             {
                 if (!match && result.GetResult(option) is not null)
                 {
-                    result.AddError($"{option.Name} goes with --match.");
+                    result.AddError($"{option.Name} requires --match.");
                 }
             }
 
@@ -55,7 +55,7 @@ internal sealed class MatchCommand
             {
                 if (result.GetResult(option) is { Implicit: false })
                 {
-                    result.AddError($"{option.Name} is given; allowed: without --match.");
+                    result.AddError($"{option.Name} cannot be combined with --match. Remove one of them.");
                 }
             }
         });

@@ -90,7 +90,7 @@ internal static class TrackReader
 
         return points.Count >= 8
             ? [.. points]
-            : throw new RefusedException("TRACK", FormattableString.Invariant($"{points.Count} points"), "at least 8 lines with a time and a place");
+            : throw new RefusedException("TRACK", FormattableString.Invariant($"{points.Count} points"), "at least 8 lines with a time and a position");
     }
 
     private static string[] Split(string line) => [.. line.Split(line.Contains(';', StringComparison.Ordinal) && !line.Contains(',', StringComparison.Ordinal) ? ';' : ',').Select(cell => cell.Trim().Trim('"', '\uFEFF').Trim())];

@@ -70,7 +70,7 @@ internal static class SweepCommand
         {
             if (result.GetValue(output) is null && result.GetValue(verify))
             {
-                result.AddError("--verify is given; allowed: with --out DIR.");
+                result.AddError("--verify requires --out DIR.");
             }
 
             if (result.GetValue(output) is null && result.GetValue(format) is "npy" or "parquet")

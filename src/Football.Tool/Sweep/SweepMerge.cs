@@ -40,7 +40,7 @@ internal sealed class SweepMerge
     {
         if (!Directory.Exists(_folder))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which is no folder", "the folder of the shards of a sweep");
+            throw new RefusedException($"DIR {Quote.File(_folder)} is not a folder. Pass the folder that contains the shards.");
         }
 
         List<ShardFolder> shards = ShardFolder.All(_folder);
@@ -66,12 +66,12 @@ internal sealed class SweepMerge
         Manifest? before = Manifest.Read(_folder, Manifest.Done);
         if (before is not null && (first.Identity.Difference(before.Identity) is not null || before.Shard.Of != 1))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds another sweep beside its shards", "a folder of shards alone");
+            throw new RefusedException($"DIR {Quote.File(_folder)} contains another sweep next to its shards. Pass a folder that contains only shards.");
         }
 
         if (before is null && File.Exists(Path.Combine(_folder, Manifest.Unfinished)))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds an unfinished sweep beside its shards", "a folder of shards alone");
+            throw new RefusedException($"DIR {Quote.File(_folder)} contains an unfinished sweep next to its shards. Pass a folder that contains only shards.");
         }
 
         try
@@ -161,7 +161,7 @@ internal sealed class SweepMerge
 
         if (Convert.ToHexStringLower(hash.GetHashAndReset()) != record.Sha256)
         {
-            _faults.Torn(shard, record, "other bytes than its manifest says");
+            _faults.Damaged(shard, record);
         }
     }
 }

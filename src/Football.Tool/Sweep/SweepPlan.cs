@@ -117,7 +117,7 @@ internal sealed class SweepPlan
             stride *= grid.Values.Count;
             if (stride > MostGridPoints)
             {
-                throw new RefusedException("ranges", "a grid of too many points", FormattableString.Invariant($"grids whose product has at most {MostGridPoints} points"));
+                throw new RefusedException(FormattableString.Invariant($"ranges make a grid of more than {MostGridPoints} points. Use fewer or coarser grids."));
             }
         }
     }

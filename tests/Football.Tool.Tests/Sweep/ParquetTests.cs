@@ -103,7 +103,7 @@ public sealed class ParquetTests : IDisposable
         File.WriteAllBytes(path, bytes);
         Refused(format, "\" is changed: it has other bytes than were written; allowed: ", "--verify");
         File.WriteAllBytes(path, bytes[..^1]);
-        Refused(format, $"\" is torn: it has {bytes.Length - 1} bytes of {bytes.Length}; allowed: ");
+        Refused(format, $"\" is incomplete: it has {bytes.Length - 1} of {bytes.Length} bytes. ");
         File.Delete(path);
         Refused(format, "\" is missing; allowed: ");
     }

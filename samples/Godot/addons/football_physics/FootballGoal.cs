@@ -62,7 +62,7 @@ public partial class FootballGoal : FootballThing
         Vector3d opening = Turn.Rotate(new Vector3d(0, 0, 1)).Horizontal;
         if (opening.Length < 0.1)
         {
-            throw new ArgumentOutOfRangeException(Name.ToString(), "its opening faces up or down; allowed: a goal that stands upright.");
+            throw new ArgumentOutOfRangeException(Name.ToString(), "The opening of the goal faces up or down. Rotate the goal so that it stands upright.");
         }
 
         return new Goal

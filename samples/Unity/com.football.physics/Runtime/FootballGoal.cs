@@ -74,7 +74,7 @@ namespace FootballPhysics.Unity
             Vector3d opening = UnityFrame.FromUnity(transform.rotation * new Vector3(0f, 0f, -1f)).Horizontal;
             if (opening.Length < 0.1)
             {
-                throw new ArgumentOutOfRangeException(name, "its opening faces up or down; allowed: a goal that stands upright.");
+                throw new ArgumentOutOfRangeException(name, "The opening of the goal faces up or down. Rotate the goal so that it stands upright.");
             }
 
             return new Goal

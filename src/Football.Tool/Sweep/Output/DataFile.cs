@@ -55,10 +55,8 @@ internal sealed class DataFile : IDisposable
         if (left > 0 || file.Record.Sha256 != record.Sha256)
         {
             file.Dispose();
-            throw new RefusedException(
-                Quote.File(Path.Combine(folder, record.Name)),
-                FormattableString.Invariant($"torn: its first {record.Bytes} bytes are not those that were written"),
-                "what was there when the sweep was interrupted; remove the folder to begin again");
+            string path = Quote.File(Path.Combine(folder, record.Name));
+            throw new RefusedException(FormattableString.Invariant($"{path} is damaged: its first {record.Bytes} bytes differ from those that were written. Remove the folder to start again."));
         }
 
         file._stream.SetLength(record.Bytes);

@@ -58,14 +58,14 @@ internal sealed class FolderSink : RowSink
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+            throw new RefusedException($"--out {Quote.File(folder)} cannot be created. Pass a folder that can be written.");
         }
 
         Manifest? done = Manifest.Read(folder, Manifest.Done);
         Manifest? begun = done ?? Manifest.Read(folder, Manifest.Unfinished);
         if (begun is not null && (identity.Difference(begun.Identity) ?? (begun.Shard != shard ? $"it is {begun.Shard}" : null)) is { } difference)
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
+            throw new RefusedException($"--out {Quote.File(folder)} contains another sweep ({difference}). Pass a new folder, or the folder of an interrupted run of the same sweep.");
         }
 
         var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
@@ -171,13 +171,13 @@ internal sealed class FolderSink : RowSink
     {
         string path = Path.Combine(_folder, record.Name);
         var file = new FileInfo(path);
-        string? fault = !file.Exists ? "missing"
-            : file.Length != record.Bytes ? FormattableString.Invariant($"torn: it has {file.Length} bytes of {record.Bytes}")
-            : verifies && DataFile.HashOf(path) != record.Sha256 ? "changed: it has other bytes than were written"
+        string? fault = !file.Exists ? "is missing"
+            : file.Length != record.Bytes ? FormattableString.Invariant($"is incomplete: it has {file.Length} of {record.Bytes} bytes")
+            : verifies && DataFile.HashOf(path) != record.Sha256 ? "was changed after it was written"
             : null;
         if (fault is not null)
         {
-            throw new RefusedException(Quote.File(path), fault, "what the manifest says; remove the folder to begin again");
+            throw new RefusedException($"{Quote.File(path)} {fault}. Remove the folder to start again.");
         }
     }
 
@@ -189,7 +189,7 @@ internal sealed class FolderSink : RowSink
             var file = new FileInfo(Path.Combine(_folder, format.Files[f]));
             if (file.Exists && (file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file).Length > format.Header(f, _shard.Rows).Length)
             {
-                throw new RefusedException("--out", $"{Quote.File(_folder)}, which holds a file {Quote.File(file.Name)} of another origin", "a new folder, or that of an interrupted run of the same sweep");
+                throw new RefusedException($"--out {Quote.File(_folder)} contains a file of another origin, {Quote.File(file.Name)}. Pass a new folder, or the folder of an interrupted run of the same sweep.");
             }
         }
     }

@@ -51,7 +51,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
         {
-            throw new RefusedException(Quote.File(path), "no manifest of a sweep", "one that football sweep has written");
+            throw new RefusedException($"{Quote.File(path)} is not the manifest of a sweep. Use one that football sweep wrote.");
         }
     }
 

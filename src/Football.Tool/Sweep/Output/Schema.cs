@@ -51,7 +51,7 @@ internal static class Schema
         }
         catch (Exception e) when (e is IOException or JsonException or InvalidOperationException or KeyNotFoundException)
         {
-            throw new RefusedException(Quote.File(path), "no schema of a sweep", "one that football sweep has written");
+            throw new RefusedException($"{Quote.File(path)} is not the schema of a sweep. Use one that football sweep wrote.");
         }
     }
 
