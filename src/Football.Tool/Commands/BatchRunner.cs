@@ -12,15 +12,15 @@ namespace FootballPhysics.Tool.Commands;
 /// <param name="show">Shows it to a person in a terminal.</param>
 internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "The scenario, as JSON; - is the standard input." };
+    private readonly Argument<string> _file = new("FILE") { Description = "Scenario as JSON; - is standard input." };
 
     private readonly Option<bool> _batch = new("--batch")
     {
-        Description = "FILE holds one object a line, a scenario or {\"name\", \"scenario\"}; the results come one a line, in the same order.",
+        Description = "FILE has one object per line, a scenario or {\"name\", \"scenario\"}; writes one result per line, in the same order.",
     };
 
-    private readonly Option<bool> _json = new("--json") { Description = "Writes JSON in a terminal too." };
-    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one a processor.");
+    private readonly Option<bool> _json = new("--json") { Description = "Write JSON in a terminal, too." };
+    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one per processor.");
     private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 

@@ -24,10 +24,10 @@ internal sealed class SweepMerge
 
     public static Command Create(Terminal terminal)
     {
-        var folder = new Argument<string>("DIR") { Description = "The folder that --out named for all shards." };
+        var folder = new Argument<string>("DIR") { Description = "Folder that --out named for all shards." };
         var command = new ExampleCommand(
             "merge",
-            "Checks the shards in a folder, and writes beside them the files that one process would have written; missing, doubled, unfinished and torn shards are named.",
+            "Check the shards in a folder and write the files of the complete sweep next to them. It lists missing, duplicate, unfinished and damaged shards.",
             "football sweep --count 100 --shard 1/2 --out rows; football sweep --count 100 --shard 2/2 --out rows; football sweep merge rows && cat rows/manifest.json")
         {
             folder,
