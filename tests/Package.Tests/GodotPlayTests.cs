@@ -44,7 +44,7 @@ public sealed class GodotPlayTests : IDisposable
         {
             Assert.True(GodotAsset.Load(file).IsInsideTree());
             Node.Play(2, Frame);
-            Assert.DoesNotContain(GD.Pushed, said => !said.Contains("no goal for this keeper", StringComparison.Ordinal));
+            Assert.DoesNotContain(GD.Pushed, said => !said.Contains("has no goal to guard", StringComparison.Ordinal));
         }
     }
 

@@ -85,7 +85,7 @@ public partial class FootballCurve : Control
         return points;
     }
 
-    /// <summary>What the library's documentation says of a preset; empty where it is not there.</summary>
+    /// <summary>The library's documentation of a preset; empty if it is not available.</summary>
     private static string Note(string type, string name)
     {
         string file = ProjectSettings.GlobalizePath(Documentation);

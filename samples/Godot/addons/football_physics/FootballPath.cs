@@ -22,11 +22,11 @@ public partial class FootballPath : Node3D
     [Export]
     public FootballBall? Ball { get; set; }
 
-    /// <summary>How much of the path is shown, s.</summary>
+    /// <summary>Length of the path shown, s.</summary>
     [Export(PropertyHint.Range, "0.1,10,0.1,suffix:s")]
     public float Seconds { get; set; } = 1.6f;
 
-    /// <summary>Standard deviation of the direction, degrees: two of them are shown.</summary>
+    /// <summary>Standard deviation of the direction, degrees; the band shows two of them.</summary>
     [Export(PropertyHint.Range, "0,10,0.1,suffix:°")]
     public float Degrees { get; set; } = 1;
 

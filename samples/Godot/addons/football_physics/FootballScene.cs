@@ -49,7 +49,7 @@ internal sealed class FootballScene
         int index = goal is not null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
         if (index < 0)
         {
-            GD.PushWarning($"{keeper.Name}: there is no goal for this keeper to guard; add a FootballGoal to the scene.");
+            GD.PushWarning($"{keeper.Name}: this keeper has no goal to guard. Add a FootballGoal to the scene.");
             return;
         }
 
@@ -76,7 +76,7 @@ internal sealed class FootballScene
         return goal >= 0 ? _goals[goal] : null;
     }
 
-    /// <summary>Gives what was hit, where it is a body that moves freely, the impulse that it got.</summary>
+    /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
     public void Push(in BallEvent happened)
     {
         if (happened.Kind == BallEventKind.Impact && _colliders?.Of(Stage.ColliderOf(in happened)) is RigidBody3D { Freeze: false } body)
@@ -86,7 +86,7 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>Draws nets and keepers as they are.</summary>
+    /// <summary>Draws nets and keepers in their present shape.</summary>
     public void Draw()
     {
         for (int i = 0; i < _goals.Count; i++)

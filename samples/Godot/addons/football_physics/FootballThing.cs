@@ -30,10 +30,10 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>The order in which things are added: pitches, goals, walls, keepers.</summary>
+    /// <summary>The order in which the objects are added: pitches, goals, walls, keepers.</summary>
     internal abstract int Order { get; }
 
-    /// <summary>A number that changes when anything of it does.</summary>
+    /// <summary>A hash that changes when the object changes.</summary>
     internal int Stamp => HashCode.Combine(Order, GlobalTransform, StampOfFields());
 
     /// <summary>All goals in the tree.</summary>
@@ -98,7 +98,7 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
     /// <summary>Adds it to the scene of a ball.</summary>
     internal abstract void AddTo(FootballScene scene);
 
-    /// <summary>Draws what is met of it.</summary>
+    /// <summary>Draws its colliders.</summary>
     internal abstract void Draw(FootballDrawing drawing);
 
     /// <summary>A number that changes when any of its properties does.</summary>

@@ -25,7 +25,7 @@ namespace FootballPhysics.Unity
         /// <summary>What happened.</summary>
         public BallEventKind Kind { get; }
 
-        /// <summary>What was hit, met or passed, or carries the ball: "ground", "left post", "back net", the name of an obstacle; null for none.</summary>
+        /// <summary>The name of the collider: "ground", "left post" (on the goalkeeper's left), "back net", the name of an obstacle; null if there is none.</summary>
         public string Surface { get; }
 
         /// <summary>Normal of the contact, from the thing to the ball; zero where there is none.</summary>
