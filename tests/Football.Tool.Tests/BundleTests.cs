@@ -148,7 +148,7 @@ public sealed class BundleTests : IDisposable
             }
         }
 
-        Assert.StartsWith("football: FILE is a zip file of 65 files; allowed: 64 at most", FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine);
+        Assert.StartsWith("football: FILE is a zip file of 65 files; allowed: at most 64", FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine);
         string large = Path.Combine(_folder, "large.zip");
         using (FileStream file = File.Create(large))
         {
@@ -175,7 +175,7 @@ public sealed class BundleTests : IDisposable
         // Its entries are not counted, as those of a short list are.
         string error = FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine;
         Assert.StartsWith("football: FILE is a zip file with ", error);
-        Assert.Contains("list of files; allowed: 65536 at most", error);
+        Assert.Contains("list of files; allowed: at most 65536", error);
     }
 
     /// <summary>What the file says of where it comes from is shown, and not obeyed.</summary>
@@ -197,7 +197,7 @@ public sealed class BundleTests : IDisposable
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
         Scene own = Scene.Default with { Forces = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
-        Assert.StartsWith("scene: forces.customForces[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
+        Assert.StartsWith("The scene cannot be written as a scenario, because forces.customForces[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
         var runner = new FixedStepRunner();
         Recording segment = runner.Record();
         Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator(Scene.Published)));

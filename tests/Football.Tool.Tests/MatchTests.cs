@@ -99,7 +99,7 @@ public sealed class MatchTests
             File.WriteAllText(file, track);
             FootballCommand done = FootballCommand.Run("", "fit", "--match", file, "--plot", file);
             Assert.Equal(1, done.ExitCode);
-            Assert.Matches("^football: --plot is \".*\", which is the input's file too; allowed: a file of its own.$", done.ErrorLine);
+            Assert.Matches("^football: --plot \".*\" is also the file of the input. Pass another file.$", done.ErrorLine);
             Assert.Equal(track, File.ReadAllText(file));
         }
         finally

@@ -52,7 +52,7 @@ internal sealed class OutputFile : IDisposable
             {
                 if (taken.FirstOrDefault(other => other.File == file) is { By: { } by })
                 {
-                    throw new RefusedException($"{option} {Quote.File(path)} is the file of {by} too. Pass another file.");
+                    throw new RefusedException($"{option} {Quote.File(path)} is also the file of {by}. Pass another file.");
                 }
 
                 taken.Add((option, file));

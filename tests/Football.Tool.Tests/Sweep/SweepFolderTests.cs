@@ -213,7 +213,7 @@ public sealed class SweepFolderTests : IDisposable
         Assert.Matches("^football: --out \".*rows\" contains another sweep \\(its count is 50, not 51\\). ", other.ErrorLine);
         Directory.CreateDirectory(At("mine"));
         File.WriteAllText(At("mine", "rows.csv"), new string('x', 4000));
-        Assert.Contains("holds a file \"rows.csv\" of another origin", Command("csv", "mine", 50).ErrorLine);
+        Assert.Contains("contains a file of another origin, \"rows.csv\".", Command("csv", "mine", 50).ErrorLine);
     }
 
     [Fact]
