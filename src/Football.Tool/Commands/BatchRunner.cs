@@ -7,7 +7,7 @@ namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
 /// <typeparam name="T">What becomes of a scenario.</typeparam>
-/// <param name="work">Reads a scenario and does what it asks for; throws <see cref="RefusedException"/> where it is not as it should be.</param>
+/// <param name="work">Reads a scenario and runs it; throws <see cref="RefusedException"/> if it is invalid.</param>
 /// <param name="write">The line for it.</param>
 /// <param name="show">Shows it to a person in a terminal.</param>
 internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
@@ -27,7 +27,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
     /// <summary>Makes it what a command does.</summary>
     /// <param name="command">The command.</param>
     /// <param name="terminal">Where it reads and writes.</param>
-    /// <param name="instead">What else the command can do, that needs no FILE: the option that asks for it, and how it is done with overrides, in JSON or not.</param>
+    /// <param name="instead">An alternative that needs no FILE: its option, and the function that runs it with overrides and the choice of JSON.</param>
     public Command Of(ExampleCommand command, Terminal terminal, (Option<string?> Option, Func<ParseResult, FieldOverride[], bool, int> Run)? instead = null)
     {
         command.Add(_file);

@@ -86,7 +86,7 @@ internal static class BundleCommand
         return diverges is null ? ExitCode.Done : ExitCode.Refused;
     }
 
-    /// <summary>Where the replay and the recording differ in the first state that the recording has after a tick; null where it has none.</summary>
+    /// <summary>The difference in the first recorded state after a tick; null if the recording has none.</summary>
     private static StateDifference? DifferenceAfter(MatchBundle bundle, long tick)
     {
         Recording segment = bundle.Segment;

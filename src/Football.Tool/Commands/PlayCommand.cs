@@ -43,7 +43,7 @@ internal static class PlayCommand
         return command;
     }
 
-    /// <summary>Opens a page in the browser of the desktop, if there is one; its path has been told.</summary>
+    /// <summary>Opens a page in the desktop's browser, if there is one. Its path has already been printed.</summary>
     private static void Open(string path)
     {
         try

@@ -6,7 +6,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>football fit --match: what the whole track of a match tells.</summary>
+/// <summary>football fit --match: the analysis of a complete match track.</summary>
 internal sealed class MatchCommand
 {
     private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
@@ -61,7 +61,7 @@ internal sealed class MatchCommand
         });
     }
 
-    /// <summary>What asks for it.</summary>
+    /// <summary>The option --match.</summary>
     public Option<string?> Option => _match;
 
     /// <summary>Does it.</summary>

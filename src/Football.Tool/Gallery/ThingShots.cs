@@ -21,8 +21,8 @@ internal static class ThingShots
     private static GalleryShot OffBothPosts() => new()
     {
         Id = "off-both-posts",
-        Name = "In off both posts",
-        About = "From 12 m against one post, along the line in two bounces, against the other, and in.",
+        Name = "In off the post and across",
+        About = "From 12 m against one post, across the goal mouth in one bounce, and in at the far side.",
         Scenario = Shot(new Vector3d(0, Radius, -8), ViewFrame.Direction(28.2, 12.1, 6.6), 0, 40) with { Scene = new Scene { Goals = [Furniture.Goal(20)] } },
         DrawnTo = 24,
     };

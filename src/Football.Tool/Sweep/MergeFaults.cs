@@ -6,14 +6,14 @@ namespace FootballPhysics.Tool.Sweep;
 /// <summary>Why shards cannot be put together.</summary>
 internal sealed class MergeFaults
 {
-    /// <summary>Faults that are told; of more it is told how many.</summary>
+    /// <summary>The maximum number of faults that are printed; of the others only the number is printed.</summary>
     private const int MostTold = 20;
 
     private readonly List<string> _faults = [];
 
     public bool Any => _faults.Count > 0;
 
-    /// <summary>Looks for what can be seen without reading the rows.</summary>
+    /// <summary>Finds the faults that are visible without reading the rows.</summary>
     public void Check(IReadOnlyList<ShardFolder> shards)
     {
         if (shards.Count == 0)

@@ -12,7 +12,7 @@ internal sealed class SweepMerge
 {
     private const int Chunk = 1 << 20;
 
-    /// <summary>What the names of files end with of which it is not yet known whether all is well.</summary>
+    /// <summary>The suffix of the names of files that are not verified yet.</summary>
     private const string New = ".new";
 
     private readonly string _folder;
@@ -144,7 +144,7 @@ internal sealed class SweepMerge
         return record.Name.EndsWith(".npy", StringComparison.Ordinal) ? NumpyHeader.WithRows(header, identity.Count) : header;
     }
 
-    /// <summary>Copies what lies between header and footer, and looks whether all of it is what was written.</summary>
+    /// <summary>Copies the rows between the header and the footer, and checks their hash.</summary>
     private void Copy(ShardFolder shard, FileRecord record, int footer, DataFile? to)
     {
         using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));
