@@ -134,7 +134,7 @@ internal static unsafe partial class Exports
                 return 0;
             }
 
-            // Things are the ground and then the obstacles. Their motion is constant, and nothing of a scene here has a mass.
+            // Colliders are the ground, then the obstacles. Their motion is constant, and none of them has a mass.
             Obstacle hit = made.Obstacles[@event->Thing - 1];
             Vector3d n = Guard.Vector(@event->Normal, "event");
             Vector3d contact = Guard.Vector(@event->Position, "event") - (made.Ball.Radius * n);

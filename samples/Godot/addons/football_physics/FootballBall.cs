@@ -140,7 +140,7 @@ public partial class FootballBall : Node3D
         ApplyChanges();
         if (_runner is not { } runner)
         {
-            return;     // its first scene was refused, which was said; the next one that is none makes it begin
+            return;     // its first scene was invalid, which was reported; the next valid one starts it
         }
 
         // Godot has its bodies where they are at this time, on the clock of the ball.

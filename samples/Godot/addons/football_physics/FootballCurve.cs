@@ -18,7 +18,7 @@ public partial class FootballCurve : Control
     private const float CurveHeight = 120;
     private const int Places = 80;
 
-    /// <summary>Where a build puts the library's documentation, if the project copies it: CopyDocumentationFilesFromPackages.</summary>
+    /// <summary>The path of the library's documentation after a build, if the project sets CopyDocumentationFilesFromPackages.</summary>
     private const string Documentation = "res://.godot/mono/temp/bin/Debug/Football.Physics.xml";
 
     private readonly Label _notes = new() { AutowrapMode = TextServer.AutowrapMode.WordSmart, Position = new Vector2(0, CurveHeight + 4) };

@@ -125,7 +125,7 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0,3,0.01")]
     public float DragScale { get; set; } = 1;
 
-    /// <summary>Bend of a spinning ball: 1 is realistic, 0 is none.</summary>
+    /// <summary>Bend of a spinning ball: 1 is realistic, 0 is straight.</summary>
     [Export(PropertyHint.Range, "0,3,0.01")]
     public float BendScale { get; set; } = 1;
 

@@ -6,7 +6,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The scene of one ball: its preset, the things that stand in Godot's tree, and Godot's bodies.</summary>
+/// <summary>The scene of one ball: its preset, the football nodes in the tree, and Godot's bodies.</summary>
 internal sealed class FootballScene
 {
     private readonly List<FootballGoal> _goals = new();
@@ -69,7 +69,7 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>The goal that an event tells of; null for none.</summary>
+    /// <summary>The goal of an event; null if there is none.</summary>
     public FootballGoal? GoalOf(in BallEvent happened)
     {
         int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;

@@ -75,7 +75,7 @@ public partial class FootballShooter : Node
 
     private float Speed() => Slowest + ((Fastest - Slowest) * MathF.Min(1, (float)_held / Longest));
 
-    /// <summary>From the ball to where the mouse points: at what stands at the distance of the goal, and a little higher.</summary>
+    /// <summary>The direction from the ball to the mouse pointer, at the distance of the goal, with the extra elevation.</summary>
     private Vector3 Aimed(Camera3D view, Vector3 place)
     {
         Vector2 at = GetViewport().GetMousePosition();

@@ -2,7 +2,7 @@ using System;
 
 namespace FootballPhysics.Unity
 {
-    /// <content>What the ball tells.</content>
+    /// <content>The events of the ball.</content>
     public sealed partial class FootballBall
     {
         /// <summary>Something happened to the ball; the events below are by kind.</summary>

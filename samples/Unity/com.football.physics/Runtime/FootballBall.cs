@@ -13,7 +13,7 @@ namespace FootballPhysics.Unity
     [AddComponentMenu("Football/Football Ball"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
     public sealed partial class FootballBall : MonoBehaviour
     {
-        /// <summary>A step is due when its time has come but for this part of it: Unity's clock adds single numbers.</summary>
+        /// <summary>The tolerance of the time of a step, as a fraction of the step, because Unity's clock adds single-precision numbers.</summary>
         private const double AlmostDue = 1e-3;
 
         /// <summary>If the node is farther than this from its drawn position, m, other code moved it.</summary>
@@ -50,7 +50,7 @@ namespace FootballPhysics.Unity
         private Vector3 _drawnAt;
         private bool _warned;
 
-        /// <summary>The preset: a new one, and what is changed of one, counts from the next step on.</summary>
+        /// <summary>The preset. A change takes effect in the next step.</summary>
         public FootballPreset Preset
         {
             get => preset;
@@ -119,7 +119,7 @@ namespace FootballPhysics.Unity
             Draw(1.0);
         }
 
-        /// <summary>Takes over at once what was changed: of the ball, its preset, or what stands in the scene. By itself it is done before the next step.</summary>
+        /// <summary>Applies changes to the ball, its preset or the scene at once. Otherwise they take effect before the next step.</summary>
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
         public void Apply()
         {
@@ -149,7 +149,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers that are enabled; without colliders.</summary>
+        /// <summary>Compiles a new simulator for the ball's scene: its preset, and the enabled goals, pitches, walls and keepers, without colliders.</summary>
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
         public Simulator CompileScene()
         {
@@ -186,7 +186,7 @@ namespace FootballPhysics.Unity
                 ApplyChanges();
                 if (_runner == null)
                 {
-                    return;     // its first scene was refused, which was said; the next one that is none makes it begin
+                    return;     // its first scene was invalid, which was reported; the next valid one starts it
                 }
 
                 _elapsed += Time.fixedDeltaTime;

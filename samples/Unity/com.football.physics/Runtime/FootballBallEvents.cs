@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What happens to a ball, as events that are wired up in the inspector.</summary>
+    /// <summary>The events of a ball, for connections in the inspector.</summary>
     [Serializable]
     public sealed class FootballBallEvents
     {

@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The path ahead in the game view: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
-    /// <remarks>It shows the kick of <see cref="Show"/> while it is aimed, else the ball's own way while it flies.</remarks>
+    /// <summary>The path ahead in the game view: a line for the ball, and around it a cone for the spread of the player's kicks.</summary>
+    /// <remarks>It shows the kick of <see cref="Show"/> during aiming, and otherwise the path of the flying ball.</remarks>
     [AddComponentMenu("Football/Football Path"), DisallowMultipleComponent]
     public sealed class FootballPath : MonoBehaviour
     {

@@ -64,7 +64,7 @@ namespace FootballPhysics.Unity
         public float dragScale = 1f;
 
         /// <summary>How much a spinning ball bends: 1 as it is measured, 0 not at all.</summary>
-        [Range(0f, 3f), Tooltip("Bend of a spinning ball: 1 is realistic, 0 is none.")]
+        [Range(0f, 3f), Tooltip("Bend of a spinning ball: 1 is realistic, 0 is straight.")]
         public float bendScale = 1f;
 
         /// <summary>Wind in Unity's frame, m/s.</summary>

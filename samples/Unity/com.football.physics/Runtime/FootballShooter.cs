@@ -95,7 +95,7 @@ namespace FootballPhysics.Unity
             return slowest + ((fastest - slowest) * Mathf.Clamp(_held / longest, 0f, 1f));
         }
 
-        /// <summary>From the ball to where the mouse points: at what stands at the distance of the nearest goal, and a little higher.</summary>
+        /// <summary>The direction from the ball to the mouse pointer, at the distance of the nearest goal, with the extra elevation.</summary>
         private Vector3 Aimed()
         {
             Vector2 at = FootballPointer.Position;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What a football looks like: a sphere of its radius with the classic pattern, by which one sees it spin. Made when it is enabled; no texture, no model.</summary>
+    /// <summary>Draws a football: a sphere of its radius with the classic pattern, which makes the spin visible. It needs no texture or model.</summary>
     [AddComponentMenu("Football/Football Skin"), DisallowMultipleComponent, ExecuteAlways, RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
     public sealed class FootballSkin : MonoBehaviour
     {

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace FootballPhysics.Unity
 {
     /// <summary>An object that every football in the scene can hit while it is enabled: a goal, pitch, wall or keeper. It is drawn as it collides.</summary>
-    /// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>
+    /// <remarks>A change of a field or of the transform takes effect in the next step, and recompiles the scene of every ball.</remarks>
     [ExecuteAlways]
     public abstract class FootballThing : MonoBehaviour
     {
@@ -79,7 +79,7 @@ namespace FootballPhysics.Unity
             _drawing = null;
         }
 
-        /// <summary>Draws it anew where it was changed.</summary>
+        /// <summary>Updates the drawing after a change.</summary>
         protected virtual void Update()
         {
             if (Stamp != _drawn)
