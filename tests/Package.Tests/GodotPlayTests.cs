@@ -474,7 +474,7 @@ public sealed class GodotPlayTests : IDisposable
         MeshInstance3D marker = ball.GetChildren(true).OfType<MeshInstance3D>().Last();
         Assert.Equal(GodotFrame.ToGodot(dock.Player.Pose.Position), marker.GlobalPosition);
         buttons[2].Click();
-        Assert.Contains("to the last bit", dock.Said, StringComparison.Ordinal);
+        Assert.Contains("matches the recording bit for bit", dock.Said, StringComparison.Ordinal);
         GodotAsset.Load("addons/football_physics/scenes/wall.tscn");
         dock.Load(segment.ToBytes(), ball);
         Assert.Contains("the same scene", dock.Said, StringComparison.Ordinal);
