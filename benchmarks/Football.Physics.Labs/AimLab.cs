@@ -16,12 +16,12 @@ internal static class AimLab
         Option<bool> quick = LabOptions.Quick();
         var full = new Option<bool>("--full")
         {
-            Description = "Holds every one of the 10 000 random requests that was not hit against the dense scan, not one in four.",
+            Description = "Compare every random request that was not hit with the dense scan, not one in four.",
         };
-        var profiles = new Option<bool>("--profiles") { Description = "Asks the same in both profiles, in weather, wind by height and gusts, and nothing else." };
+        var profiles = new Option<bool>("--profiles") { Description = "Only the random requests, in both profiles, with weather, wind by height and gusts." };
         return LabOptions.CreateDrawn(
             "aim",
-            "Aims of the thesis' tests 4.1.3, 4.2.3 and 4.3.2, and 10 000 random requests against a dense scan. The CSV has every kick.",
+            "Aims of the original thesis (tests 4.1.3, 4.2.3 and 4.3.2), and 10 000 random requests compared with a dense scan. The CSV lists every kick.",
             ["football lab aim --quick --csv kicks.csv", "football lab aim --profiles --quick"],
             terminal,
             (parsed, seed, progress) => parsed.GetValue(profiles)

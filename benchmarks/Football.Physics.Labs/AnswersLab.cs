@@ -23,12 +23,12 @@ internal static class AnswersLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> count = Arguments.Whole("--count", "Kicks, requests and look-aheads of every kind.", 1, 1_000_000, 2000);
-        var only = new Option<string?>("--only") { HelpName = "QUESTION", Description = $"One question only: {string.Join(", ", s_questions.Select(one => one.Name))}." };
+        Option<long> count = Arguments.Whole("--count", "Kicks, requests and look-aheads of each kind.", 1, 1_000_000, 2000);
+        var only = new Option<string?>("--only") { HelpName = "QUESTION", Description = $"Run one question: {string.Join(", ", s_questions.Select(one => one.Name))}." };
         only.AcceptOnlyFromAmong([.. s_questions.Select(one => one.Name)]);
         return LabOptions.Create(
             "answers",
-            "Whether answers are right: known kicks are found again, hits hit, verdicts hold against a dense scan, look-aheads miss nothing.",
+            "Correctness of searches: known kicks are found, hits hit, verdicts agree with a dense scan, look-aheads miss no event.",
             ["football lab answers --only lookahead --seed 7 --count 100"],
             terminal,
             (parsed, seed, progress) => Run(unchecked((int)seed), (int)parsed.GetValue(count), parsed.GetValue(only), progress),

@@ -28,7 +28,7 @@ internal static class BallsLab
 
     public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "balls",
-        "Drag and lift coefficients of the balls by speed and by spin, by the published and the measured laws.",
+        "Drag and lift coefficients of each ball by speed and spin, in the published and the measured profile.",
         ["football lab balls", "football lab balls --csv balls.csv --plot balls.svg"],
         terminal,
         (_, seed, _) => Run(seed));

@@ -18,7 +18,7 @@ internal static class ConsistencyLab
 
     public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "consistency",
-        "How far apart 250 shots with all forces land, each with three steps (the thesis' Test 3.4.2).",
+        "Distances between the landing points of 250 shots, each with three time steps (Test 3.4.2 of the original thesis).",
         ["football lab consistency --seed 3 --json consistency.json"],
         terminal,
         (_, seed, progress) => Run(seed, progress));

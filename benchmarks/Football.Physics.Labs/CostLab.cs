@@ -23,7 +23,7 @@ internal static class CostLab
         Option<bool> quick = LabOptions.Quick();
         return LabOptions.CreateDrawn(
             "cost",
-            "The time of a 10 ms step by method and motion, over 20 000 frames each from kick to rest (the thesis' Test 3.4.3).",
+            "Run time of a 10 ms step by integrator and motion, over 20 000 frames each (Test 3.4.3 of the original thesis).",
             ["football lab cost --quick"],
             terminal,
             (parsed, seed, progress) => Run(seed, parsed.GetValue(quick) ? Frames / 100 : Frames, parsed.GetValue(quick) ? 1 : WarmUp, progress),

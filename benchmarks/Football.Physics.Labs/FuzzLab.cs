@@ -17,10 +17,10 @@ internal static class FuzzLab
     public static Command Create(Terminal terminal)
     {
         Option<long> count = Arguments.Whole("--count", "Inputs of each kind.", 1, Most, ByDefault);
-        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
+        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor.");
         return LabOptions.Create(
             "fuzz",
-            "Scenarios, kick logs, match segments and snapshots that were changed at random: only refusals and right answers are allowed.",
+            "Randomly corrupted scenarios, kick logs, recordings and snapshots: each is rejected or gives a correct result.",
             ["football lab fuzz --count 100", "football lab fuzz --count 300 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run("fuzz", seed, parsed.GetValue(count), (int)parsed.GetValue(jobs), FuzzTarget.All, progress),

@@ -25,7 +25,7 @@ internal static class KicksLab
 
     public static Command Create(Terminal terminal) => LabOptions.Create(
         "kicks",
-        "Kicks that were measured, filmed or told of, beside what both profiles make of them; what cannot be met is shown as such.",
+        "Known kicks (measured, filmed or reported), compared with both profiles, including those that neither reproduces.",
         ["football lab kicks", "football lab kicks --csv kicks.csv"],
         terminal,
         (_, seed, _) => Run(seed));

@@ -10,13 +10,13 @@ namespace FootballPhysics.Labs;
 /// <summary>The options of every experiment, and what becomes of its report.</summary>
 internal sealed class LabOptions
 {
-    private readonly Option<long> _seed = Arguments.Whole("--seed", "Seed of the random shots.", long.MinValue, long.MaxValue, 1);
-    private readonly Option<string?> _json = new("--json") { HelpName = "FILE", Description = "Writes the tables as JSON." };
-    private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE", Description = "Writes the tables as CSV." };
-    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE", Description = "Draws FILE.svg, or FILE.png where Chromium is installed." };
+    private readonly Option<long> _seed = Arguments.Whole("--seed", "Seed of the random values.", long.MinValue, long.MaxValue, 1);
+    private readonly Option<string?> _json = new("--json") { HelpName = "FILE", Description = "Write the tables as JSON." };
+    private readonly Option<string?> _csv = new("--csv") { HelpName = "FILE", Description = "Write the tables as CSV." };
+    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE", Description = "Draw FILE.svg, or FILE.png if Chromium is installed." };
 
     /// <summary>Does less of everything.</summary>
-    public static Option<bool> Quick() => new("--quick") { Description = "Less of everything: to see that it works, not what it measures." };
+    public static Option<bool> Quick() => new("--quick") { Description = "Run a small sample, only to check that the experiment works." };
 
     /// <summary>Makes the command of an experiment that has nothing to draw.</summary>
     public static Command Create(

@@ -20,7 +20,7 @@ internal static class Laboratories
 {
     public static Command Create(Terminal terminal) => new ExampleCommand(
         "lab",
-        "Experiments: accuracy, run time against error, stability under stress, aiming. \"The thesis\" is the one that the library began with, whose laws are the published profile (docs/internals/evidence.md); its tables and tests are named by their numbers.",
+        "Run accuracy and stability experiments (needs a checkout)",
         "football lab",
         "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg")
     {

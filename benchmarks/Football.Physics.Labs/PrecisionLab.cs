@@ -29,7 +29,7 @@ internal static class PrecisionLab
         Option<bool> quick = LabOptions.Quick();
         return LabOptions.CreateDrawn(
             "precision",
-            "Error against evaluations and time: every method with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
+            "Error of each integrator against its cost, with steps of 1 to 320 ms, from kick to impact and from kick to rest.",
             ["football lab precision --quick --plot precision.svg"],
             terminal,
             (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),

@@ -44,7 +44,7 @@ internal static class RigsLab
 
     public static Command Create(Terminal terminal) => LabOptions.Create(
         "rigs",
-        "FIFA's rigs for pitches on every surface of both profiles: a drop from 2 m, a shot of 50 km/h at 15°, a roll from a ramp of 1 m; and the windows of the tests.",
+        "FIFA's three pitch tests on every surface: drop from 2 m, shot of 50 km/h at 15°, roll from a ramp of 1 m, and the ranges that the tests accept.",
         ["football lab rigs", "football lab rigs --csv rigs.csv"],
         terminal,
         (_, seed, _) => Run(seed));

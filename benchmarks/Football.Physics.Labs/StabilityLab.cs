@@ -18,16 +18,16 @@ internal static class StabilityLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> scenes = Arguments.Whole("--scenes", $"How many scenes to play; of hostile ones {HostileLab.ByDefault} by default.", 1, MostScenes, ByDefault);
-        var full = new Option<bool>("--full") { Description = $"Plays {Full} scenes, or {HostileLab.Full} hostile ones." };
-        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor.");
-        var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Plays one scene by its number, and shows it as a scenario." };
-        var hostile = new Option<bool>("--hostile") { Description = "Plays scenes from far outside football, drawn and checked in another way." };
-        var things = new Option<bool>("--things") { Description = "Plays scenes with obstacles, bodies, nets and slopes, with checks of their own." };
-        Option<Profile> profile = new("--profile") { HelpName = "measured|published", Description = "Laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Measured };
+        Option<long> scenes = Arguments.Whole("--scenes", $"Number of scenes; {HostileLab.ByDefault} by default if hostile.", 1, MostScenes, ByDefault);
+        var full = new Option<bool>("--full") { Description = $"Simulate {Full} scenes, or {HostileLab.Full} hostile ones." };
+        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor.");
+        var scene = new Option<long?>("--scene") { HelpName = "I", Description = "Simulate one scene by its number and print it as a scenario." };
+        var hostile = new Option<bool>("--hostile") { Description = "Scenes far outside football, with a generator and checks of their own." };
+        var things = new Option<bool>("--things") { Description = "Scenes with obstacles, bodies, nets and slopes, with checks of their own." };
+        Option<Profile> profile = new("--profile") { HelpName = "measured|published", Description = "Profile of laws and ground; hostile scenes have their own.", DefaultValueFactory = _ => Profile.Measured };
         return LabOptions.CreateDrawn(
             "stability",
-            "Random and adversarial scenes with every method: what must always hold, with a verdict a cell.",
+            "Invariants (finite, bounded energy, no penetration) in random and adversarial scenes, with every integrator.",
             ["football lab stability --scenes 100", "football lab stability --scene 7", "football lab stability --profile published --scenes 60", "football lab stability --hostile --scenes 100", "football lab stability --things --scenes 100"],
             terminal,
             (parsed, seed, progress) =>

@@ -23,12 +23,12 @@ internal static class SweepLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> count = Arguments.Whole("--count", "Rows of each run.", 1, 1_000_000_000, 300_000);
-        Option<long> jobs = Arguments.Jobs("Most threads; default: one a processor.");
-        var folder = new Option<string?>("--folder") { HelpName = "DIR", Description = "Where the rows are written; default: where temporary files are. They are removed." };
+        Option<long> count = Arguments.Whole("--count", "Rows per run.", 1, 1_000_000_000, 300_000);
+        Option<long> jobs = Arguments.Jobs("Maximum number of threads; default: one per processor.");
+        var folder = new Option<string?>("--folder") { HelpName = "DIR", Description = "Folder for the rows, which are deleted afterwards; default: the folder for temporary files." };
         return LabOptions.Create(
             "sweep",
-            "How many rows a second a sweep writes, beside the flights a second of the batch that it flies them with.",
+            "Rows per second that a sweep writes, compared with the flights per second of its batch.",
             ["football lab sweep --count 2000 --jobs 1"],
             terminal,
             (parsed, seed, progress) => Run(parsed.GetValue(count), (int)parsed.GetValue(jobs), parsed.GetValue(folder) ?? Path.GetTempPath(), Math.Abs(seed), progress),

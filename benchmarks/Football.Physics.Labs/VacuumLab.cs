@@ -22,7 +22,7 @@ internal static class VacuumLab
 
     public static Command Create(Terminal terminal) => LabOptions.CreateDrawn(
         "vacuum",
-        "Where 50 shots in vacuum land, against the closed form (the thesis' Table 3.1).",
+        "Landing points of 50 shots in vacuum, compared with the closed form (Table 3.1 of the original thesis).",
         ["football lab vacuum", "football lab vacuum --seed 7 --csv vacuum.csv --plot vacuum.svg"],
         terminal,
         (_, seed, progress) => Run(seed, progress));

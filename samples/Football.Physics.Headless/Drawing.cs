@@ -3,7 +3,7 @@ using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Headless;
 
-/// <summary>Draws the path of a shot from the side and from above, with what happened on it.</summary>
+/// <summary>Draws the path of a shot from the side and from above, with its events.</summary>
 internal static class Drawing
 {
     public static XElement Of(string name, IReadOnlyList<Vector3d> path, IReadOnlyList<BallEvent> events)

@@ -1,4 +1,4 @@
-// A game without a window: kicks a few shots, steps them at 60 Hz, prints what happens, and draws their paths; then the gallery of the tool.
+// A game without a window. `shots` kicks a few shots, steps them at 60 Hz, prints their events and draws their paths; `gallery` draws the gallery of the tool.
 using System.Globalization;
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
@@ -9,6 +9,19 @@ using FootballPhysics.Tool;
 const double Frame = 1.0 / 60.0;
 const string Folder = "out/shots";
 CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
+switch (args)
+{
+    case ["gallery"]:
+        return GalleryPages.Write("out/gallery");
+    case ["shots"]:
+        break;
+    default:
+        Console.Error.WriteLine("Usage: Football.Physics.Headless COMMAND");
+        Console.Error.WriteLine("  gallery   Draw the sample shots of the tool into out/gallery");
+        Console.Error.WriteLine($"  shots     Simulate a few shots, print their events, and draw them into {Folder}");
+        return args.Length == 0 ? 0 : 2;
+}
+
 var drawings = new List<XElement>();
 
 foreach (Shot shot in Shots.All())
@@ -28,8 +41,8 @@ foreach (Shot shot in Shots.All())
         path.Add(ball.Position);
         foreach (BallEvent happened in log.Events.Span)
         {
-            string what = $"{happened.Kind} {simulator.NameOf(happened.ColliderIndex)}".TrimEnd();
-            Console.WriteLine($"  {happened.Time,5:F2} s  {what,-20} {happened.Velocity.Length,5:F1} m/s at {happened.Position:F2}");
+            string label = $"{happened.Kind} {simulator.NameOf(happened.ColliderIndex)}".TrimEnd();
+            Console.WriteLine($"  {happened.Time,5:F2} s  {label,-20} {happened.Velocity.Length,5:F1} m/s at {happened.Position:F2}");
             marks.Add(happened);
         }
     }
@@ -40,6 +53,4 @@ foreach (Shot shot in Shots.All())
 Directory.CreateDirectory(Folder);
 File.WriteAllText($"{Folder}/shots.svg", Svg.Standing("Shots", Figure.Stack("", drawings)).ToString());
 Console.WriteLine($"Paths: {Folder}/shots.svg");
-Console.WriteLine();
-
-return GalleryPages.Write("out/gallery");
+return 0;

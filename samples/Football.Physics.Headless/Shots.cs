@@ -3,10 +3,10 @@ using FootballPhysics.Shapes;
 
 namespace FootballPhysics.Headless;
 
-/// <summary>A kick to play: from where, how, and among what.</summary>
-/// <param name="Name">What it is called.</param>
+/// <summary>A kick and its scene.</summary>
+/// <param name="Name">The name.</param>
 /// <param name="Scene">Ball, air, ground, goals, walls.</param>
-/// <param name="From">Where the ball lies, m.</param>
+/// <param name="From">The position of the ball before the kick, m.</param>
 /// <param name="Velocity">Velocity, m/s.</param>
 /// <param name="Spin">Spin, rad/s.</param>
 internal sealed record Shot(string Name, Scene Scene, Vector3d From, Vector3d Velocity, Vector3d Spin);
@@ -33,7 +33,7 @@ internal static class Shots
         yield return Kick("a pass over wet turf", new Scene { Ground = Ground.Of(SurfaceMaterial.WetTurf) }, spot, speed: 14, elevation: 1, sideSpin: 10);
     }
 
-    /// <summary>The kick over the wall into the upper left corner is not tried out: it is asked for.</summary>
+    /// <summary>A kick over the wall into the upper left corner, which the library finds.</summary>
     private static Shot FreeKick(Vector3d spot)
     {
         var corner = new Vector3d(-3.3, 2.0, -25);

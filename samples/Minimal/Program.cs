@@ -3,7 +3,7 @@ using FootballPhysics;
 using FootballPhysics.Aiming;
 using FootballPhysics.Prediction;
 
-// The scene: ball, air, forces and ground, each with numbers of its own. What is left out is a football over turf in still air.
+// The scene: ball, air, forces and ground. The defaults are a football over turf in still air.
 var scene = new Scene
 {
     Air = new Air { Wind = new Vector3d(2, 0, 0) },
@@ -14,7 +14,7 @@ var ball = new Ball(scene);
 // The kick: 27 m/s, slightly to the right and up, with backspin, and sidespin that bends it to the left.
 ball.Kick(speed: 27, direction: new Vector3d(0.25, 0.3, -1), topSpin: -10, sideSpin: 60);
 
-// Look ahead before it happens: a path that can be asked where it crosses the goal line, 22 m away.
+// Look ahead: a path with a query for its crossing of the goal line, 22 m away.
 var path = new Trajectory();
 ball.LookAhead(new LookAheadRequest { Duration = 5 }, path);
 var goalLine = new Plane3d(point: new Vector3d(0, 0, -22), normal: new Vector3d(0, 0, -1));
@@ -23,7 +23,7 @@ if (path.TryGetCrossing(goalLine, out PathPoint crossing))
     Console.WriteLine($"will cross the goal line after {crossing.Time:F2} s, {crossing.Position.Y:F2} m high");
 }
 
-// The loop of a game: a step a frame, and what happened in it.
+// The game loop: one step per frame, and its events.
 while (ball.Motion != MotionState.Rest)
 {
     ball.Step(1.0 / 60.0);

@@ -70,7 +70,7 @@ internal static class Modes
 
                 return 0;
             default:
-                Console.Error.WriteLine($"{mode} is unknown; allowed: demo | relay | server | client | peer.");
+                Console.Error.WriteLine($"The mode is {mode}; allowed: demo | relay | server | client | peer.");
                 return 2;
         }
     }
@@ -90,7 +90,7 @@ internal sealed class Options
         {
             if (pair.Length < 2 || !s_known.Contains(pair[0]))
             {
-                throw new ArgumentException($"{pair[0]} is unknown, or has no value; allowed: {string.Join(" | ", s_known)}.");
+                throw new ArgumentException($"{pair[0]} is unknown or has no value. Options: {string.Join(" | ", s_known)}.");
             }
 
             _values[pair[0]] = pair[1];

@@ -3,7 +3,7 @@ using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Web;
 
-/// <summary>A ball under way: stepped ahead of what is shown, and told to the page in rows of numbers.</summary>
+/// <summary>A moving ball. It is simulated ahead of the display, and passed to the page in rows of numbers.</summary>
 internal sealed class Flight
 {
     /// <summary>The longest story of a kick, s.</summary>
@@ -34,13 +34,13 @@ internal sealed class Flight
     /// <summary>Whether there is no more to come.</summary>
     public bool IsOver => _ball.Motion == MotionState.Rest || _ball.Time >= Longest;
 
-    /// <summary>Where the flight is, s.</summary>
+    /// <summary>The present time of the flight, s.</summary>
     public double Time => _ball.Time;
 
-    /// <summary>The library's goalkeeper's answer; null where there is none.</summary>
+    /// <summary>The dive that the library found for the goalkeeper; null if there is none.</summary>
     public KeeperResult? Answer => _keeper?.Answer;
 
-    /// <summary>Name of what an event tells of.</summary>
+    /// <summary>The name of the collider of an event.</summary>
     public string NameOf(int thing) => _ball.Simulator.NameOf(thing) ?? "";
 
     /// <summary>Goes on for a while, and returns what there is to tell of it: rows that begin with their kind and their length.</summary>
@@ -73,7 +73,7 @@ internal sealed class Flight
         Quaterniond q = _ball.State.Orientation;
         if (time < _ball.Time)
         {
-            // What happened within the step: turned as far as the ball was by then.
+            // Events within the step, with the ball's orientation at their time.
             q = (Quaterniond.FromRotationVector((time - _lastTime) * _lastSpin) * _lastOrientation).Normalized();
         }
 
@@ -113,7 +113,7 @@ internal sealed class Flight
         }
     }
 
-    /// <summary>What a row tells.</summary>
+    /// <summary>The kind of a row.</summary>
     private enum Row
     {
         Key = 0,

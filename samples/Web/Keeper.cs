@@ -1,7 +1,7 @@
 using FootballPhysics.Prediction;
 using FootballPhysics.Shapes;
 
-/// <summary>A goalkeeper: two bodies that the ball can hit, trunk and gloves, and one dive towards where the library says that the ball crosses the line.</summary>
+/// <summary>A goalkeeper: two bodies (trunk and gloves), and one dive towards the point at which the library predicts the ball on the goal line.</summary>
 internal sealed class Keeper
 {
     /// <summary>From his feet to his gloves when he is stretched, m.</summary>
@@ -36,14 +36,14 @@ internal sealed class Keeper
         MoveTo(0);
     }
 
-    /// <summary>What the ball can hit of him; for the scene.</summary>
+    /// <summary>The bodies of the goalkeeper, for the scene.</summary>
     public KinematicBodies Bodies { get; } = [];
 
     /// <summary>The library's answer to the shot he dives for.</summary>
     public KeeperResult Answer { get; private set; }
 
     /// <summary>Sees a shot, and makes up his mind.</summary>
-    /// <param name="path">Where the ball goes if he does nothing, from now on.</param>
+    /// <param name="path">The path of the ball without the goalkeeper.</param>
     public void Watch(Trajectory path)
     {
         Answer = new Interception().FindSave(path, _player, _goal);
@@ -57,7 +57,7 @@ internal sealed class Keeper
         _from = path.StartTime + _player.Reaction;
         _until = Math.Max(Answer.Crossing.Time, _from + 0.25);
 
-        // All the way where he gets there in time; else as far as he covers.
+        // To the crossing if he gets there in time, otherwise as far as he can reach.
         double covers = Math.Max(Math.Abs(Answer.ReachLeft), Math.Abs(Answer.ReachRight)) - _player.Reach;
         double share = Answer.Saves ? 1 : Math.Clamp(covers / Math.Max(Math.Abs(aside), 1e-9), 0.2, 0.9);
         var target = new Vector3d(Answer.Crossing.Position.X, Math.Max(0.15, Answer.Crossing.Position.Y), _feet.Z - 0.1);

@@ -1,4 +1,4 @@
-// The library in a browser: what the page asks, in numbers. The page's worker calls these; nothing here knows how it looks.
+// The library in a browser. The page's worker calls these methods with numbers; they do not depend on the drawing.
 using System.Buffers;
 using System.Runtime.InteropServices.JavaScript;
 using System.Runtime.Versioning;
@@ -27,7 +27,7 @@ internal static partial class Playground
     [JSExport]
     internal static string Names() => string.Join(' ', BallProperties.Presets.Keys) + "|" + string.Join(' ', SurfaceMaterial.Presets.Keys.TakeWhile(name => name != "goalFrame"));
 
-    /// <summary>Sets the scene, and tells what stands in it as the drawings read it.</summary>
+    /// <summary>Sets the scene, and returns its objects for the drawing.</summary>
     [JSExport]
     internal static string Set(string profile, string ball, string ground, double altitude, double windAcross, double windAlong, double distance, double aside, int wall, int keeper)
     {
@@ -56,7 +56,7 @@ internal static partial class Playground
         return s_settings[1].Start.Y;
     }
 
-    /// <summary>The way ahead of a kick in the first or the second scene, without the goalkeeper, in the steps of the page: times and places.</summary>
+    /// <summary>The path of a kick in the first or second scene, without the goalkeeper, in the steps of the page: times and positions.</summary>
     [JSExport]
     internal static double[] Ahead(int scene, double speed, double elevation, double azimuth, double top, double side, double seconds)
     {

@@ -4,7 +4,7 @@ using FootballPhysics.Shapes;
 
 namespace FootballPhysics.Web;
 
-/// <summary>What a visitor has set: from it come the scene, and the C# that builds the same scene.</summary>
+/// <summary>The settings of a visitor, which give the scene and the C# program that builds it.</summary>
 /// <param name="Profile">"measured" or "published".</param>
 /// <param name="Ball">The name of a ball in <see cref="BallProperties.Presets"/>.</param>
 /// <param name="Ground">The name of a ground in <see cref="FootballPhysics.Ground.Presets"/>.</param>
@@ -45,7 +45,7 @@ internal sealed record Setting(
         }
     }
 
-    /// <summary>A goalkeeper as good as is asked for; null for none.</summary>
+    /// <summary>A goalkeeper of the chosen quality; null if there is none.</summary>
     public Keeper? NewKeeper() => Keeper == 0 ? null : new Keeper(Goal, Reaction, GloveSpeed);
 
     /// <summary>The scene, with a goalkeeper's bodies or without.</summary>

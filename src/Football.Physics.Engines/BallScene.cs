@@ -127,7 +127,7 @@ public sealed class BallScene
         RequireOpen();
         if (_planned.Count > 0 && Scene.Bodies is not null)
         {
-            throw new InvalidOperationException("The scene has bodies, and a keeper is one of the stage's own; allowed: bodies of the scene, or keepers.");
+            throw new InvalidOperationException("A BallScene cannot have both keepers and a scene with bodies. Remove the keepers or the bodies.");
         }
 
         Scene still = _goals.Count + _obstacles.Count == 0 ? Scene : Scene with
@@ -236,7 +236,7 @@ public sealed class BallScene
     {
         if (_game is not null)
         {
-            throw new InvalidOperationException("stage: it is compiled already; what changes it makes a new one.");
+            throw new InvalidOperationException("The BallScene is already compiled. Create a new one to change it.");
         }
     }
 }

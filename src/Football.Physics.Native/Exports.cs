@@ -29,7 +29,7 @@ internal static unsafe partial class Exports
         (int, int, int, int) given = (version, stateBytes, ballBytes, eventBytes);
         return given == mine
             ? NativeStatus.Ok
-            : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the library that is loaded.");
+            : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the loaded library.");
     }
 
     /// <summary>The version of the library, like "0.1.0".</summary>
@@ -134,7 +134,7 @@ internal static unsafe partial class Exports
                 return 0;
             }
 
-            // Things are the ground and then the obstacles. Their motion is constant, and nothing of a scene here has a mass.
+            // Colliders are the ground, then the obstacles. Their motion is constant, and none of them has a mass.
             Obstacle hit = made.Obstacles[@event->Thing - 1];
             Vector3d n = Guard.Vector(@event->Normal, "event");
             Vector3d contact = Guard.Vector(@event->Position, "event") - (made.Ball.Radius * n);

@@ -4,7 +4,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Native;
 
-/// <summary>What every call looks at before it does anything, and what it says where it does not do it.</summary>
+/// <summary>The checks that every call makes first, and their error messages.</summary>
 internal static unsafe class Guard
 {
     /// <summary>The longest time that anything takes, s.</summary>
@@ -13,7 +13,7 @@ internal static unsafe class Guard
     /// <summary>Steps that a run may have.</summary>
     private const double MostSteps = 1e12;
 
-    /// <summary>What the runtime adds to the message of an argument.</summary>
+    /// <summary>The suffix that the runtime adds to the message of an argument exception.</summary>
     private const string ParameterSuffix = " (Parameter '";
 
     /// <summary>The scene of a handle.</summary>
@@ -47,7 +47,7 @@ internal static unsafe class Guard
         return ref *(BallState*)state;
     }
 
-    /// <summary>Refuses a state of several that is none: before any of them is touched.</summary>
+    /// <summary>Throws if one of several states is invalid, before any of them is changed.</summary>
     public static void States(NativeState* states, long count, CompiledScene scene)
     {
         Several(states, count, "states");
@@ -61,7 +61,7 @@ internal static unsafe class Guard
         }
         catch (ArgumentOutOfRangeException refusal)
         {
-            throw new ArgumentException($"of states[{Text(i)}], {refusal.Message}", refusal);
+            throw new ArgumentException($"states[{Text(i)}]: {refusal.Message}", refusal);
         }
     }
 
@@ -90,7 +90,7 @@ internal static unsafe class Guard
             double end = ((BallState*)(states + i))->Time + seconds;
             if (!(end + (0.25 * dt) > end))
             {
-                throw Refusal("dt", Text(dt), $"more than the rounding of the clock of states[{Text(i)}], at {Text(end)} s");
+                throw Refusal("dt", Text(dt), $"more than the rounding error of the clock of states[{Text(i)}] at {Text(end)} s");
             }
         }
     }
@@ -116,7 +116,7 @@ internal static unsafe class Guard
     /// <summary>The refusal of an argument.</summary>
     public static ArgumentException Refusal(string name, string value, string allowed) => new($"{name} is {value}; allowed: {allowed}.");
 
-    /// <summary>Keeps the sentence of a call that failed, and tells its status.</summary>
+    /// <summary>Stores the message of a failed call.</summary>
     public static NativeStatus Fail(Exception exception)
     {
         NativeStatus status = exception switch
@@ -150,7 +150,7 @@ internal static unsafe class Guard
     private static ArgumentException Null(string name) => Refusal(name, "null", "a pointer");
 
     private static HandleException NoScene(NativeScene* handle) => new(
-        handle is null ? "scene is null; allowed: a scene from fp_scene_create." : "scene is no handle of a scene, or was freed; allowed: a scene from fp_scene_create.");
+        handle is null ? "scene is null. Pass a scene from fp_scene_create." : "scene is not a valid handle, or was freed. Pass a scene from fp_scene_create.");
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 

@@ -35,7 +35,7 @@ internal static unsafe class Requests
             {
                 if (double.IsFinite(scene.Obstacles[i].Mass))
                 {
-                    throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "none here: a scene is shared by all its balls");
+                    throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "no mass, because all balls share a scene; leave it out");
                 }
             }
 

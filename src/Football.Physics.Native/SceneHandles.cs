@@ -19,7 +19,7 @@ internal static class SceneHandles
     private static int s_used = 1;
     private static nuint s_given;
 
-    /// <summary>Gives a scene a handle; 0 where there are as many as there can be.</summary>
+    /// <summary>Creates a handle for a scene; 0 if the table is full.</summary>
     public static nuint Add(CompiledScene scene)
     {
         lock (s_lock)
@@ -36,7 +36,7 @@ internal static class SceneHandles
 
             if (place >= s_scenes.Length)
             {
-                // Whoever reads the old table meanwhile finds in it what was there.
+                // A thread that still reads the old table finds its old entries.
                 CompiledScene?[] larger = new CompiledScene?[2 * s_scenes.Length];
                 s_scenes.CopyTo(larger, 0);
                 Volatile.Write(ref s_scenes, larger);
@@ -48,7 +48,7 @@ internal static class SceneHandles
         }
     }
 
-    /// <summary>The scene of a handle; null where it has none.</summary>
+    /// <summary>The scene of a handle; null if the handle is invalid.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static CompiledScene? Find(nuint handle)
     {
@@ -62,7 +62,7 @@ internal static class SceneHandles
         return null;
     }
 
-    /// <summary>Takes a handle back; false where it is none.</summary>
+    /// <summary>Frees a handle; false if the handle is invalid.</summary>
     public static bool Remove(nuint handle)
     {
         lock (s_lock)

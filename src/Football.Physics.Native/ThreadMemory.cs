@@ -5,7 +5,7 @@ using System.Text.Unicode;
 
 namespace FootballPhysics.Native;
 
-/// <summary>What each thread that calls has of its own: the log of its steps, made by its first call, and its last error.</summary>
+/// <summary>The data of each calling thread: the log of its steps, created by its first call, and its last error.</summary>
 internal sealed unsafe class ThreadMemory
 {
     /// <summary>Bytes that a sentence may have; a longer one is cut.</summary>
@@ -30,7 +30,7 @@ internal sealed unsafe class ThreadMemory
         get => t_mine ?? Make();
     }
 
-    /// <summary>A log without events, for what is stepped now. Its counts go on: nothing reads them.</summary>
+    /// <summary>A log without events, for the next step. Its counters are not reset, because nothing reads them.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public StepLog ClearLog()
     {
@@ -45,7 +45,7 @@ internal sealed unsafe class ThreadMemory
     /// <summary>The sentence of the last call that failed, UTF-8 with a zero at its end; null before.</summary>
     public byte* Error => _error;
 
-    /// <summary>Keeps a sentence. What was returned before stays where it is, and reads as the new one.</summary>
+    /// <summary>Stores a message. A pointer that was returned before stays valid and shows the new message.</summary>
     public void Fail(string sentence)
     {
         if (_error is null)
@@ -57,7 +57,7 @@ internal sealed unsafe class ThreadMemory
     }
 
     /// <summary>Writes a text as UTF-8 with a zero at its end, cut between two characters where there is no room.</summary>
-    /// <returns>False where it was cut.</returns>
+    /// <returns>False if the message was truncated.</returns>
     public static bool Copy(string text, byte* into, int capacity)
     {
         OperationStatus status = Utf8.FromUtf16(text, new Span<byte>(into, capacity - 1), out _, out int used, replaceInvalidSequences: true);

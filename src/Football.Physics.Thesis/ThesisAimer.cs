@@ -58,7 +58,7 @@ public sealed class ThesisAimer
             AimMethod.Angle => _angle.Find(request),
             AimMethod.Bisection => _bisection.Find(request),
             AimMethod.TwoPoint => _twoPoint.Find(request),
-            _ => throw Check.Refusal("aim.method", method.ToString(), "one that has a solver"),
+            _ => throw Check.Refusal("aim.method", method.ToString(), "Direct | Angle | Bisection | TwoPoint"),
         };
         return Direct.Report(request, in solution, measure, passes: method == AimMethod.TwoPoint);
     }

@@ -49,7 +49,7 @@ public sealed record TrackFitRequest
         Check.Positive("fit.spinDeviation", SpinDeviation);
         Check.Positive("fit.factorDeviation", FactorDeviation);
         Check.Within("fit.timeStep", TimeStep, 1e-4, 0.1);
-        Check.Given("fit.otherBalls", OtherBalls);
+        Check.Member("fit.otherBalls", OtherBalls);
         for (int i = 0; i < OtherBalls.Count; i++)
         {
             Check.GivenItem("fit.otherBalls", i, OtherBalls[i], "a ball");

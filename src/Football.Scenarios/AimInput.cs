@@ -5,7 +5,7 @@ namespace FootballPhysics.Scenarios;
 /// <summary>Reads what a kick is to do: the member "aim" of a scenario.</summary>
 public static class AimInput
 {
-    /// <summary>The request; what its numbers may be the library says when the kick is looked for.</summary>
+    /// <summary>The request. The library checks its numbers during the search.</summary>
     /// <param name="aim">The input.</param>
     public static AimRequest Request(InputObject aim)
     {

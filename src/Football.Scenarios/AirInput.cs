@@ -7,7 +7,7 @@ public static class AirInput
 {
     /// <summary>The air.</summary>
     /// <param name="air">The input.</param>
-    /// <param name="defaults">What is not given.</param>
+    /// <param name="defaults">Values of the members that are not given.</param>
     /// <param name="groundHeight">Height of the ground, m.</param>
     public static Air Air(InputObject air, Air defaults, double groundHeight)
     {

@@ -4,7 +4,7 @@ namespace FootballPhysics.Scenarios;
 
 /// <summary>One of several balls, and its launch.</summary>
 /// <param name="Ball">The ball.</param>
-/// <param name="Position">Where it starts, m.</param>
+/// <param name="Position">The position of the ball at the start, m.</param>
 /// <param name="Velocity">Velocity, m/s.</param>
 /// <param name="Spin">Spin, rad/s.</param>
 /// <param name="Orientation">How it is turned.</param>

@@ -2,7 +2,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
 
-/// <summary>A kick as a person says it.</summary>
+/// <summary>A kick given by speed, angles and spin.</summary>
 /// <param name="Speed">m/s.</param>
 /// <param name="Elevation">Degrees above the horizontal.</param>
 /// <param name="Azimuth">Degrees from −z, counter-clockwise seen from above: to the left.</param>

@@ -27,7 +27,7 @@ public sealed class MatchBundle
     /// <summary>Length of the last record of a zip file without its comment.</summary>
     private const int EndRecord = 22;
 
-    /// <summary>What tells of it is no longer, in characters.</summary>
+    /// <summary>The maximum length of the texts that describe it, in characters.</summary>
     private const int LongestText = 200;
 
     private readonly JsonElement _about;
@@ -56,21 +56,21 @@ public sealed class MatchBundle
 
     /// <summary>Reads a bundle.</summary>
     /// <param name="file">The zip file; it can seek.</param>
-    /// <exception cref="RefusedException">It is no bundle; the message says why.</exception>
+    /// <exception cref="RefusedException">The file is not a bundle; the message gives the reason.</exception>
     public static MatchBundle Read(Stream file)
     {
         try
         {
             if (file.Length > LargestFile)
             {
-                throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"{LargestFile} bytes at most"));
+                throw new RefusedException("FILE", FormattableString.Invariant($"{file.Length} bytes"), FormattableString.Invariant($"at most {LargestFile} bytes"));
             }
 
             CheckDirectory(file);
             using var zip = new ZipArchive(file, ZipArchiveMode.Read);
             if (zip.Entries.Count > MostEntries)
             {
-                throw new RefusedException("FILE", FormattableString.Invariant($"a zip file of {zip.Entries.Count} files"), FormattableString.Invariant($"{MostEntries} at most"));
+                throw new RefusedException("FILE", FormattableString.Invariant($"a zip file of {zip.Entries.Count} files"), FormattableString.Invariant($"at most {MostEntries}"));
             }
 
             byte[] about = Entry(zip, "match.json", LargestAbout);
@@ -83,7 +83,7 @@ public sealed class MatchBundle
         }
         catch (InvalidDataException)
         {
-            throw new RefusedException("FILE", "no zip file", "a bundle that Recording.ToBundle wrote");
+            throw new RefusedException("FILE is not a zip file. Pass a bundle that Recording.ToBundle wrote.");
         }
         catch (FormatException broken)
         {
@@ -92,7 +92,7 @@ public sealed class MatchBundle
     }
 
     /// <summary>The scene of the match, with bodies of its own: one for each replay.</summary>
-    /// <exception cref="RefusedException">It is none, or not that of the segment; the message names the field.</exception>
+    /// <exception cref="RefusedException">The scene is invalid or differs from the recorded one; the message names the field.</exception>
     public Simulator NewSimulator()
     {
         var fields = new InputFields(_about);
@@ -121,7 +121,7 @@ public sealed class MatchBundle
             $"{Segment.SceneHash.ToString("x16", CultureInfo.InvariantCulture)}, that of the match: its scene is not all in match.json, or is another one in this version of the library");
     }
 
-    /// <summary>What the file says of where it comes from, on one line.</summary>
+    /// <summary>The origin of the bundle according to the file, on one line.</summary>
     private static string Said(InputObject root, string name) => Quote.Short(root.Text(name, ""), LongestText);
 
     /// <summary>Rejects a zip file whose list of files is long, before it is read: a list may name a million files in 64 MB.</summary>
@@ -142,16 +142,16 @@ public sealed class MatchBundle
         long length = file.Length - (end.Length - at) - list;
         if (length is < 0 or > LongestDirectory)
         {
-            throw new RefusedException("FILE", FormattableString.Invariant($"a zip file with {length} bytes before the end of its list of files"), FormattableString.Invariant($"{LongestDirectory} at most"));
+            throw new RefusedException("FILE", FormattableString.Invariant($"a zip file with {length} bytes before the end of its list of files"), FormattableString.Invariant($"at most {LongestDirectory}"));
         }
     }
 
     private static byte[] Entry(ZipArchive zip, string name, int largest)
     {
-        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException("FILE", $"a zip file without {name}", "a bundle that Recording.ToBundle wrote");
+        ZipArchiveEntry entry = zip.GetEntry(name) ?? throw new RefusedException($"FILE is a zip file without {name}. Pass a bundle that Recording.ToBundle wrote.");
         if (entry.Length > largest)
         {
-            throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"{largest} bytes at most"));
+            throw new RefusedException(name, FormattableString.Invariant($"{entry.Length} bytes"), FormattableString.Invariant($"at most {largest} bytes"));
         }
 
         // As it comes: the length that the file names may be any number.

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Scenarios;
 
-/// <summary>What the ball does after an event.</summary>
+/// <summary>The motion of the ball after an event.</summary>
 public static class MotionAfter
 {
     /// <summary>Its motion; a net, the line of a goal and a zone leave it as it was.</summary>

@@ -23,7 +23,7 @@ public sealed record Scenario
     /// <summary>Several balls instead of one; empty where there is one. Then place, velocity and spin are theirs.</summary>
     public IReadOnlyList<BallLaunch> Balls { get; init; } = [];
 
-    /// <summary>What two balls are to each other.</summary>
+    /// <summary>The material of contacts between balls.</summary>
     public SurfaceMaterial BallContact { get; init; } = SurfaceMaterial.Ball;
 
     public required Vector3d Position { get; init; }
@@ -47,14 +47,14 @@ public sealed record Scenario
     /// <summary>Whether there is room for a sample of every step.</summary>
     public bool CanKeepPath => Math.Max(1, Balls.Count) * (Duration / TimeStep) <= MostSamples;
 
-    /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
+    /// <summary>Reads a scenario. The library checks the numbers when it is simulated.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static Scenario Read(InputFields fields)
     {
         Scenario scenario = Take(fields.Root);
         fields.Check();
         return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
-            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep, of all balls); allowed: samples of at most {MostSamples:0} steps."));
+            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep × balls); allowed: at most {MostSamples:0} steps with samples."));
     }
 
     /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>

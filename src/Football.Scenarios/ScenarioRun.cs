@@ -10,7 +10,7 @@ public static class ScenarioRun
 
     /// <summary>Plays it to its end.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the library's range.</exception>
-    /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
+    /// <exception cref="RefusedException">The motion overflowed, although each number is allowed.</exception>
     public static Outcome Play(Scenario scenario)
     {
         if (scenario.Balls.Count > 0)
@@ -30,7 +30,7 @@ public static class ScenarioRun
         Moment final = Final(scenario, in state, log.Events, ended);
         if (!ended)
         {
-            // What many steps add up to is off by rounding; what was asked for is not.
+            // The sum of many steps has a rounding error; the requested time has none.
             final = final with { Time = scenario.Duration };
         }
 
@@ -104,7 +104,7 @@ public static class ScenarioRun
     }
 
     private static RefusedException NotFinite(Scenario scenario) => new(FormattableString.Invariant(
-        $"the motion is not finite up to {scenario.Duration} s; allowed: a scenario whose places and speeds stay within what a double can hold."));
+        $"the motion overflows before {scenario.Duration} s. Reduce the speeds, the coefficients or stop.time."));
 
     /// <summary>
     /// At the event that ended the run the state is the event's: an impact's own upward speed, the last motion before rest.

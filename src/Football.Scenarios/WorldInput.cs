@@ -12,7 +12,7 @@ public static class WorldInput
     /// <summary>The zones.</summary>
     public static IReadOnlyList<Zone> Zones(InputObject root) => [.. root.Objects("zones").Select(Zone).OfType<Zone>()];
 
-    /// <summary>The bodies, which the game moves; null where there are none.</summary>
+    /// <summary>The bodies, which the game moves; null if there are none.</summary>
     public static KinematicBodies? Bodies(InputObject root)
     {
         IReadOnlyList<InputObject> items = root.Objects("bodies");
@@ -36,7 +36,7 @@ public static class WorldInput
     /// <summary>The goals.</summary>
     public static IReadOnlyList<Goal> Goals(InputObject root, SurfaceMaterial frame) => [.. root.Objects("goals").Select(item => Goal(item, frame))];
 
-    /// <summary>Uneven ground; null where none is given.</summary>
+    /// <summary>Uneven ground; null if not given.</summary>
     public static HeightField? Heights(InputObject ground)
     {
         if (!ground.Has("heights"))

@@ -3,7 +3,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Tests;
 
-/// <summary>Every command tells how it is used, and what it tells works.</summary>
+/// <summary>Every command has help with examples, and the examples work.</summary>
 public sealed class HelpTests
 {
     /// <summary>Writes the file that an example of a match names: a flight of two seconds, 50 times a second.</summary>
@@ -74,7 +74,7 @@ public sealed class HelpTests
         FootballCommand done = FootballCommand.Run("", args);
         Assert.Equal((2, ""), (done.ExitCode, done.Output));
         Assert.StartsWith(message + "\n", done.Error);
-        Assert.EndsWith("--help tells how to use it.\n", done.Error);
+        Assert.EndsWith("--help describes it.\n", done.Error);
     }
 
     private static IEnumerable<string> PathsBelow(Command command, string path) =>
@@ -83,6 +83,11 @@ public sealed class HelpTests
     private static IEnumerable<string> ExamplesOf(string path)
     {
         string help = FootballCommand.Run("", [.. path.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Output;
+        if (path.Length == 0)
+        {
+            return [help[(help.IndexOf("Example: ", StringComparison.Ordinal) + "Example: ".Length)..].TrimEnd()];
+        }
+
         int examples = help.IndexOf("Examples:\n", StringComparison.Ordinal);
         Assert.True(examples > 0, help);
         return help[examples..].Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(line => line.Trim());

@@ -105,9 +105,9 @@ public sealed class BundleTests : IDisposable
     public void What_is_no_bundle_or_a_tick_that_it_does_not_have_is_refused()
     {
         byte[] good = Bundle(Scene.Default, out _);
-        Assert.StartsWith("football: FILE is no zip file; allowed: ", FootballCommand.Run("", "bundle", Save([1, 2, 3])).ErrorLine);
+        Assert.StartsWith("football: FILE is not a zip file. ", FootballCommand.Run("", "bundle", Save([1, 2, 3])).ErrorLine);
         Assert.StartsWith("football: --tick is 201; allowed: 0 … 200", FootballCommand.Run("", "bundle", Save(good), "--tick", "201").ErrorLine);
-        Assert.StartsWith("football: FILE is \"none.zip\", which cannot be read", FootballCommand.Run("", "bundle", "none.zip").ErrorLine);
+        Assert.StartsWith("football: FILE \"none.zip\" cannot be read. ", FootballCommand.Run("", "bundle", "none.zip").ErrorLine);
         foreach ((string from, string to, string says) in new[]
         {
             ("\"gravity\":9.81", "\"gravity\":9.82", "football: sceneHash is "),
@@ -132,7 +132,7 @@ public sealed class BundleTests : IDisposable
         long before = GC.GetTotalAllocatedBytes(true);
         var done = FootballCommand.Run("", "bundle", Save(bomb));
         long allocated = GC.GetTotalAllocatedBytes(true) - before;
-        Assert.StartsWith($"football: {name} is {length} bytes; allowed: {length - 1} bytes at most", done.ErrorLine);
+        Assert.StartsWith($"football: {name} is {length} bytes; allowed: at most {length - 1} bytes", done.ErrorLine);
         Assert.True(allocated < 1 << 24, $"{allocated} bytes were allocated");
     }
 
@@ -148,7 +148,7 @@ public sealed class BundleTests : IDisposable
             }
         }
 
-        Assert.StartsWith("football: FILE is a zip file of 65 files; allowed: 64 at most", FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine);
+        Assert.StartsWith("football: FILE is a zip file of 65 files; allowed: at most 64", FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine);
         string large = Path.Combine(_folder, "large.zip");
         using (FileStream file = File.Create(large))
         {
@@ -156,7 +156,7 @@ public sealed class BundleTests : IDisposable
         }
 
         Assert.StartsWith("football: FILE is ", FootballCommand.Run("", "bundle", large).ErrorLine);
-        Assert.Contains("allowed: 67108864 bytes at most", FootballCommand.Run("", "bundle", large).ErrorLine);
+        Assert.Contains("allowed: at most 67108864 bytes", FootballCommand.Run("", "bundle", large).ErrorLine);
     }
 
     /// <summary>A list of a million files in a bundle of 60 MB is not read.</summary>
@@ -175,7 +175,7 @@ public sealed class BundleTests : IDisposable
         // Its entries are not counted, as those of a short list are.
         string error = FootballCommand.Run("", "bundle", Save(many.ToArray())).ErrorLine;
         Assert.StartsWith("football: FILE is a zip file with ", error);
-        Assert.Contains("list of files; allowed: 65536 at most", error);
+        Assert.Contains("list of files; allowed: at most 65536", error);
     }
 
     /// <summary>What the file says of where it comes from is shown, and not obeyed.</summary>
@@ -197,7 +197,7 @@ public sealed class BundleTests : IDisposable
     public void A_scene_with_code_or_another_one_than_the_match_s_has_no_bundle()
     {
         Scene own = Scene.Default with { Forces = ForceSet.Measured with { CustomForces = [IForce.From(_ => Vector3d.Zero)] } };
-        Assert.StartsWith("scene: forces.customForces[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
+        Assert.StartsWith("The scene cannot be written as a scenario, because forces.customForces[0] ", Assert.Throws<InvalidOperationException>(() => Bundle(own, out _)).Message);
         var runner = new FixedStepRunner();
         Recording segment = runner.Record();
         Assert.Throws<ArgumentException>(() => segment.ToBundle(new Simulator(Scene.Published)));

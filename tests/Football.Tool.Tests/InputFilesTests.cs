@@ -22,7 +22,7 @@ public sealed class InputFilesTests : IDisposable
             string[] page = option == "--output" ? [] : ["--output", Path.Combine(_folder, "other.html")];
             var done = FootballCommand.Run("", ["replay", input, option, output, .. page]);
             Assert.Equal(1, done.ExitCode);
-            Assert.StartsWith($"football: {option} is ", done.ErrorLine);
+            Assert.Contains(" is also the file of ", done.ErrorLine);
             Assert.Equal(Shot, File.ReadAllText(input));
         }
 

@@ -86,7 +86,7 @@ public sealed class KickTests
     [InlineData(2, "--elevation is 91; allowed: -90 … 90 degrees.", "--elevation", "91")]
     [InlineData(1, "air.wind[1] is \"x\"; allowed: a finite number", "--set", "air.wind=[1,\"x\",0]")]
     [InlineData(1, "ball.mass is 0; allowed: 0.001 … 100.", "--set", "ball.mass=0")]
-    [InlineData(1, "--svg is \"\", which cannot be written; allowed: a file that can be written.", "--svg", "")]
+    [InlineData(1, "--svg \"\" cannot be written. Pass a file that can be written.", "--svg", "")]
     public void What_is_wrong_is_refused(int exitCode, string message, params string[] args)
     {
         FootballCommand done = FootballCommand.Run("", ["kick", .. args]);

@@ -86,7 +86,7 @@ public sealed class MatchTests
     {
         FootballCommand done = Match(Track("t,x,y,z"), option);
         Assert.Equal((2, ""), (done.ExitCode, done.Output));
-        Assert.StartsWith($"football: {option[0]} is given; allowed: without --match.", done.Error, StringComparison.Ordinal);
+        Assert.StartsWith($"football: {option[0]} cannot be combined with --match.", done.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -99,7 +99,7 @@ public sealed class MatchTests
             File.WriteAllText(file, track);
             FootballCommand done = FootballCommand.Run("", "fit", "--match", file, "--plot", file);
             Assert.Equal(1, done.ExitCode);
-            Assert.Matches("^football: --plot is \".*\", which is the input's file too; allowed: a file of its own.$", done.ErrorLine);
+            Assert.Matches("^football: --plot \".*\" is also the file of the input. Pass another file.$", done.ErrorLine);
             Assert.Equal(track, File.ReadAllText(file));
         }
         finally

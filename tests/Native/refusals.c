@@ -41,7 +41,7 @@ int main(void)
     EXPECT(FP_ARGUMENT, "json_bytes is -1", fp_scene_create("{}", -1, &none));
     EXPECT(FP_ARGUMENT, "scene is null", fp_scene_create("{}", 2, NULL));
     EXPECT(FP_HANDLE, "scene is null", fp_step(NULL, &state, 0.01, NULL, 0, NULL));
-    EXPECT(FP_HANDLE, "scene is no handle", fp_step((fp_scene *)&state, &state, 0.01, NULL, 0, NULL));
+    EXPECT(FP_HANDLE, "scene is not a valid handle", fp_step((fp_scene *)&state, &state, 0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "state is null", fp_step(scene, NULL, 0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "state.orientation", fp_step(scene, &empty, 0.01, NULL, 0, NULL));
     EXPECT(FP_ARGUMENT, "dt is NaN", fp_step(scene, &state, NAN, NULL, 0, NULL));

@@ -120,7 +120,7 @@ public sealed partial class GodotFolderTests
 
     [Fact]
     public void A_kick_before_ready_is_refused_clearly() =>
-        Assert.Contains("no _Ready behind it yet", Assert.Throws<InvalidOperationException>(() => new FootballBall().Kick(10, Godot.Vector3.Forward)).Message);
+        Assert.Contains("The football is not ready", Assert.Throws<InvalidOperationException>(() => new FootballBall().Kick(10, Godot.Vector3.Forward)).Message);
 
     [Fact]
     public void The_path_ahead_is_an_array_too()

@@ -44,7 +44,7 @@ public sealed class GodotPlayTests : IDisposable
         {
             Assert.True(GodotAsset.Load(file).IsInsideTree());
             Node.Play(2, Frame);
-            Assert.DoesNotContain(GD.Pushed, said => !said.Contains("no goal for this keeper", StringComparison.Ordinal));
+            Assert.DoesNotContain(GD.Pushed, said => !said.Contains("has no goal to guard", StringComparison.Ordinal));
         }
     }
 
@@ -474,7 +474,7 @@ public sealed class GodotPlayTests : IDisposable
         MeshInstance3D marker = ball.GetChildren(true).OfType<MeshInstance3D>().Last();
         Assert.Equal(GodotFrame.ToGodot(dock.Player.Pose.Position), marker.GlobalPosition);
         buttons[2].Click();
-        Assert.Contains("to the last bit", dock.Said, StringComparison.Ordinal);
+        Assert.Contains("matches the recording bit for bit", dock.Said, StringComparison.Ordinal);
         GodotAsset.Load("addons/football_physics/scenes/wall.tscn");
         dock.Load(segment.ToBytes(), ball);
         Assert.Contains("the same scene", dock.Said, StringComparison.Ordinal);

@@ -33,7 +33,7 @@ public sealed class UnityPlayTests : IDisposable
         else
         {
             Assert.NotEmpty(UnityAsset.Load(file));
-            Assert.DoesNotContain(Debug.Warned, said => !said.Contains("no goal for this keeper", StringComparison.Ordinal));
+            Assert.DoesNotContain(Debug.Warned, said => !said.Contains("has no goal to guard", StringComparison.Ordinal));
         }
     }
 

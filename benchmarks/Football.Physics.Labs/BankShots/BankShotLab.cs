@@ -26,7 +26,7 @@ internal static class BankShotLab
         Option<long> requests = Arguments.Whole("--requests", "Requests of each kind.", 1, 100_000, 2);
         return LabOptions.Create(
             "bankshots",
-            "Aims after bounces and off walls, bar and post: requests made by flying a random kick, so that there is an answer.",
+            "Aims after bounces and off walls, crossbar and post. Each request comes from a random kick, so that a solution exists.",
             ["football lab bankshots --requests 1 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(requests), progress),

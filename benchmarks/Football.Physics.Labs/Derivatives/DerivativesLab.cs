@@ -10,10 +10,10 @@ internal static class DerivativesLab
     public static Command Create(Terminal terminal)
     {
         Option<long> flights = Arguments.Whole("--flights", "Flights of each kind.", 1, 1_000_000, 3);
-        Option<long> step = Arguments.Whole("--step", "Length of a step, ms.", 1, 20, 10);
+        Option<long> step = Arguments.Whole("--step", "Time step in ms.", 1, 20, 10);
         return LabOptions.Create(
             "derivatives",
-            "How place and time of the end change with the launch: random flights of both profiles, through bounces, posts, nets and slopes, against central differences.",
+            "Derivatives of the end position and time by the launch, compared with central differences: random flights with bounces, posts, nets and slopes.",
             ["football lab derivatives", "football lab derivatives --flights 2 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), 0.001 * parsed.GetValue(step), progress),

@@ -9,10 +9,10 @@ internal static class GoalsLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> shots = Arguments.Whole("--shots", "Shots.", 1, 100_000_000, 300);
+        Option<long> shots = Arguments.Whole("--shots", "Number of shots.", 1, 100_000_000, 300);
         return LabOptions.Create(
             "goals",
-            "Shots from anywhere within 25 m, at any angle and height, with rebounds: the event of a goal against a watch of the path that knows nothing of it.",
+            "Random shots within 25 m of a goal, with rebounds: the goal event, compared with an independent check of the path.",
             ["football lab goals", "football lab goals --shots 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), progress),

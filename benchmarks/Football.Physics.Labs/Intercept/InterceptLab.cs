@@ -9,10 +9,10 @@ internal static class InterceptLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> flights = Arguments.Whole("--flights", "Flights, of both profiles in turn.", 2, 10_000_000, 100);
+        Option<long> flights = Arguments.Whole("--flights", "Number of flights, alternating between the profiles.", 2, 10_000_000, 100);
         return LabOptions.Create(
             "intercept",
-            "Who meets the ball when: random runners on random flights of both profiles, against a scan in steps of 0.1 ms.",
+            "Interception by random runners on random flights, compared with a scan in steps of 0.1 ms.",
             ["football lab intercept", "football lab intercept --flights 40 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(flights), progress),

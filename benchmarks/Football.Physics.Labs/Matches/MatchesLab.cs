@@ -8,13 +8,13 @@ internal static class MatchesLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> count = Arguments.Whole("--count", "Matches, dribbles, first-time shots, traps.", 1, 1_000_000, 1000);
-        Option<long> impacts = Arguments.Whole("--impacts", "Impacts whose balances are drawn up.", 1, 1_000_000_000, 1_000_000);
-        var only = new Option<string?>("--only") { HelpName = "PART", Description = "One part: rollbacks, dribbles, shots, traps, impacts, cost, jumps." };
+        Option<long> count = Arguments.Whole("--count", "Number of matches, dribbles, first-time shots and traps each.", 1, 1_000_000, 1000);
+        Option<long> impacts = Arguments.Whole("--impacts", "Number of impacts to check.", 1, 1_000_000_000, 1_000_000);
+        var only = new Option<string?>("--only") { HelpName = "PART", Description = "Run one part: rollbacks, dribbles, shots, traps, impacts, cost, jumps." };
         only.AcceptOnlyFromAmong("rollbacks", "dribbles", "shots", "traps", "impacts", "cost", "jumps");
         return LabOptions.Create(
             "matches",
-            "Late kicks among moving players, at four frame rates; dribbles, first-time shots and traps; balances of impacts; what fifty balls cost, and a jump within a recording.",
+            "Rollbacks of late kicks at four frame rates; dribbles, first-time shots and traps; energy and momentum of impacts; cost of fifty balls and of a jump in a recording.",
             ["football lab matches --count 20 --impacts 10000", "football lab matches --only dribbles --count 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(count), parsed.GetValue(impacts), parsed.GetValue(only), progress),

@@ -17,7 +17,7 @@ internal static class ObstaclesLab
         Option<bool> quick = LabOptions.Quick();
         return LabOptions.Create(
             "obstacles",
-            "Things to hit: the cost by how many there are, shots that pass through a post, and the error of a rebound, beside a rigid-body engine's way.",
+            "Obstacles compared with a rigid-body engine: cost by their number, shots that tunnel through a post, and the error of a rebound.",
             ["football lab obstacles --quick"],
             terminal,
             (parsed, seed, progress) => Run(seed, parsed.GetValue(quick), progress),

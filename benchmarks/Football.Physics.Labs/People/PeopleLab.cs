@@ -23,14 +23,14 @@ internal static class PeopleLab
     public static Command Create(Terminal terminal)
     {
         Option<long> matches = Arguments.Whole("--matches", "Matches in a closed stadium.", 0, Most, 1);
-        Option<long> seconds = Arguments.Whole("--seconds", "Length of a match, s.", 1, Most, 60);
+        Option<long> seconds = Arguments.Whole("--seconds", "Length of a match in s.", 1, Most, 60);
         Option<long> presses = Arguments.Whole("--presses", "Balls pressed against boards, into corners, against posts, into nets.", 0, Most, 60);
-        Option<long> pinches = Arguments.Whole("--pinches", "Balls that two players run at.", 0, Most, 60);
-        Option<long> meetings = Arguments.Whole("--meetings", "Balls on open ground that one thing runs into.", 0, Most, 60);
+        Option<long> pinches = Arguments.Whole("--pinches", "Balls that two players squeeze.", 0, Most, 60);
+        Option<long> meetings = Arguments.Whole("--meetings", "Balls on open ground that one body runs into.", 0, Most, 60);
         Option<long> hits = Arguments.Whole("--hits", "Flat kicks into the edge of board and ground.", 0, Most, 60);
         return LabOptions.Create(
             "people",
-            "A ball among players, boards, posts and nets, two of them at a time: nothing that stands still is entered, nothing is made faster than it may be, steps stay short.",
+            "A ball among players, boards, posts and nets: no penetration of static objects, no gain of speed, bounded cost of a step.",
             [
                 "football lab people",
                 "football lab people --matches 30 --seconds 600 --presses 3000 --pinches 3000 --meetings 3000 --hits 3000",

@@ -12,14 +12,14 @@ internal static class PlayLab
 
     public static Command Create(Terminal terminal)
     {
-        var files = new Option<string[]>("--track") { HelpName = "FILE", Description = "The track of a real match as CSV (t, x, y, z); can be given several times.", DefaultValueFactory = _ => [] };
-        var altitude = new Option<double?>("--altitude") { HelpName = "M", Description = "Metres over the sea of those matches." };
-        var bounces = new Option<bool>("--bounces") { Description = "Of the tracks only bounces, slides and rolls, without the comparison of balls." };
-        Option<long> matches = Arguments.Whole("--matches", "Simulated minutes, for each noise.", 0, 1_000_000, 10);
-        Option<long> damaged = Arguments.Whole("--damaged", "Damaged files.", 0, 10_000_000, 200);
+        var files = new Option<string[]>("--track") { HelpName = "FILE", Description = "Track of a real match as CSV (t, x, y, z); can be repeated.", DefaultValueFactory = _ => [] };
+        var altitude = new Option<double?>("--altitude") { HelpName = "M", Description = "Metres above sea level of those matches." };
+        var bounces = new Option<bool>("--bounces") { Description = "Analyse only bounces, slides and rolls of the tracks, without comparing balls." };
+        Option<long> matches = Arguments.Whole("--matches", "Simulated minutes per noise level.", 0, 1_000_000, 10);
+        Option<long> damaged = Arguments.Whole("--damaged", "Number of damaged files.", 0, 10_000_000, 200);
         return LabOptions.Create(
             "play",
-            "Tracks of matches: real ones that are given, by every ball and surface; simulated minutes, of which everything is known; damaged files, none of which may do harm.",
+            "Fits of match tracks: your real ones with every ball and surface, simulated ones with known truth, and damaged files.",
             ["football lab play --matches 1 --damaged 10 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(parsed.GetRequiredValue(files), parsed.GetValue(altitude), parsed.GetValue(bounces), seed, (int)parsed.GetValue(matches), (int)parsed.GetValue(damaged), progress, terminal),

@@ -12,7 +12,7 @@ internal static class FitLab
         Option<long> tracks = Arguments.Whole("--tracks", "Tracks of each kind.", 1, 1_000_000, 2);
         return LabOptions.Create(
             "fit",
-            "Launches, and numbers of a scene, from simulated tracks with noise (25 a second, 2 cm): how often the truth is within the uncertainty that the fit states.",
+            "Fits of noisy simulated tracks (25 points per second, 2 cm): how often the true value is within the reported uncertainty.",
             ["football lab fit --tracks 1 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(tracks), progress),

@@ -9,11 +9,11 @@ internal static class ScatterLab
 {
     public static Command Create(Terminal terminal)
     {
-        Option<long> kicks = Arguments.Whole("--kicks", "Kicks flown for each shot.", 100, 100_000_000, 400);
-        Option<long> shots = Arguments.Whole("--shots", "Shots, every second one of a narrow spread.", 1, 1000, 6);
+        Option<long> kicks = Arguments.Whole("--kicks", "Kicks simulated for each shot.", 100, 100_000_000, 400);
+        Option<long> shots = Arguments.Whole("--shots", "Number of shots; every second one has a narrow spread.", 1, 1000, 6);
         return LabOptions.Create(
             "scatter",
-            "Chances to be in, and to be out of the goalkeeper's reach, by derivatives or lanes, against kicks drawn by another generator and flown one by one.",
+            "Chances to score, by derivatives or SIMD batches, compared with random kicks that are simulated one by one.",
             ["football lab scatter --shots 1 --kicks 200 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(shots), (int)parsed.GetValue(kicks), progress),

@@ -16,21 +16,20 @@ internal static class ScenesLab
 
     public static Command Create(Terminal terminal)
     {
-        Option<long> count = Arguments.Whole("--count", "Scenes of every kind; of seams ten times as many.", 1, 10_000_000, ByDefault);
-        var only = new Option<string?>("--only") { HelpName = "KIND", Description = $"One kind only: {string.Join(", ", s_kinds.Select(kind => kind.Name))}." };
+        Option<long> count = Arguments.Whole("--count", "Scenes of each kind; ten times as many seams.", 1, 10_000_000, ByDefault);
+        var only = new Option<string?>("--only") { HelpName = "KIND", Description = $"Run one kind: {string.Join(", ", s_kinds.Select(kind => kind.Name))}." };
         only.AcceptOnlyFromAmong([.. s_kinds.Select(kind => kind.Name)]);
-        Option<long> scene = Arguments.Whole("--scene", "One scene only, by its number; with --only.", -1, long.MaxValue, -1);
+        Option<long?> scene = Arguments.Whole("--scene", "One scene by its number, with --only.", 0, long.MaxValue);
         Option<long> jobs = Arguments.Jobs("Threads.");
         return LabOptions.Create(
             "scenes",
-            "Random seams, turning bodies, carriers, kerbs and slopes, against closed forms, exact rotations and a textbook integration.",
+            "Random seams, turning bodies, moving floors, kerbs and slopes, compared with closed forms, exact rotations and a reference integration.",
             ["football lab scenes --only kerbs --count 20 --seed 7"],
             terminal,
             (parsed, seed, progress) =>
             {
                 SceneKind[] kinds = [.. s_kinds.Where(kind => parsed.GetValue(only) is not { } name || kind.Name == name)];
-                long index = parsed.GetValue(scene);
-                return index < 0 ? Run(seed, parsed.GetValue(count), kinds, (int)parsed.GetValue(jobs), progress)
+                return parsed.GetValue(scene) is not { } index ? Run(seed, parsed.GetValue(count), kinds, (int)parsed.GetValue(jobs), progress)
                     : kinds.Length == 1 ? One(seed, index, kinds[0])
                     : throw new RefusedException("--scene requires --only KIND.");
             },

@@ -13,7 +13,7 @@ internal static class ZonesLab
         Option<long> paths = Arguments.Whole("--paths", "Kicks through zones.", 1, Most, 1000);
         return LabOptions.Create(
             "zones",
-            "Random kicks through zones of every shape: what is reported against the path, sampled densely. No crossing may be missed, none be 1e-6 s off, and no zone may change the path.",
+            "Random kicks through zones of every shape, compared with a densely sampled path: each crossing is reported to within 1e-6 s, and no zone changes the path.",
             ["football lab zones", "football lab zones --paths 300 --seed 7"],
             terminal,
             (parsed, seed, progress) => Run(seed, (int)parsed.GetValue(paths), progress),

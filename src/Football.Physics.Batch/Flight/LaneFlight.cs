@@ -84,7 +84,7 @@ internal abstract class LaneFlight
             ForceLaw.Empirical when form == AerodynamicModel.Measured =>
                 new LaneKernel<F, MeasuredLaneLaw<F>, TMethod>(scene, timeStep, upAlongX, findsApex),
             ForceLaw.Empirical => throw Check.Refusal("forces.coefficients", form.ToString(), "Published | Regularized | Measured"),
-            _ => throw new ArgumentOutOfRangeException(nameof(scene), "Laws of several kinds are not flown in lanes."),
+            _ => throw new ArgumentOutOfRangeException(nameof(scene), "A batch does not support force laws of different kinds. Set forces.drag, forces.magnus and forces.spinDecay to the same law."),
         };
     }
 

@@ -40,7 +40,7 @@ public sealed class PassFan
         Scene whole = scene ?? Scene.Default;
         if (whole.Ground.IsNone)
         {
-            throw Check.Refusal("ground", "none", "a level pitch: passes are played on it");
+            throw Check.Conflict("ground", "ground is none, but passes are played on a level pitch. Use a scene with a ground.");
         }
 
         Simulator? amongThings = whole.HasThings ? new Simulator(whole) : null;
@@ -48,7 +48,7 @@ public sealed class PassFan
         Scene known = _simulator.Scene;
         if (!LaneFlight.Covers(known))
         {
-            throw Check.Refusal("scene", "one with bodies, colliders of an engine, fields of wind or forces of its own", "a level pitch, what stands on it, steady wind and laws of one kind");
+            throw Check.Conflict("scene", "scene is not supported by PassFan. Use a level pitch with static obstacles, a steady wind, no custom forces, and force laws of one kind.");
         }
 
         _domain = new LaneDomain(known, Step);

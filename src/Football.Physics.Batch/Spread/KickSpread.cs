@@ -110,12 +110,12 @@ public sealed record KickSpread
                 double pivot = factor[(j * Count) + j];
                 if (i == j && sum < -1e-12)
                 {
-                    throw Check.Refusal("spread's correlations", ToString(), "those of a positive definite matrix");
+                    throw Check.Refusal("spread's correlations", ToString(), "correlations of a positive definite matrix");
                 }
 
                 if (i != j && pivot <= 1e-9 && Math.Abs(sum) > 1e-6)
                 {
-                    throw Check.Refusal("spread's correlations", ToString(), "those of a positive definite matrix");
+                    throw Check.Refusal("spread's correlations", ToString(), "correlations of a positive definite matrix");
                 }
 
                 factor[(i * Count) + j] = i == j ? Math.Sqrt(Math.Max(0, sum)) : pivot > 1e-9 ? sum / pivot : 0;

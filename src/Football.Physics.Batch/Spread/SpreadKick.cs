@@ -16,7 +16,7 @@ internal readonly struct SpreadKick
         double flat = velocity.Horizontal.Length;
         if (!(flat > 0))
         {
-            throw Check.Refusal("launch.velocity", velocity.ToString(), "not vertical");
+            throw Check.Refusal("launch.velocity", velocity.ToString(), "a direction that is not vertical");
         }
 
         _speed = velocity.Length;

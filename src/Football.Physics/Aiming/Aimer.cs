@@ -231,9 +231,9 @@ public sealed partial class Aimer
 
     private static void RefuseThrough(AimRequest request)
     {
-        if (request.Waypoint is { } point)
+        if (request.Waypoint is not null)
         {
-            throw Check.Refusal("aim.waypoint", point.ToString(), "none, where the speed is to be found");
+            throw Check.Conflict("aim.waypoint", "aim.waypoint cannot be combined with a search for the speed. Leave it unset.");
         }
     }
 

@@ -23,7 +23,7 @@ internal sealed class OwnForces
         if (!(state.Position.IsFinite && state.Velocity.IsFinite && state.Spin.IsFinite && state.BaseOrientation.LengthSquared > 0))
         {
             throw new InvalidOperationException(
-                "forces.customForces took the ball beyond what a number can hold; allowed: forces that the length of the step can follow.");
+                "forces.customForces made the state of the ball overflow. Use a smaller time step or a weaker force.");
         }
     }
 

@@ -290,9 +290,7 @@ internal sealed class World
     public bool SharesAir { get; }
 
     /// <summary>True if the normal part of air and custom forces adds to the load.</summary>
-    /// <remarks>
-    /// This is so if all air forces count, and for a ball that is no heavier than air, which no other force could keep on the ground.
-    /// </remarks>
+    /// <remarks>This is so if all air forces count, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
     public bool AirLoads { get; }
 
     /// <summary>True if air forces act on a supported ball.</summary>

@@ -105,12 +105,12 @@ public sealed partial class FixedStepRunner
 
             if (_group is not null)
             {
-                throw new InvalidOperationException("simulator: several balls have one for the whole match.");
+                throw new InvalidOperationException("A runner of several balls cannot change its simulator. Create a new runner instead.");
             }
 
             if (value.World.Movers != _simulator.World.Movers && History is not null)
             {
-                throw new InvalidOperationException("simulator: a rollback follows the runner; allowed: a scene with as many bodies, and obstacles that have a mass.");
+                throw new InvalidOperationException("The new scene has another number of bodies and movable obstacles, and a Rollback is attached to this runner. Use a scene with as many of them as the old one.");
             }
 
             // Ball.Simulator alone defines how a ball continues in another scene; use it here too.
@@ -348,7 +348,7 @@ public sealed partial class FixedStepRunner
     public void Restore(long tick, in BallState state)
     {
         _before[0] = state;
-        RestoreAll(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball; allowed: {_states.Length}, one each.", nameof(state)));
+        RestoreAll(tick, _states.Length == 1 ? _before : throw new ArgumentException($"state is of one ball, but the runner has {_states.Length} balls. Call RestoreAll with a state for each.", nameof(state)));
     }
 
     /// <summary>Sets the tick and the states of all balls.</summary>
@@ -368,7 +368,7 @@ public sealed partial class FixedStepRunner
         Check.Given(nameof(states), states);
         if (states.Length != _states.Length)
         {
-            throw new ArgumentException($"states has {states.Length} balls; allowed: {_states.Length}, one each.", nameof(states));
+            throw new ArgumentException($"states.Length is {states.Length}; allowed: {_states.Length}, one state for each ball.", nameof(states));
         }
 
         // Validate all states before setting any.

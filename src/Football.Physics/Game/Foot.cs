@@ -86,7 +86,7 @@ public sealed record Foot
         // A zero impulse has no direction.
         if (!((wantedVelocity - velocity).Length > 0))
         {
-            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "another velocity than the ball has");
+            throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "a velocity that differs from the ball's");
         }
 
         // The closed-form strike is final if the foot is fast enough for it.

@@ -137,7 +137,7 @@ public sealed class Recording
         Check.Within(nameof(tick), tick, StartTick, EndTick);
         if (!ReferenceEquals(replay.Script, Bodies))
         {
-            throw new ArgumentException("replay is no runner of this segment; allowed: one that Replay has made.", nameof(replay));
+            throw new ArgumentException("The runner does not belong to this recording. Pass a runner that this recording's Replay returned.", nameof(replay));
         }
 
         int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
@@ -234,7 +234,7 @@ public sealed class Recording
     {
         if (Balls > 1)
         {
-            throw new InvalidOperationException($"balls is {Balls}; allowed: 1 in a bundle.");
+            throw new InvalidOperationException($"The recording has {Balls} balls, but a bundle holds one. Save it with ToBytes instead.");
         }
 
         Replay(simulator, HasMovingColliders ? static _ => { }
@@ -406,8 +406,8 @@ public sealed class Recording
         if (format != Format)
         {
             throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat
-                ? $"they are a match segment of the format FBSG{(char)(format >> 32)}; allowed: FBSG4, that of this version of the library"
-                : "no match segment starts like this");
+                ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4"
+                : "a recording does not start like this");
         }
     }
 
@@ -506,13 +506,13 @@ public sealed class Recording
         if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)
         {
             throw new ArgumentException(
-                $"scene has {runner.Balls} balls and the hash {hash:x16}; allowed: that of the segment, {Balls} balls and {SceneHash:x16}: the same scene, with the same settings.");
+                $"The scene differs from the recorded one (balls {runner.Balls}, hash {hash:x16}; recorded: balls {Balls}, hash {SceneHash:x16}). Use the same scene and settings.");
         }
 
         if (HasMovingColliders && bodiesAt is null)
         {
             throw new InvalidOperationException(
-                "engineColliders: they moved in the segment, which does not hold them; allowed: bodiesAt, which puts them where they were.");
+                "The recording does not store engine colliders, and some moved. Pass bodiesAt to position them.");
         }
 
         for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)

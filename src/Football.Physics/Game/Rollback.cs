@@ -274,13 +274,13 @@ public sealed class Rollback
         if (Runner.EngineMoved >= from)
         {
             throw new InvalidOperationException(
-                $"engineColliders: they moved at tick {Runner.EngineMoved}, which is to be played again; allowed: MoveBodies of the runner, which puts them where they were.");
+                $"Engine colliders moved at tick {Runner.EngineMoved}, so that tick cannot be resimulated. Set runner.MoveBodies, which positions them at any time.");
         }
 
         if (_bodies is null && _bodiesMoved >= from)
         {
             throw new InvalidOperationException(
-                $"bodies: they moved at tick {_bodiesMoved}, which is to be played again; allowed: MoveBodies of the runner, or a rollback that keeps where they were.");
+                $"Bodies moved at tick {_bodiesMoved}, so that tick cannot be resimulated. Set runner.MoveBodies, or create the Rollback with keepsBodies: true.");
         }
     }
 

@@ -277,5 +277,5 @@ internal sealed class SceneText
         return double.Parse(brief, CultureInfo.InvariantCulture).Equals(value) ? brief : value.ToString("G17", CultureInfo.InvariantCulture);
     }
 
-    private static InvalidOperationException Code(string what) => new($"scene: {what} is code, or has no words in a scenario; allowed: a scene of numbers alone.");
+    private static InvalidOperationException Code(string what) => new($"The scene cannot be written as a scenario, because {what} is code or has no scenario member. Use a scene that consists of numbers only.");
 }

@@ -5,11 +5,21 @@ namespace FootballPhysics;
 /// <summary>Range checks. Their messages name the field, its value and the allowed range.</summary>
 internal static class Check
 {
-    public static void Given(string field, object? value)
+    /// <summary>Throws if an argument is null.</summary>
+    public static void Given(string argument, object? value)
     {
         if (value is null)
         {
-            throw new ArgumentNullException(field, field + " is null; allowed: one, or the default by leaving it out.");
+            throw new ArgumentNullException(argument, argument + " is null. Pass a value.");
+        }
+    }
+
+    /// <summary>Throws if a member that has a default was set to null.</summary>
+    public static void Member(string field, object? value)
+    {
+        if (value is null)
+        {
+            throw new ArgumentNullException(field, field + " is null. Leave it unset to use the default.");
         }
     }
 
@@ -34,7 +44,7 @@ internal static class Check
     {
         if ((uint)index >= (uint)count)
         {
-            throw Refusal(field, index.ToString(CultureInfo.InvariantCulture), count == 0 ? "none: there is nothing to choose from" : FormattableString.Invariant($"0 … {count - 1}"));
+            throw Refusal(field, index.ToString(CultureInfo.InvariantCulture), count == 0 ? "none, because there are no items" : FormattableString.Invariant($"0 … {count - 1}"));
         }
     }
 
@@ -96,7 +106,7 @@ internal static class Check
         // With a margin: even a quarter of the step must advance the clock.
         if (!(time + (0.25 * step) > time && time <= double.MaxValue))
         {
-            throw Refusal(field, Text(step), $"more than the rounding of a clock at {Text(time)} s");
+            throw Refusal(field, Text(step), $"more than the rounding error of the clock at {Text(time)} s");
         }
     }
 
@@ -161,6 +171,11 @@ internal static class Check
 
     public static ArgumentOutOfRangeException Refusal(string field, string value, string allowed) =>
         new(field, $"{field} is {value}; allowed: {allowed}.");
+
+    /// <summary>Creates the exception for a value that does not fit the other arguments.</summary>
+    /// <param name="field">The name of the field; the sentence starts with it.</param>
+    /// <param name="sentence">The problem, and its solution.</param>
+    public static ArgumentOutOfRangeException Conflict(string field, string sentence) => new(field, sentence);
 
     /// <summary>Returns the name of an item of a list, for messages.</summary>
     public static string Item(string list, int index) => $"{list}[{index.ToString(CultureInfo.InvariantCulture)}]";

@@ -51,7 +51,7 @@ internal static class OwnForceSteps
             if (!(difference <= Lost))
             {
                 throw new InvalidOperationException(FormattableString.Invariant(
-                    $"forces.customForces is too stiff to look ahead through at {state.Time} s; allowed: forces that steps of {shortest} s can follow, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is taken as it is."));
+                    $"forces.customForces is too stiff for a look-ahead at {state.Time} s, even in steps of {shortest} s. Use a weaker force, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is never divided."));
             }
 
             simulator.Advance(ref state, length, log);

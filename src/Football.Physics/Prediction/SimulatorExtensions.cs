@@ -59,13 +59,14 @@ public static class SimulatorExtensions
         request.Validate();
         if (from.Length != group.Count || into.Length != group.Count)
         {
-            throw new ArgumentException($"from has {from.Length} balls, into {into.Length} trajectories; allowed: {group.Count} of both, as many as the group.");
+            throw new ArgumentException($"from has {from.Length} states and into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one of each for each ball.");
         }
 
         // A single ball that reaches the plane would end all paths.
         if (request.UntilPlane is not null || request.UntilPassing is not null)
         {
-            throw Check.Refusal(request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane", "given", "none where there are several balls");
+            string field = request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane";
+            throw Check.Conflict(field, field + " is not supported for several balls. Leave it unset, and search each path for the crossing.");
         }
 
         request.CheckClock(in from[0]);

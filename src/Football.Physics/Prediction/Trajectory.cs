@@ -287,7 +287,7 @@ public sealed partial class Trajectory
     {
         if (double.IsNaN(time))
         {
-            throw Check.Refusal(nameof(time), "NaN", "a time");
+            throw Check.Refusal(nameof(time), "NaN", "a number");
         }
     }
 

@@ -149,7 +149,7 @@ public sealed record BallProperties
         SceneFields.Check(SceneFields.Ball, this, "ball.");
 
         // Check the curve even if this scene's laws ignore it: another scene may use the same ball.
-        Check.Given("ball.dragCurve", DragCurve);
+        Check.Member("ball.dragCurve", DragCurve);
         DragCurve.Validate();
     }
 }

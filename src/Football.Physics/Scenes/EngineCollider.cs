@@ -222,8 +222,8 @@ public sealed class EngineCollider
         if (required != _hasShape)
         {
             throw new InvalidOperationException(_hasShape
-                ? $"engine collider \"{Name}\": it has a shape; say where that is with MoveTo."
-                : $"engine collider \"{Name}\": it has no shape; say where it is touched with TouchAt.");
+                ? $"The engine collider \"{Name}\" has a shape. Position it with MoveTo."
+                : $"The engine collider \"{Name}\" has no shape. Report its contacts with TouchAt.");
         }
     }
 }

@@ -57,14 +57,14 @@ public sealed record ForceSet
         Check.Defined("forces.spinDecay", SpinDecay, (int)SpinDecay, 3);
         Check.Defined("forces.coefficients", Coefficients, (int)Coefficients, 3);
         SceneFields.Check(SceneFields.Forces, this, "forces.");
-        Check.Given("forces.customForces", CustomForces);
+        Check.Member("forces.customForces", CustomForces);
 
         // Check here, so that a null fails where the list is set and not in the first step.
         foreach (IForce force in CustomForces)
         {
             if (force is null)
             {
-                throw new ArgumentNullException("forces.customForces", "forces.customForces holds null; allowed: forces.");
+                throw new ArgumentNullException("forces.customForces", "forces.customForces contains null. Remove the null item.");
             }
         }
     }

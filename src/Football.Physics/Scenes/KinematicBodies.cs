@@ -54,7 +54,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         if (_inUse)
         {
             throw new InvalidOperationException(
-                "A simulator uses these bodies already. Add all of them before it is built; withdraw those that come on later (Body.Withdraw), and MoveTo brings them on.");
+                "A body cannot be added after a Simulator was built with these bodies. Add all bodies before, and call Withdraw on those that enter later; MoveTo brings them back.");
         }
 
         var body = new KinematicBody(this, _bodies.Count, name, shape, surface ?? SurfaceMaterial.Boot, mass, layer);
@@ -218,7 +218,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
                 throw Check.Refusal(
                     Check.Item("bodies", i) + ".time",
                     _bodies[i].Time.ToString("R", CultureInfo.InvariantCulture),
-                    FormattableString.Invariant($"the ball's time before the step, {now:R} s, to within {Foresight:R} s"));
+                    FormattableString.Invariant($"the ball's time before the step, {now:R} s, ± {Foresight:R} s"));
             }
         }
     }

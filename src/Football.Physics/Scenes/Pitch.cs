@@ -125,10 +125,10 @@ public sealed record Pitch
     {
         Check.Within("pitch.length", Length, 0, Limits.Length, exclusiveLow: true);
         Check.Within("pitch.width", Width, 0, Limits.Length, exclusiveLow: true);
-        Check.Given("pitch.goal", Goal);
+        Check.Member("pitch.goal", Goal);
         Check.Within("pitch.boardHeight", BoardHeight, 0, Limits.Length);
         Check.Within("pitch.boardDistance", BoardDistance, 0, Limits.Length);
         Check.Within("pitch.boardHalfThickness", BoardHalfThickness, 0, Limits.Length, exclusiveLow: true);
-        Check.Given("pitch.boardSurface", BoardSurface);
+        Check.Member("pitch.boardSurface", BoardSurface);
     }
 }

@@ -103,14 +103,14 @@ public sealed record Scene
     public void Validate()
     {
         // Check for null first, so that the message names the missing part before anything reads it.
-        Check.Given("ball", Ball);
-        Check.Given("air", Air);
-        Check.Given("forces", Forces);
-        Check.Given("ground", Ground);
-        Check.Given("obstacles", Obstacles);
-        Check.Given("nets", Nets);
-        Check.Given("goals", Goals);
-        Check.Given("zones", Zones);
+        Check.Member("ball", Ball);
+        Check.Member("air", Air);
+        Check.Member("forces", Forces);
+        Check.Member("ground", Ground);
+        Check.Member("obstacles", Obstacles);
+        Check.Member("nets", Nets);
+        Check.Member("goals", Goals);
+        Check.Member("zones", Zones);
 
         // First each part alone, then limits that depend on several parts: least mass (air), damping and hollows (ball).
         Ball.Validate();
@@ -132,7 +132,7 @@ public sealed record Scene
         double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
-            throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the {displaced:R} kg of air that it displaces"));
+            throw Check.Refusal("ball.mass", FormattableString.Invariant($"{Ball.Mass:R}"), FormattableString.Invariant($"at least a twentieth of the displaced air's mass, {displaced:R} kg"));
         }
 
         Check.Within("forces.spinDecayCoefficient", Forces.SpinDecayCoefficient, 0, Ball.MostDamping);
@@ -140,7 +140,7 @@ public sealed record Scene
 
     private void ValidateGround()
     {
-        Check.Given("ground.material", Ground.Material);
+        Check.Member("ground.material", Ground.Material);
         Check.Within("ground.tangentialRestitution[0]", Ground.Material.TangentialRestitution, -1, 1);
         Ground.Material.Validate("ground", Ball.MostDamping, mayAdd: false);
         SceneFields.Check(SceneFields.Ground, Ground, "ground.");
@@ -174,7 +174,7 @@ public sealed record Scene
             throw Check.Refusal(
                 "ground.tangentialRestitution",
                 FormattableString.Invariant($"[{Ground.Material.TangentialRestitution}, {z}]"),
-                "two equal numbers on ground that is not level");
+                "two equal numbers, because the ground is not level");
         }
 
         // A step looks these materials up by index, so check them all here.
@@ -198,7 +198,7 @@ public sealed record Scene
             // Heights are measured along the vertical, so the plane below them must be level.
             if (normal != Vector3d.Up)
             {
-                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "straight up where there are heights");
+                throw Check.Refusal("ground.normal", Ground.Normal.ToString(), "(0, 1, 0), because ground.heights is set");
             }
         }
     }

@@ -145,7 +145,7 @@ public struct BallState : IFormattable
     /// <summary>Returns a state, or throws if it was never launched.</summary>
     internal static BallState Launched(in BallState state) =>
         state.BaseOrientation == default
-            ? throw new ArgumentException("state was never launched; allowed: a state from Simulator.Launch, or a copy of a ball's.", nameof(state))
+            ? throw new ArgumentException("The state is uninitialised. Create it with Simulator.Launch or copy it from a Ball.", nameof(state))
             : state;
 }
 

@@ -39,7 +39,7 @@ public static class KickVectors
         double length = flat.Length;
         if (!(length > 0))
         {
-            return top == 0 ? new Vector3d(0, side, 0) : throw Check.Refusal("direction", direction.ToString(), "not vertical where there is top spin");
+            return top == 0 ? new Vector3d(0, side, 0) : throw Check.Conflict("direction", "direction must not be vertical if topSpin is not 0. Tilt the direction or set topSpin to 0.");
         }
 
         return Spin(top, side, flat / length);

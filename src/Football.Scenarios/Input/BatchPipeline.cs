@@ -27,7 +27,7 @@ public static class BatchPipeline
         }
         finally
         {
-            // Nobody wants more, where writing failed: the reader's next line is declined.
+            // If writing failed, no more input is needed: the reader's next line is declined.
             work.Complete();
         }
 
@@ -35,7 +35,7 @@ public static class BatchPipeline
         await reading.ConfigureAwait(false);
     }
 
-    /// <summary>What fails here is told only after all that was read before it has been answered.</summary>
+    /// <summary>An error is reported only after the results of all earlier lines.</summary>
     private static async Task ReadAsync(LineReader input, TransformBlock<InputLine, Answer> work)
     {
         try

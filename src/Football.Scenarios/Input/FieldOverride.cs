@@ -21,7 +21,7 @@ public sealed class FieldOverride
         _value = value;
     }
 
-    /// <summary>Reads path=value; null where it is not of that form.</summary>
+    /// <summary>Parses path=value; null if the text has another form.</summary>
     public static FieldOverride? Parse(string text)
     {
         int equals = text.IndexOf('=', StringComparison.Ordinal);
@@ -29,15 +29,15 @@ public sealed class FieldOverride
         return path.Length is > 0 and <= MostParts ? new FieldOverride(path, text[(equals + 1)..].Trim()) : null;
     }
 
-    /// <summary>Reads path=range: a member of that name of the object "ranges"; null where it is not of that form.</summary>
+    /// <summary>Parses path=range, which sets a member of the object "ranges"; null if the text has another form.</summary>
     public static FieldOverride? ParseRange(string text) =>
         Parse(text) is { } field ? new FieldOverride(["ranges", string.Join('.', field._path)], field._value) : null;
 
-    /// <summary>A scenario with the values in their places.</summary>
+    /// <summary>Returns the scenario with the values set.</summary>
     /// <exception cref="RefusedException">There is no such place.</exception>
     public static JsonElement Apply(JsonElement scenario, IReadOnlyList<FieldOverride> overrides)
     {
-        // What is no object is left as it is: the check that follows names it.
+        // An input that is not an object stays unchanged; the check that follows reports it.
         if (overrides.Count == 0 || scenario.ValueKind != JsonValueKind.Object)
         {
             return scenario;

@@ -9,11 +9,11 @@ public static class FieldPlace
 {
     private const string Anywhere = "a member of an object, or an element of an array";
 
-    /// <summary>Puts a value in its place; objects on the way are made where they are missing.</summary>
+    /// <summary>Sets a value at a path, and creates missing objects on the path.</summary>
     /// <param name="root">The whole.</param>
     /// <param name="path">The parts of the place's name, outermost first.</param>
     /// <param name="value">The value.</param>
-    /// <param name="who">Who asks, for a refusal.</param>
+    /// <param name="who">The name of the option, for error messages.</param>
     /// <exception cref="RefusedException">There is no such place.</exception>
     public static void Put(JsonNode root, ReadOnlySpan<string> path, JsonNode? value, string who)
     {

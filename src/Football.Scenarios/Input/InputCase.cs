@@ -5,7 +5,7 @@ namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>One object of the input, bare or as {"name", "scenario"}, with its overrides; its fields are not yet checked.</summary>
 /// <param name="Name">The name, where there is one; a refused input may have one too.</param>
-/// <param name="Scenario">The scenario's fields; null where the input was refused.</param>
+/// <param name="Scenario">The scenario's fields; null if the input was rejected.</param>
 /// <param name="Refusal">Why there is no scenario.</param>
 public sealed record InputCase(string? Name, InputFields? Scenario, RefusedException? Refusal)
 {
@@ -63,6 +63,6 @@ public sealed record InputCase(string? Name, InputFields? Scenario, RefusedExcep
                 : throw new RefusedException(NameMember, Quote.Short(name.GetRawText()), "a string");
         }
 
-        return named ? throw new RefusedException(ScenarioMember, "missing", "an object beside \"name\"") : root;
+        return named ? throw new RefusedException(ScenarioMember, "missing", "an object next to \"name\"") : root;
     }
 }

@@ -3,12 +3,12 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The fields of one input: those that were asked for, those that are there, and what is wrong with them.</summary>
+/// <summary>The fields of one input: the known ones, the given ones, and their errors.</summary>
 public sealed class InputFields
 {
     private readonly JsonElement _root;
 
-    /// <summary>Names of the members of each object that was asked for, by its path.</summary>
+    /// <summary>The known members of each object, by its path.</summary>
     private readonly Dictionary<string, List<string>> _names = [];
 
     /// <summary>The objects of lists, by their paths.</summary>
@@ -43,7 +43,7 @@ public sealed class InputFields
     /// <summary>Keeps the first refusal.</summary>
     public void Refuse(RefusedException refusal) => _refusal ??= refusal;
 
-    /// <summary>To be called once everything has been asked for.</summary>
+    /// <summary>Throws the first error. Call it after all members have been read.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public void Check()
     {
@@ -59,7 +59,7 @@ public sealed class InputFields
         }
     }
 
-    /// <summary>The field's own text on one line; null where it is not given.</summary>
+    /// <summary>The text of the field in the input, on one line; null if it is not given.</summary>
     public string? Text(string path)
     {
         JsonElement at = _root;

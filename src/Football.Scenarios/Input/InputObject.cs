@@ -3,12 +3,12 @@ using System.Text.Json;
 namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>
-/// An object of the input whose members are taken one by one, each with its default. What was asked for is known, all else is unknown;
-/// what is wrong is kept until <see cref="InputFields.Check"/>. A number that is none is NaN, which whoever takes it refuses with its range.
+/// An object of the input whose members are read one by one, each with its default. Members that are never read are unknown;
+/// errors are kept until <see cref="InputFields.Check"/>. A value that is not a number becomes NaN, which the range check rejects.
 /// </summary>
 /// <param name="fields">All fields of the input.</param>
 /// <param name="path">Where it is.</param>
-/// <param name="element">What it is; null where it is not given, or no object.</param>
+/// <param name="element">The object; null if it is not given or not an object.</param>
 public sealed class InputObject(InputFields fields, string path, JsonElement? element)
 {
     private const string FiniteNumber = "a finite number";
@@ -39,13 +39,13 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         Take(name) is { ValueKind: JsonValueKind.String } value && allowed.Contains(value.GetString()) ? value.GetString()!
         : Refuse(name, string.Join(" | ", allowed), allowed[0]);
 
-    /// <summary>The texts of a list; null where it is missing.</summary>
+    /// <summary>The strings of a list; null if it is missing.</summary>
     public string[]? Texts(string name) => Take(name) is not { } value ? null
         : value.ValueKind == JsonValueKind.Array && value.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
             ? [.. value.EnumerateArray().Select(item => item.GetString()!)]
         : Refuse<string[]?>(name, "a list of texts", null);
 
-    /// <summary>The objects of a list; none where it is missing.</summary>
+    /// <summary>The objects of a list; empty if it is missing.</summary>
     public IReadOnlyList<InputObject> Objects(string name)
     {
         if (Take(name) is not { } value)
@@ -58,7 +58,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
             : Refuse<IReadOnlyList<InputObject>>(name, "a list of objects", []);
     }
 
-    /// <summary>A table of numbers, rows of one length; null where it is not one.</summary>
+    /// <summary>A table of numbers with rows of equal length; null if it is not one.</summary>
     public double[,]? Table(string name)
     {
         const string Allowed = "a table [[…], …] of finite numbers, with rows of one length";
@@ -104,7 +104,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         : NumberOf(value) is var number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue ? (int)number
         : Refuse(name, $"a whole number, at most {int.MaxValue}", fallback);
 
-    /// <summary>A list of layers, 0 … 31; none where it is missing.</summary>
+    /// <summary>A list of layers, 0 … 31; empty if it is missing.</summary>
     public int[] Layers(string name)
     {
         if (Take(name) is not { } value)
@@ -124,7 +124,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         : value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out long number) ? number
         : Refuse<long?>(name, $"a whole number, {long.MinValue} … {long.MaxValue}, or null", fallback);
 
-    /// <summary>A number above 0, or null where it is missing.</summary>
+    /// <summary>A number above 0; null if it is missing.</summary>
     public double? OptionalPositive(string name) => Has(name) ? Positive(name, 1) : null;
 
     /// <summary>true or false.</summary>
@@ -187,7 +187,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
 
     /// <summary>So many finite numbers as there are by default.</summary>
     /// <param name="name">The member.</param>
-    /// <param name="form">What they are, like [x, y, z].</param>
+    /// <param name="form">The form of the list, like [x, y, z].</param>
     /// <param name="fallback">The default.</param>
     public double[] Numbers(string name, string form, double[] fallback)
     {
@@ -218,7 +218,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return allowed.Contains(number) ? number : Refuse(name, allowed.ToString(), fallback);
     }
 
-    /// <summary>The numbers of a list, each above the one before and none below 0; none where it is missing.</summary>
+    /// <summary>The numbers of a list, ascending and not negative; empty if it is missing.</summary>
     public IReadOnlyList<double> Ascending(string name)
     {
         if (Take(name) is not { } value)
@@ -231,7 +231,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         return ascends ? numbers : Refuse<IReadOnlyList<double>>(name, "a list of finite numbers from 0 on, each above the one before", []);
     }
 
-    /// <summary>What the library makes of members of this object; null, and refused, where it does not take them.</summary>
+    /// <summary>Creates an object of the library from members of this object. If the library rejects them, it returns null and records the error.</summary>
     public T? Make<T>(Func<T> make)
         where T : class
     {
@@ -241,21 +241,21 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         }
         catch (ArgumentException e)
         {
-            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException(path, e.Message, "what the library takes"));
+            fields.Refuse(LibraryRefusal.Of(e, fields, path) ?? new RefusedException($"{path}: {e.Message}"));
             return null;
         }
     }
 
-    /// <summary>Whether the member is given.</summary>
+    /// <summary>True if the member is given.</summary>
     public bool Has(string name) => Take(name) is not null;
 
-    /// <summary>Whether the member is an object.</summary>
+    /// <summary>True if the member is an object.</summary>
     public bool IsObject(string name) => Take(name) is { ValueKind: JsonValueKind.Object };
 
-    /// <summary>Whether the member is a list.</summary>
+    /// <summary>True if the member is a list.</summary>
     public bool IsArray(string name) => Take(name) is { ValueKind: JsonValueKind.Array };
 
-    /// <summary>Refuses a member that another one stands for.</summary>
+    /// <summary>Rejects a member if another one that excludes it is given.</summary>
     public void Exclude(string name, string other)
     {
         if (Has(name) && Has(other))
@@ -264,7 +264,7 @@ public sealed class InputObject(InputFields fields, string path, JsonElement? el
         }
     }
 
-    /// <summary>Refuses a member unless a condition on it holds.</summary>
+    /// <summary>Rejects a member unless a condition holds.</summary>
     public void Demand(string name, bool holds, string allowed)
     {
         if (!holds)

@@ -5,19 +5,19 @@ using System.Text.Json;
 
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>What is wrong with a text that is not strict JSON.</summary>
+/// <summary>The error in a text that is not strict JSON.</summary>
 /// <param name="Path">The field at which it goes wrong, empty for the whole.</param>
-/// <param name="Value">What stands there, as a message says it.</param>
-/// <param name="Expected">What is allowed there.</param>
+/// <param name="Value">The text at the error, as the message shows it.</param>
+/// <param name="Expected">The text that is allowed there.</param>
 /// <param name="Name">The member "name" of the whole, if it came before.</param>
 public sealed record JsonFault(string Path, string Value, string Expected, string? Name)
 {
-    /// <summary>What every part of an input must be.</summary>
+    /// <summary>The requirement for every part of an input.</summary>
     public const string Allowed = "strict JSON (finite numbers, no comments, no trailing commas)";
 
     private static readonly JsonReaderOptions Options = new() { MaxDepth = JsonText.Deepest };
 
-    /// <summary>Looks for the fault, from the beginning on; null where there is none.</summary>
+    /// <summary>Finds the first error; null if there is none.</summary>
     public static JsonFault? Find(ReadOnlySpan<byte> text)
     {
         var place = new JsonPlace();
@@ -26,7 +26,7 @@ public sealed record JsonFault(string Path, string Value, string Expected, strin
             return place.Fault(string.Create(CultureInfo.InvariantCulture, $"not UTF-8 at byte {invalid + 1}"), "a JSON object in UTF-8");
         }
 
-        // Not the final block: then a text that only ends too early is no fault of the reader's.
+        // Not the final block, so that the reader accepts a text that ends too early.
         var reader = new Utf8JsonReader(text, isFinalBlock: false, new JsonReaderState(Options));
         try
         {

@@ -12,7 +12,7 @@ public static class JsonText
     private static readonly JsonDocumentOptions Strict = new() { AllowDuplicateProperties = false, MaxDepth = Deepest };
 
     /// <summary>Reads the value that is the whole text.</summary>
-    /// <returns>What is wrong with the text; null where nothing is.</returns>
+    /// <returns>The error in the text; null if there is none.</returns>
     public static JsonFault? Parse(ReadOnlySpan<byte> text, out JsonElement root)
     {
         root = default;
@@ -25,7 +25,7 @@ public static class JsonText
             return JsonFault.Find(text) ?? new JsonFault("", "not JSON", JsonFault.Allowed, null);
         }
 
-        // Bytes that are no text, and escapes of half a character, stop not the parser but whoever reads the string.
+        // Invalid UTF-8 and escapes of half a character do not stop the parser, only later reads of the string.
         return Utf8.IsValid(text) && text.IndexOf("\\u"u8) < 0 ? null : JsonFault.Find(text);
     }
 }

@@ -3,23 +3,22 @@ using System.Text.Json;
 namespace FootballPhysics.Scenarios.Input;
 
 /// <summary>
-/// The ranges stand in the library, whose refusals name the field as a scenario does: this says them again with the value as it was
-/// written, and with the words of the formats.
+/// Translates the library's exceptions about arguments. They name the field as a scenario does; the translation shows the value as it was
+/// written, and the words of the JSON formats.
 /// </summary>
 public static class LibraryRefusal
 {
     private const string Marker = "; allowed: ";
 
-    /// <summary>The refusal; null where the exception is none of the library's about a range.</summary>
+    /// <summary>The message for the user; null if the exception is not about a field of the input.</summary>
     /// <param name="exception">The exception.</param>
     /// <param name="input">The input.</param>
-    /// <param name="path">Where in the input the thing is that the library refuses; empty for the whole.</param>
+    /// <param name="path">The path of the object that was built, in the input; empty for the whole input.</param>
     public static RefusedException? Of(ArgumentException exception, InputFields input, string path = "")
     {
         string message = exception.Message;
-        int marker = message.IndexOf(Marker, StringComparison.Ordinal);
         int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
-        if (exception.ParamName is not { } name || marker < 0 || end < marker)
+        if (exception.ParamName is not { } name || end < 0)
         {
             return null;
         }
@@ -30,6 +29,15 @@ public static class LibraryRefusal
             "duration" or "lookAhead.duration" => "stop.time",
             _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver.").Replace("aim.waypoint", "aim.through"),
         };
+        int marker = message.IndexOf(Marker, StringComparison.Ordinal);
+        if (marker < 0)
+        {
+            // A conflict of fields: a sentence that starts with the name of one. Other exceptions are faults of the program.
+            return message.StartsWith(name + " ", StringComparison.Ordinal)
+                ? new RefusedException(field + message[name.Length..(end + 1)].Replace("aim.waypoint", "aim.through"))
+                : null;
+        }
+
         int value = message.IndexOf(" is ", StringComparison.Ordinal) + 4;
         string[] allowed = message[(marker + Marker.Length)..end].Replace("Regularized", "Regularised").Split(" | ");
         return new RefusedException(

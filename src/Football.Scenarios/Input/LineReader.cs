@@ -43,7 +43,7 @@ public sealed class LineReader(Stream input)
             _start += part.Length + (ended ? 1 : 0);
             if (length > LongestLine)
             {
-                throw new RefusedException("the input", $"a line of more than {LongestLine} bytes", $"one object a line, each of at most {LongestInput} bytes");
+                throw new RefusedException("the input", $"a line of more than {LongestLine} bytes", $"one object per line, at most {LongestInput} bytes each");
             }
         }
 

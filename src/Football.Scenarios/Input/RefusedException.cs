@@ -1,6 +1,6 @@
 namespace FootballPhysics.Scenarios.Input;
 
-/// <summary>The input is refused. The message is one line for the user that names field, value and what is allowed.</summary>
+/// <summary>The input is rejected. The message is one line for the user.</summary>
 public sealed class RefusedException : Exception
 {
     public RefusedException(string message)

@@ -3,10 +3,10 @@ namespace FootballPhysics.Scenarios.Input;
 /// <summary>Guesses which name a misspelt one was meant to be.</summary>
 public static class Spelling
 {
-    /// <summary>Names longer than this are no misspelling of anything here.</summary>
+    /// <summary>Longer names are not treated as misspellings.</summary>
     private const int Longest = 40;
 
-    /// <summary>The name nearest to the one given, or null where none is near.</summary>
+    /// <summary>The known name that is closest to the given one; null if none is close.</summary>
     public static string? Closest(string given, IEnumerable<string> names) => given.Length > Longest ? null : names
         .Select(name => (Name: name, Distance: Distance(given.ToUpperInvariant(), name.ToUpperInvariant())))
         .Where(item => item.Distance <= Math.Max(1, item.Name.Length / 3)

@@ -13,7 +13,7 @@ internal static class AimCommand
         .Of(
             new ExampleCommand(
                 "aim",
-                "Finds the kick that hits a target, or a batch of them, and writes it as JSON; a single one in a terminal as a table.",
+                "Find the kick that hits a target",
                 $"echo '{Request}' | football aim -",
                 $"echo '{Request}' | football aim - --set aim.spin.side=30 --set aim.method=angle"),
             terminal);

@@ -2,7 +2,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Aim;
 
-/// <summary>Finds the kick that a scenario asks for.</summary>
+/// <summary>Finds the kick for an aim scenario.</summary>
 internal static class AimRun
 {
     [ThreadStatic]
@@ -12,17 +12,17 @@ internal static class AimRun
     private static ThesisAimer? s_aimer;
 
     /// <summary>Finds it.</summary>
-    /// <exception cref="RefusedException">Its numbers, though each allowed, grew beyond what a double can hold.</exception>
+    /// <exception cref="RefusedException">The motion overflowed, although each number is allowed.</exception>
     public static AimResult Find(AimScenario scenario)
     {
         AimResult result = Find(scenario, Compiled(scenario));
         return IsFinite(in result)
             ? result
-            : throw new RefusedException("the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold.");
+            : throw new RefusedException("the motion overflows. Reduce the speeds, the coefficients or the distances.");
     }
 
     /// <summary>Finds it, whatever its numbers are.</summary>
-    /// <param name="scenario">What is asked for.</param>
+    /// <param name="scenario">The scenario.</param>
     /// <param name="aimer">An aimer of its scene.</param>
     public static AimResult Find(AimScenario scenario, ThesisAimer aimer)
     {

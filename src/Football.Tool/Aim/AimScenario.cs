@@ -25,10 +25,10 @@ internal sealed record AimScenario
     /// <summary>How fast to be there, m/s; null for however.</summary>
     public double? ArrivalSpeed { get; init; }
 
-    /// <summary>What to meet before, in order; null for nothing.</summary>
+    /// <summary>The colliders to hit before the target, in order; null if there are none.</summary>
     public string[]? After { get; init; }
 
-    /// <summary>Reads a scenario; what its numbers may be the library says when the kick is looked for.</summary>
+    /// <summary>Reads a scenario. The library checks the numbers during the search.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static AimScenario Read(InputFields fields)
     {

@@ -5,7 +5,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Makes options and arguments that say what is allowed when they refuse.</summary>
+/// <summary>Creates options and arguments whose errors name the allowed values.</summary>
 internal static class Arguments
 {
     /// <summary>A whole number.</summary>
@@ -14,10 +14,15 @@ internal static class Arguments
         HelpName = "N",
         Description = description,
         DefaultValueFactory = _ => fallback,
-        CustomParser = result =>
-            long.TryParse(result.Tokens[0].Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high
-                ? number
-                : Refuse<long>(result, name, string.Create(CultureInfo.InvariantCulture, $"a whole number from {low} to {high}")),
+        CustomParser = result => ParseWhole(result, name, low, high) ?? 0,
+    };
+
+    /// <summary>A whole number that can be left out.</summary>
+    public static Option<long?> Whole(string name, string description, long low, long high) => new(name)
+    {
+        HelpName = "N",
+        Description = description,
+        CustomParser = result => ParseWhole(result, name, low, high),
     };
 
     /// <summary>Threads.</summary>
@@ -26,8 +31,8 @@ internal static class Arguments
     /// <summary>A number within a range.</summary>
     public static Option<double> Number(string name, string description, NumberRange range, double fallback) => new(name)
     {
-        HelpName = "X",
-        Description = FormattableString.Invariant($"{description}; {range}."),
+        HelpName = range.Unit,
+        Description = FormattableString.Invariant($"{description}, {range.Low} … {range.High}."),
         DefaultValueFactory = _ => fallback,
         CustomParser = result =>
             double.TryParse(result.Tokens[0].Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && range.Contains(number)
@@ -39,7 +44,7 @@ internal static class Arguments
     public static Option<FieldOverride[]> Set(string example) => new("--set")
     {
         HelpName = "path=value",
-        Description = $"Sets a field before anything is checked, like {example}; can be given several times.",
+        Description = $"Set a field of the input, like {example}; can be repeated.",
         Arity = ArgumentArity.OneOrMore,
         DefaultValueFactory = _ => [],
         CustomParser = result =>
@@ -50,7 +55,7 @@ internal static class Arguments
     public static Option<FieldOverride[]> Profile() => new("--profile")
     {
         HelpName = "NAME",
-        Description = "measured, the default, or published: the laws and numbers of the thesis that the library began with. Short for --set profile=NAME.",
+        Description = "measured (default) or published, the laws of the original thesis. Short for --set profile=NAME.",
         DefaultValueFactory = _ => [],
         CustomParser = result => result.Tokens[0].Value is "measured" or "published"
             ? [FieldOverride.Parse("profile=" + result.Tokens[0].Value)!]
@@ -61,14 +66,14 @@ internal static class Arguments
     public static Option<FieldOverride[]> Range(string example) => new("--range")
     {
         HelpName = "path=range",
-        Description = $"Draws a field from a range, like {example}; can be given several times.",
+        Description = $"Draw a field at random from a range, like {example}; can be repeated.",
         Arity = ArgumentArity.OneOrMore,
         DefaultValueFactory = _ => [],
         CustomParser = result =>
             [.. result.Tokens.Select((token, i) => FieldOverride.ParseRange(token.Value) ?? Refuse<FieldOverride>(result, "--range", $"path=range, like {example}", i)!)],
     };
 
-    /// <summary>Opens a file to read, or the standard input for -.</summary>
+    /// <summary>Opens a file for reading; - is standard input.</summary>
     /// <exception cref="RefusedException">It cannot be read.</exception>
     public static Stream OpenInput(string file, Terminal terminal)
     {
@@ -78,9 +83,14 @@ internal static class Arguments
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("FILE", $"{Quote.File(file)}, which cannot be read", "a file that can be read, or - for the standard input");
+            throw new RefusedException($"FILE {Quote.File(file)} cannot be read. Pass a file that can be read, or - for standard input.");
         }
     }
+
+    private static long? ParseWhole(ArgumentResult result, string name, long low, long high) =>
+        long.TryParse(result.Tokens[0].Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high
+            ? number
+            : Refuse<long?>(result, name, string.Create(CultureInfo.InvariantCulture, $"a whole number from {low} to {high}"));
 
     private static T? Refuse<T>(ArgumentResult result, string name, string allowed, int token = 0)
     {

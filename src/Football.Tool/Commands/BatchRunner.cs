@@ -7,27 +7,27 @@ namespace FootballPhysics.Tool.Commands;
 
 /// <summary>Reads one scenario or a batch of them, has each answered, and writes the answers.</summary>
 /// <typeparam name="T">What becomes of a scenario.</typeparam>
-/// <param name="work">Reads a scenario and does what it asks for; throws <see cref="RefusedException"/> where it is not as it should be.</param>
+/// <param name="work">Reads a scenario and runs it; throws <see cref="RefusedException"/> if it is invalid.</param>
 /// <param name="write">The line for it.</param>
 /// <param name="show">Shows it to a person in a terminal.</param>
 internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T, ReadOnlyMemory<byte>> write, Action<T, Terminal> show)
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "The scenario, as JSON; - is the standard input." };
+    private readonly Argument<string> _file = new("FILE") { Description = "Scenario as JSON; - is standard input." };
 
     private readonly Option<bool> _batch = new("--batch")
     {
-        Description = "FILE holds one object a line, a scenario or {\"name\", \"scenario\"}; the results come one a line, in the same order.",
+        Description = "FILE has one object per line, a scenario or {\"name\", \"scenario\"}; writes one result per line, in the same order.",
     };
 
-    private readonly Option<bool> _json = new("--json") { Description = "Writes JSON in a terminal too." };
-    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one a processor.");
+    private readonly Option<bool> _json = new("--json") { Description = "Write JSON in a terminal, too." };
+    private readonly Option<long> _jobs = Arguments.Jobs("Threads for a batch; default: one per processor.");
     private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 
     /// <summary>Makes it what a command does.</summary>
     /// <param name="command">The command.</param>
     /// <param name="terminal">Where it reads and writes.</param>
-    /// <param name="instead">What else the command can do, that needs no FILE: the option that asks for it, and how it is done with overrides, in JSON or not.</param>
+    /// <param name="instead">An alternative that needs no FILE: its option, and the function that runs it with overrides and the choice of JSON.</param>
     public Command Of(ExampleCommand command, Terminal terminal, (Option<string?> Option, Func<ParseResult, FieldOverride[], bool, int> Run)? instead = null)
     {
         command.Add(_file);
@@ -48,7 +48,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
             bool isGiven = result.GetResult(_file) is { Tokens.Count: > 0 };
             if (isGiven == result.GetResult(other.Option) is not null)
             {
-                result.AddError($"Either FILE or {other.Option.Name} is needed, and not both.");
+                result.AddError($"FILE and {other.Option.Name} exclude each other. Pass exactly one of them.");
             }
         });
         command.SetAction(parsed =>

@@ -10,22 +10,23 @@ internal static class BundleCommand
 {
     public static Command Create(Terminal terminal)
     {
-        var file = new Argument<string>("FILE") { Description = "A bundle: what Recording.ToBundle wrote." };
-        Option<long> tick = Arguments.Whole("--tick", "Goes to a tick of the match and tells the ball there; default its end.", -1, 1_000_000_000_000_000, -1);
+        var file = new Argument<string>("FILE") { Description = "Bundle that Recording.ToBundle wrote; - is standard input." };
+        Option<long?> tick = Arguments.Whole("--tick", "Print the ball at this tick; default: the end of the match.", 0, 1_000_000_000_000_000);
         var command = new ExampleCommand(
             "bundle",
-            "Plays a recorded match again, in its own scene, and says whether it is the same to the last bit, else the first tick and field that differ. Ends with 1 where it is not.",
+            "Replay a recorded match and check it bit for bit",
             "football bundle match.zip",
             "football bundle match.zip --tick 1200 | jq .ball.position")
         {
             file, tick,
         };
+        command.Details = "If the replay diverges, it names the first tick and field that differ, and the exit code is 1.";
         command.SetAction(parsed =>
         {
             using Stream input = Arguments.OpenInput(parsed.GetRequiredValue(file), terminal);
             using var whole = new MemoryStream();
             CopyBounded(input, whole);
-            return Tell(MatchBundle.Read(whole), parsed.GetRequiredValue(tick), terminal);
+            return Report(MatchBundle.Read(whole), parsed.GetValue(tick), terminal);
         });
         return command;
     }
@@ -40,10 +41,10 @@ internal static class BundleCommand
         }
     }
 
-    private static int Tell(MatchBundle bundle, long tick, Terminal terminal)
+    private static int Report(MatchBundle bundle, long? wanted, Terminal terminal)
     {
         Recording segment = bundle.Segment;
-        tick = tick < 0 ? segment.EndTick : tick;
+        long tick = wanted ?? segment.EndTick;
         if (tick < segment.StartTick || tick > segment.EndTick)
         {
             throw new RefusedException("--tick", tick.ToString(CultureInfo.InvariantCulture), FormattableString.Invariant($"{segment.StartTick} … {segment.EndTick}"));
@@ -85,7 +86,7 @@ internal static class BundleCommand
         return diverges is null ? ExitCode.Done : ExitCode.Refused;
     }
 
-    /// <summary>Where the replay and the recording differ in the first state that the recording has after a tick; null where it has none.</summary>
+    /// <summary>The difference in the first recorded state after a tick; null if the recording has none.</summary>
     private static StateDifference? DifferenceAfter(MatchBundle bundle, long tick)
     {
         Recording segment = bundle.Segment;

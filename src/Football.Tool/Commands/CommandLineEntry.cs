@@ -8,18 +8,18 @@ using FootballPhysics.Tool.Sweep;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>The whole command: arguments in, exit code out.</summary>
+/// <summary>The entry point: takes the arguments and returns the exit code.</summary>
 internal static class CommandLineEntry
 {
     private const int LongestMessage = 300;
 
-    /// <summary>No @file: an argument means what it says.</summary>
+    /// <summary>Arguments that start with @ are not replaced by the content of a file.</summary>
     private static readonly ParserConfiguration Plain = new() { ResponseFileTokenReplacer = null };
 
-    /// <summary>Runs the command. No input makes it throw.</summary>
+    /// <summary>Runs the command. It never throws.</summary>
     /// <param name="args">Its arguments.</param>
     /// <param name="terminal">Where it reads and writes.</param>
-    /// <param name="lab">The laboratories, where they are at hand; null: the checkout's are started.</param>
+    /// <param name="lab">Creates the command `lab`; null to start the laboratories of the checkout as a process.</param>
     public static int Run(string[] args, Terminal terminal, Func<Terminal, Command>? lab = null)
     {
         try
@@ -52,13 +52,13 @@ internal static class CommandLineEntry
         return ExitCode.Refused;
     }
 
-    /// <summary>The command and all below it.</summary>
+    /// <summary>Builds the command tree.</summary>
     public static RootCommand Root(Terminal terminal, Func<Terminal, Command> laboratories)
     {
         Command lab = laboratories(terminal);
-        var of = new Argument<string[]>("COMMAND") { Description = "What to tell about; without it: everything.", Arity = ArgumentArity.ZeroOrMore };
-        var help = new ExampleCommand("help", "Tells how to use a command.", "football help lab", "football help lab vacuum") { of };
-        var root = new RootCommand("Plays shots of a football without a window. Without a command: the gallery.")
+        var of = new Argument<string[]>("COMMAND") { Description = "Command to describe; default: all commands.", Arity = ArgumentArity.ZeroOrMore };
+        var help = new ExampleCommand("help", "Describe a command", "football help lab", "football help lab vacuum") { of };
+        var root = new RootCommand("Simulate and analyse football shots from the command line.")
         {
             KickCommand.Create(terminal),
             SimulateCommand.Create(terminal),
@@ -79,7 +79,7 @@ internal static class CommandLineEntry
             return parsed.UnmatchedTokens.Count > 0 ? Misused(parsed, terminal) : Invoke(parsed, terminal);
         }
 
-        root.SetAction(_ => GalleryCommand.Run(GalleryCommand.DefaultFolder, terminal));
+        root.SetAction(_ => Help());
         if (lab.Subcommands.Count > 0)
         {
             lab.SetAction(_ => Help(lab.Name));
@@ -104,14 +104,14 @@ internal static class CommandLineEntry
             terminal.Error.WriteLine($"football: {Quote.Short(unknown)} is unknown to {Path(parsed.CommandResult)}{hint}");
         }
 
-        // What is missing because something is unknown is not told too.
+        // After an unknown argument, errors about missing ones would only distract.
         IEnumerable<string> messages = parsed.UnmatchedTokens.Count > 0 ? [] : parsed.Errors.Select(error => error.Message).Distinct();
         foreach (string message in messages)
         {
             terminal.Error.WriteLine($"football: {Quote.Short(message, LongestMessage)}");
         }
 
-        terminal.Error.WriteLine($"{Path(parsed.CommandResult)} --help tells how to use it.");
+        terminal.Error.WriteLine($"{Path(parsed.CommandResult)} --help describes it.");
         return ExitCode.Usage;
     }
 

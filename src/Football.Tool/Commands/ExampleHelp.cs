@@ -4,27 +4,47 @@ using System.CommandLine.Invocation;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>The help of a command with its examples below.</summary>
+/// <summary>The help of a command, with its examples at the end; for the root, a list of the commands on one screen.</summary>
 internal sealed class ExampleHelp(HelpAction help) : SynchronousCommandLineAction
 {
-    public static readonly IReadOnlyList<string> OfRoot =
-    [
-        "football",
-        "football kick --speed 27 --elevation 12 --side-spin 60",
-        "football lab vacuum",
-        "football help simulate",
-    ];
+    private const string RootExample = "football kick --speed 27 --elevation 12 --side-spin 60";
 
     public override int Invoke(ParseResult parseResult)
     {
-        int exitCode = help.Invoke(parseResult);
         TextWriter output = parseResult.InvocationConfiguration.Output;
+        Command command = parseResult.CommandResult.Command;
+        if (command is RootCommand)
+        {
+            WriteRoot(command, output);
+            return ExitCode.Done;
+        }
+
+        var described = command as ExampleCommand;
+        if (described?.Details is { } details)
+        {
+            // Each run builds its own command tree, so this changes nothing else.
+            described.Description = $"{described.Description}. {details}";
+        }
+
+        int exitCode = help.Invoke(parseResult);
         output.WriteLine("Examples:");
-        foreach (string example in (parseResult.CommandResult.Command as ExampleCommand)?.Examples ?? OfRoot)
+        foreach (string example in described?.Examples ?? [])
         {
             output.WriteLine($"  {example}");
         }
 
         return exitCode;
+    }
+
+    private static void WriteRoot(Command root, TextWriter output)
+    {
+        output.WriteLine(root.Description);
+        output.WriteLine("Results are tables in a terminal and JSON when redirected or with --json.");
+        foreach (Command command in root.Subcommands)
+        {
+            output.WriteLine($"  {command.Name,-12} {command.Description}");
+        }
+
+        output.WriteLine($"Example: {RootExample}");
     }
 }

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>What the process reports at its end.</summary>
+/// <summary>The exit codes of the process.</summary>
 internal static class ExitCode
 {
     public const int Done = 0;
@@ -11,6 +11,6 @@ internal static class ExitCode
     /// <summary>Wrong usage.</summary>
     public const int Usage = 2;
 
-    /// <summary>Whoever read the output closed it: what a program that SIGPIPE (13) ends is reported with.</summary>
+    /// <summary>The reader closed the output; the shell reports this code for a program that SIGPIPE (13) ends.</summary>
     public const int OutputClosed = 128 + 13;
 }

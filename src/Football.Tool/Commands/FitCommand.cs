@@ -15,10 +15,11 @@ internal static class FitCommand
         var match = new MatchCommand();
         var command = new ExampleCommand(
             "fit",
-            "Finds the launch of a ball, with uncertainties, from where a camera saw it, and writes it as JSON; with --match all flights, impacts and touches of a match's track, a line each.",
+            "Estimate launch and spin from camera tracks",
             $"echo '{Example}' | football fit -",
             $"echo '{Example}' | football fit - --set fit.noise=0.05",
             "football fit --match TRACK.csv --ball modern --plot match.svg");
+        command.Details = "The result has uncertainties. --match reads the track of a whole match and writes one line per flight, impact or touch.";
         match.AddTo(command);
         return new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)
             .Of(command, terminal, (match.Option, (parsed, overrides, json) => match.Run(parsed, overrides, json, terminal)));

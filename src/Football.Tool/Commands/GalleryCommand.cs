@@ -6,37 +6,38 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football gallery: plays a few shots and draws them.</summary>
+/// <summary>football gallery: simulates sample shots and draws them.</summary>
 internal static class GalleryCommand
 {
-    public static string DefaultFolder { get; } = Path.Combine("out", "gallery");
+    private static readonly string s_defaultFolder = Path.Combine("out", "gallery");
 
     public static Command Create(Terminal terminal)
     {
         var folder = new Option<string>("--out")
         {
             HelpName = "DIR",
-            Description = "Where the drawings go.",
-            DefaultValueFactory = _ => DefaultFolder,
+            Description = "Folder for the pages and drawings.",
+            DefaultValueFactory = _ => s_defaultFolder,
         };
         var command = new ExampleCommand(
             "gallery",
-            "Plays a gallery of shots to rest, tells what they did, and draws them; with the output redirected the figures go there as JSON.",
+            "Draw the sample shots",
             "football gallery --out pictures")
         {
             folder,
         };
+        command.Details = "It simulates each shot until the ball rests, and writes a page to play, a page that moves and a page with all drawings.";
         command.SetAction(parsed => Run(parsed.GetRequiredValue(folder), terminal));
         return command;
     }
 
-    /// <summary>Plays and draws all shots into a folder.</summary>
-    public static int Run(string folder, Terminal terminal)
+    /// <summary>Simulates all shots and draws them into a folder.</summary>
+    private static int Run(string folder, Terminal terminal)
     {
         string full = Create(folder);
         IReadOnlyList<GalleryShot> shots = GalleryShots.All;
         string[] names = [.. shots.Select(shot => shot.Id + ".svg"), Playground.File, ContactSheet.Moving, "index.html"];
-        terminal.Person.WriteLine($"Plays {shots.Count} shots from the foot to rest, and draws them into {folder}.");
+        terminal.Person.WriteLine($"Simulates {shots.Count} shots and draws them into {folder}.");
         OutputFile[] files = [.. names.Select(name => OutputFile.Open("--out", Path.Combine(full, name))!)];
         ShownShot[] shown = Progress.Show(terminal, "shots", progress => shots.Select((shot, i) =>
         {
@@ -55,7 +56,7 @@ internal static class GalleryCommand
 
         terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
         terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
-        terminal.Person.WriteLine($"To watch: {files[^2].Path}");
+        terminal.Person.WriteLine($"Animated: {files[^2].Path}");
         terminal.Person.WriteLine($"To play, open in a browser: {files[^3].Path}");
         if (terminal.OutputRedirected)
         {
@@ -76,7 +77,7 @@ internal static class GalleryCommand
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+            throw new RefusedException($"--out {Quote.File(folder)} cannot be created. Pass a folder that can be written.");
         }
     }
 

@@ -14,7 +14,7 @@ internal static class InterceptCommand
         .Of(
             new ExampleCommand(
                 "intercept",
-                "Finds when each runner of a scenario can meet the ball, and who is first, and writes it as JSON; a single scenario in a terminal as a table.",
+                "Find which player reaches the ball first",
                 $"echo '{Example}' | football intercept -",
                 $"echo '{Example}' | football intercept - --set runners.0.speed=9"),
             terminal);

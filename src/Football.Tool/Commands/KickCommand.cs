@@ -13,24 +13,25 @@ internal static class KickCommand
 
     public static Command Create(Terminal terminal)
     {
-        Option<double> speed = Arguments.Number("--speed", "How fast", KickNumbers.Speeds, 25);
-        Option<double> elevation = Arguments.Number("--elevation", "Above the horizontal", KickNumbers.Elevations, 15);
-        Option<double> azimuth = Arguments.Number("--azimuth", "To the left of the view", KickNumbers.Azimuths, 0);
-        Option<double> top = Arguments.Number("--top-spin", "Forwards; negative is backspin", KickNumbers.Spins, 0);
-        Option<double> side = Arguments.Number("--side-spin", "Counter-clockwise seen from above: bends to the left", KickNumbers.Spins, 0);
+        Option<double> speed = Arguments.Number("--speed", "Ball speed", KickNumbers.Speeds, 25);
+        Option<double> elevation = Arguments.Number("--elevation", "Angle above the horizontal", KickNumbers.Elevations, 15);
+        Option<double> azimuth = Arguments.Number("--azimuth", "Angle to the left, seen by the kicker", KickNumbers.Azimuths, 0);
+        Option<double> top = Arguments.Number("--top-spin", "Topspin (negative: backspin)", KickNumbers.Spins, 0);
+        Option<double> side = Arguments.Number("--side-spin", "Sidespin (positive bends to the left)", KickNumbers.Spins, 0);
         Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("air.wind=[3,0,0]");
-        var json = new Option<bool>("--json") { Description = "Writes JSON in a terminal too." };
-        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Draws it from the side and from above." };
+        var json = new Option<bool>("--json") { Description = "Write JSON in a terminal, too." };
+        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Draw the path from the side and from above." };
         var command = new ExampleCommand(
             "kick",
-            "Plays a kick from the ground to rest, and shows it as a table and a sketch; with the output redirected it goes there as JSON.",
+            "Simulate one kick given by speed, angles and spin",
             "football kick --speed 27 --elevation 12 --azimuth 5 --top-spin -10 --side-spin 60",
             "football kick --speed 30 --elevation 35 --set 'air.wind=[5,0,0]' --set ground.rollingFriction=0.1 --svg kick.svg",
             "football kick --speed 12 --elevation 0 --set stop.time=1 --json")
         {
             speed, elevation, azimuth, top, side, profile, set, json, svg,
         };
+        command.Details = "The ball starts on the ground and is simulated until it rests. A terminal shows a table and a sketch.";
         command.SetAction(parsed =>
         {
             double Of(Option<double> option) => parsed.GetValue(option);

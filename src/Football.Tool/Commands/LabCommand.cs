@@ -4,7 +4,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>football lab: starts the laboratories of a checkout, which measure the library and are no part of the tool.</summary>
+/// <summary>football lab: starts the laboratories of a checkout. They measure the library and are not part of the tool.</summary>
 internal static class LabCommand
 {
     private const string Project = "benchmarks/Football.Physics.Labs/Football.Physics.Labs.csproj";
@@ -12,18 +12,18 @@ internal static class LabCommand
     public static Command Create(Terminal terminal)
     {
         var command = new ExampleCommand(
-            "lab", "Experiments of a checkout: accuracy, run time against error, stability, aiming.", "football lab", "football lab vacuum --seed 7 --csv vacuum.csv");
+            "lab", "Run accuracy and stability experiments (needs a checkout)", "football lab", "football lab vacuum --seed 7 --csv vacuum.csv");
         command.SetAction(_ => Start([command.Name], terminal));
         return command;
     }
 
     /// <summary>Runs the laboratories with the arguments of this command, its input and its outputs.</summary>
     /// <returns>Their exit code.</returns>
-    /// <exception cref="RefusedException">No checkout is around the command, nor around the folder that it is started in.</exception>
+    /// <exception cref="RefusedException">Neither the command nor the current folder is within a checkout.</exception>
     public static int Start(IEnumerable<string> args, Terminal terminal)
     {
         string project = Find(AppContext.BaseDirectory) ?? Find(Environment.CurrentDirectory) ?? throw new RefusedException(
-            $"lab is of a checkout, and there is none here; start it within one, or there: dotnet run -c Release --project {Path.GetDirectoryName(Project)} -- …");
+            $"lab needs a checkout of the repository, and the current folder is not in one. Change to a checkout, or run there: dotnet run -c Release --project {Path.GetDirectoryName(Project)} -- …");
         terminal.Text.Flush();
         using Process laboratories = Process.Start(new ProcessStartInfo("dotnet", ["run", "-c", "Release", "--project", project, "--", .. args]))!;
         laboratories.WaitForExit();

@@ -17,8 +17,8 @@ internal sealed class OutputFile : IDisposable
 
     public string Path { get; }
 
-    /// <summary>Opens it; null where none was asked for.</summary>
-    /// <param name="option">Who asks, for a message.</param>
+    /// <summary>Opens the file; null if no path is given.</summary>
+    /// <param name="option">The name of the option, for error messages.</param>
     /// <param name="path">Its name.</param>
     /// <exception cref="RefusedException">It cannot be written.</exception>
     public static OutputFile? Open(string option, string? path)
@@ -34,25 +34,25 @@ internal sealed class OutputFile : IDisposable
         }
         catch (Exception e) when (IsFileFault(e))
         {
-            throw new RefusedException(option, $"{Quote.File(path)}, which cannot be written", "a file that can be written");
+            throw new RefusedException($"{option} {Quote.File(path)} cannot be written. Pass a file that can be written.");
         }
     }
 
     /// <summary>Refuses outputs of which two go to one file, or one to a file that is read.</summary>
-    /// <param name="inputs">Names of what is read; - is the standard input.</param>
-    /// <param name="outputs">Who asks for each file, and its name; null where none was asked for.</param>
+    /// <param name="inputs">The paths of the input files; - is standard input.</param>
+    /// <param name="outputs">The option and the path of each output; the path is null if not given.</param>
     /// <exception cref="RefusedException">Two are the same file.</exception>
     public static void RefuseSame(IEnumerable<string> inputs, params IReadOnlyList<(string Option, string? Path)> outputs)
     {
         var taken = inputs.Where(path => path != "-").Select(path => (By: "the input", File: FileIdentity.Of(path))).ToList();
         foreach ((string option, string path) in outputs.Where(output => output.Path is not null).Select(output => (output.Option, output.Path!)))
         {
-            // A device takes what it is given, from however many.
+            // Several outputs can go to one device.
             if (FileIdentity.Of(path) is { } file && !System.IO.Path.GetFullPath(path).StartsWith("/dev/", StringComparison.Ordinal))
             {
                 if (taken.FirstOrDefault(other => other.File == file) is { By: { } by })
                 {
-                    throw new RefusedException(option, $"{Quote.File(path)}, which is {by}'s file too", "a file of its own");
+                    throw new RefusedException($"{option} {Quote.File(path)} is also the file of {by}. Pass another file.");
                 }
 
                 taken.Add((option, file));
@@ -61,8 +61,8 @@ internal sealed class OutputFile : IDisposable
     }
 
     /// <summary>Refuses files that would be written over the one that is read.</summary>
-    /// <param name="input">The name of what is read; - is the standard input.</param>
-    /// <param name="outputs">Who asks for each file, and its name: several of one may be written by turns.</param>
+    /// <param name="input">The path of the input; - is standard input.</param>
+    /// <param name="outputs">The option and the path of each file. One option can write several files in turn.</param>
     /// <exception cref="RefusedException">One of them is the input.</exception>
     public static void RefuseSameAs(string input, IReadOnlyList<(string Option, string Path)> outputs)
     {

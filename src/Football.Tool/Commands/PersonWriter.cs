@@ -3,7 +3,7 @@ using System.Text;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>Text for a person. What came from a file may hold anything: a terminal is shown its control characters, and does not obey them.</summary>
+/// <summary>Text for a person. It escapes control characters, which can come from input files, so that the terminal does not execute them.</summary>
 internal sealed class PersonWriter(TextWriter writer) : TextWriter(CultureInfo.InvariantCulture)
 {
     public override Encoding Encoding => writer.Encoding;

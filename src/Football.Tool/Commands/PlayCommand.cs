@@ -12,16 +12,17 @@ internal static class PlayCommand
         var page = new Option<string>("--output", "-o")
         {
             HelpName = "PAGE",
-            Description = "The page: one file that needs no network and no server.",
+            Description = "Page to write, a single file that works offline and without a server.",
             DefaultValueFactory = _ => Playground.File,
         };
         var command = new ExampleCommand(
             "play",
-            "Writes a page on which you kick the ball yourself, over a wall and past a goalkeeper, and opens it in a browser where there is a terminal.",
+            "Write an interactive page and open it",
             "football play -o toy.html")
         {
             page,
         };
+        command.Details = "You kick the ball yourself, over a wall and past a goalkeeper. If the output is redirected, the page is not opened.";
         command.SetAction(parsed =>
         {
             string path;
@@ -42,7 +43,7 @@ internal static class PlayCommand
         return command;
     }
 
-    /// <summary>Opens a page in the browser of the desktop, if there is one; its path has been told.</summary>
+    /// <summary>Opens a page in the desktop's browser, if there is one. Its path has already been printed.</summary>
     private static void Open(string path)
     {
         try

@@ -2,7 +2,7 @@ using Spectre.Console;
 
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>One line that tells how far long work is, how fast it goes and how long it will take; nothing where nobody looks.</summary>
+/// <summary>A line with the progress, the rate and the remaining time of long work; nothing if the error output is redirected.</summary>
 internal sealed class Progress
 {
     private readonly ProgressTask? _task;
@@ -11,7 +11,7 @@ internal sealed class Progress
 
     /// <summary>Works, with the line below; it is gone afterwards.</summary>
     /// <param name="terminal">Where the line is shown.</param>
-    /// <param name="what">What is being done.</param>
+    /// <param name="what">The label of the work.</param>
     /// <param name="work">Does it.</param>
     /// <param name="writes">Whether it writes to the output meanwhile: in the same terminal the line would be in the way.</param>
     public static T Show<T>(Terminal terminal, string what, Func<Progress, T> work, bool writes = false) =>

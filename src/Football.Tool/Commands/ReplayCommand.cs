@@ -14,25 +14,26 @@ internal static class ReplayCommand
 
     public static Command Create(Terminal terminal)
     {
-        var files = new Argument<string[]>("FILE") { Description = "Scenarios, one a file, as JSON; - is the standard input.", Arity = ArgumentArity.OneOrMore };
+        var files = new Argument<string[]>("FILE") { Description = "JSON files with one scenario each; - is standard input.", Arity = ArgumentArity.OneOrMore };
         var page = new Option<string>("--output", "-o")
         {
             HelpName = "PAGE",
-            Description = "The page: one file that needs no network.",
+            Description = "Page to write, a single file that works offline.",
             DefaultValueFactory = _ => DefaultPage,
         };
-        var gltf = new Option<string?>("--gltf") { HelpName = "FILE", Description = "Writes the same as glTF 2.0 with animation too." };
-        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Writes a drawing that moves by itself too, for pages that run no program." };
+        var gltf = new Option<string?>("--gltf") { HelpName = "FILE", Description = "Also write an animated glTF 2.0 file." };
+        var svg = new Option<string?>("--svg") { HelpName = "FILE", Description = "Also write an animated SVG drawing, for pages without scripts." };
         Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("stop.at=rest");
         var command = new ExampleCommand(
             "replay",
-            "Plays scenarios, and writes a page on which they move: in perspective, to be turned, slowed down and stopped; with the output redirected the results go there as JSON.",
+            "Write an animated page from scenarios",
             $"echo '{Kick}' | football replay - -o kick.html --set stop.at=rest",
             $"echo '{Kick}' | football replay - -o kick.html --gltf kick.gltf --svg kick.svg --set stop.at=time --set stop.time=3")
         {
             files, page, gltf, svg, profile, set,
         };
+        command.Details = "The page shows the shots in 3D; you can turn the view, slow them down and stop them.";
         command.SetAction(parsed =>
         {
             OutputFile.RefuseSame(

@@ -21,7 +21,7 @@ internal static class SimulateCommand
         .Of(
             new ExampleCommand(
                 "simulate",
-                "Plays a scenario, or a batch of them, and writes what became of the ball as JSON; a single one in a terminal as a table.",
+                "Simulate scenarios from JSON",
                 $"echo '{Launch}' | football simulate -",
                 $"echo '{Launch}' | football simulate - --set stop.at=rest --set launch.velocity.1=9",
                 $"echo '{{\"name\": \"one\", \"scenario\": {Launch}}}' | football simulate - --batch --jobs 2"),

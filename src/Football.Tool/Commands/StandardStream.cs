@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Commands;
 
-/// <summary>A standard output as this program wants it: one that carries data ends the run when it is closed, one that carries hints never does.</summary>
+/// <summary>A standard output or error stream. If the stream of data is closed, the run ends; a closed stream of hints is ignored.</summary>
 /// <param name="inner">The stream.</param>
 /// <param name="carriesData">Whether what is written must arrive.</param>
 internal sealed class StandardStream(Stream inner, bool carriesData) : Stream
@@ -55,7 +55,7 @@ internal sealed class StandardStream(Stream inner, bool carriesData) : Stream
 
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    /// <summary>A full disk is told; a descriptor that was never opened, or that nobody reads, is not.</summary>
+    /// <summary>A full disk is an error; a closed descriptor or a closed pipe is not.</summary>
     private void Failed(Exception e)
     {
         bool closed = e is not IOException || e.HResult is BrokenPipe or WindowsBrokenPipe or WindowsNoData;

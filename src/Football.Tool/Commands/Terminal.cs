@@ -56,8 +56,8 @@ internal sealed class Terminal
         System.Console.IsErrorRedirected);
 
     /// <summary>
-    /// A console stream hides that nobody reads its pipe any more; a file stream tells. It does not move the offset that a file shares
-    /// with the programs before and after this one, so it is used for what has none.
+    /// A console stream hides a closed pipe; a file stream reports it. It does not advance the offset that a file shares
+    /// with the programs before and after this one, so it is used only for streams without an offset.
     /// </summary>
     private static Stream OpenOutput()
     {

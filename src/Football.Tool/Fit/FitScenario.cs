@@ -12,7 +12,7 @@ internal sealed record FitScenario
 
     public required TrackFitRequest Request { get; init; }
 
-    /// <summary>Reads a scenario; what its numbers may be the library says.</summary>
+    /// <summary>Reads a scenario. The library checks the numbers.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static FitScenario Read(InputFields fields)
     {

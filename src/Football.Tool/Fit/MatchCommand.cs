@@ -6,7 +6,7 @@ using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>football fit --match: what the whole track of a match tells.</summary>
+/// <summary>football fit --match: the analysis of a complete match track.</summary>
 internal sealed class MatchCommand
 {
     private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
@@ -15,20 +15,20 @@ internal sealed class MatchCommand
     private readonly Option<string?> _match = new("--match")
     {
         HelpName = "TRACK.csv",
-        Description = "Fits the track of a whole match instead of FILE: lines of t, x, y, z (s, m, z up) under a header; - is the standard input.",
+        Description = "Fit the track of a whole match instead of FILE: a header, then lines of t, x, y, z (s, m, z up); - is standard input.",
     };
 
-    private readonly Option<string?> _ball = new("--ball") { HelpName = "TYPE", Description = "With --match: the ball, short for --set ball.type=TYPE; modern is a ball as it flies in matches." };
-    private readonly Option<double?> _altitude = new("--altitude") { HelpName = "M", Description = "With --match: metres over the sea, short for --set air.weather.altitude=M." };
+    private readonly Option<string?> _ball = new("--ball") { HelpName = "TYPE", Description = "With --match: the ball, short for --set ball.type=TYPE, e.g. modern." };
+    private readonly Option<double?> _altitude = new("--altitude") { HelpName = "M", Description = "With --match: metres above sea level, short for --set air.weather.altitude=M." };
     private readonly Option<double?> _temperature = new("--temperature") { HelpName = "C", Description = "With --match: degrees Celsius, short for --set air.weather.temperature=C." };
 
     private readonly Option<string?> _free = new("--free")
     {
         HelpName = "NAMES",
-        Description = "With --match: what one value for the whole track is found of, of wind, drag (with its crisis), crisis, lift, surface, height, or none; default wind,drag,surface,height.",
+        Description = "With --match: quantities to estimate for the whole track: wind, drag (with its crisis), crisis, lift, surface, height, or none; default: wind,drag,surface,height.",
     };
 
-    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE.svg", Description = "With --match: draws track and fit, from above and from the side, and the distances." };
+    private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE.svg", Description = "With --match: draw the track, the fit and their distances." };
 
     /// <summary>Adds its options to a command.</summary>
     public void AddTo(Command command)
@@ -46,7 +46,7 @@ internal sealed class MatchCommand
             {
                 if (!match && result.GetResult(option) is not null)
                 {
-                    result.AddError($"{option.Name} goes with --match.");
+                    result.AddError($"{option.Name} requires --match.");
                 }
             }
 
@@ -55,13 +55,13 @@ internal sealed class MatchCommand
             {
                 if (result.GetResult(option) is { Implicit: false })
                 {
-                    result.AddError($"{option.Name} is given; allowed: without --match.");
+                    result.AddError($"{option.Name} cannot be combined with --match. Remove one of them.");
                 }
             }
         });
     }
 
-    /// <summary>What asks for it.</summary>
+    /// <summary>The option --match.</summary>
     public Option<string?> Option => _match;
 
     /// <summary>Does it.</summary>

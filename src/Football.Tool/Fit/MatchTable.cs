@@ -35,7 +35,7 @@ internal static class MatchTable
         }
     }
 
-    /// <summary>Where the ball slid and rolled untouched, and the resistance there.</summary>
+    /// <summary>Slides and rolls without a touch, and their resistance.</summary>
     private static void PrintWindows(MatchFitResult fit, Terminal terminal)
     {
         if (fit.Windows.Count == 0)

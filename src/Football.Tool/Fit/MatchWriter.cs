@@ -144,7 +144,7 @@ internal static class MatchWriter
         }
     }
 
-    /// <summary>What a track is good for, in words.</summary>
+    /// <summary>The quality of a track, in words.</summary>
     public static string GoodFor(MatchFitResult fit)
     {
         // A launch wants a few flights that fit about as well as their points are seen; what all share wants several of them, of centimetres.

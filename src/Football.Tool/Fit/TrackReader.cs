@@ -12,13 +12,13 @@ internal static class TrackReader
 {
     private const long LongestFile = 1L << 30;
 
-    /// <summary>Coordinates of more are no pitch's, m.</summary>
+    /// <summary>The maximum absolute coordinate, m.</summary>
     private const double Farthest = 1e5;
 
     /// <summary>The least noise that a point is taken for, m: what is written has a last digit.</summary>
     private const double LeastNoise = 1e-4;
 
-    /// <summary>A clock that goes back by more begins anew, s.</summary>
+    /// <summary>A clock that goes back by more than this has restarted, s.</summary>
     private const double Restart = 1;
 
     /// <summary>Between parts whose times are shifted, s.</summary>
@@ -31,7 +31,7 @@ internal static class TrackReader
     /// <summary>Reads it.</summary>
     /// <param name="stream">The file.</param>
     /// <param name="said">Told what a person should know.</param>
-    /// <exception cref="RefusedException">It is no track; the message names line, value and what is allowed.</exception>
+    /// <exception cref="RefusedException">The file is not a track; the message names the line, the value and the allowed values.</exception>
     public static TrackPoint[] Read(Stream stream, Action<string> said)
     {
         if (stream.CanSeek && stream.Length > LongestFile)
@@ -66,7 +66,7 @@ internal static class TrackReader
             double t = Time(Cell(time), line, ref first) + shift;
             if (t < last - Restart)
             {
-                // A clock that begins anew with each half or match: what follows comes a minute later.
+                // The clock restarts with each half or match: the following points are placed a minute later.
                 shift += last + BetweenParts - t;
                 t = last + BetweenParts;
                 said(FormattableString.Invariant($"line {line}: the clock begins anew; from here on times are {shift:0.###} s later than written."));
@@ -90,7 +90,7 @@ internal static class TrackReader
 
         return points.Count >= 8
             ? [.. points]
-            : throw new RefusedException("TRACK", FormattableString.Invariant($"{points.Count} points"), "at least 8 lines with a time and a place");
+            : throw new RefusedException("TRACK", FormattableString.Invariant($"{points.Count} points"), "at least 8 lines with a time and a position");
     }
 
     private static string[] Split(string line) => [.. line.Split(line.Contains(';', StringComparison.Ordinal) && !line.Contains(',', StringComparison.Ordinal) ? ';' : ',').Select(cell => cell.Trim().Trim('"', '\uFEFF').Trim())];

@@ -35,7 +35,7 @@ internal sealed class Flight
     /// <summary>When the ball first meets a thing, or the end of the way where it meets none, s.</summary>
     public double FirstMeeting => Events.Where(item => item.ColliderIndex != 0 && item.Kind is BallEventKind.Impact or BallEventKind.Goal).Select(item => item.Time).DefaultIfEmpty(Outcome.Samples![^1].Time).First();
 
-    /// <summary>The first impact with the ground; null where there is none.</summary>
+    /// <summary>The first impact with the ground; null if there is none.</summary>
     public static BallEvent? FirstTouchdown(Outcome outcome) =>
         outcome.Events.Where(item => item.Kind == BallEventKind.Impact && item.ColliderIndex == 0).Cast<BallEvent?>().FirstOrDefault();
 

@@ -41,7 +41,7 @@ internal static class FoundKick
         {
             Id = "found-free-kick",
             Name = "Free kick found for two points",
-            About = "The library was asked for it: from 22 m at 86 km/h, just over the heads of the wall and into the bottom corner. Dashed: the same kick without spin.",
+            About = "The library found this kick: from 22 m at 86 km/h, just over the heads of the wall and into the bottom corner. Dashed: the same kick without spin.",
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",

@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
 
-/// <summary>A shot of the gallery, and what to draw around it.</summary>
+/// <summary>A shot of the gallery, and the objects drawn around it.</summary>
 internal sealed record GalleryShot
 {
     /// <summary>Name of its file.</summary>
@@ -11,7 +11,7 @@ internal sealed record GalleryShot
 
     public required string Name { get; init; }
 
-    /// <summary>What is to be seen.</summary>
+    /// <summary>The caption.</summary>
     public required string About { get; init; }
 
     public required Scenario Scenario { get; init; }
@@ -31,7 +31,7 @@ internal sealed record GalleryShot
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }
 
-    /// <summary>What was changed.</summary>
+    /// <summary>The description of the comparison.</summary>
     public string ComparisonName { get; init; } = "";
 
     /// <summary>Lines on the ground, beside those of the scene's goals.</summary>

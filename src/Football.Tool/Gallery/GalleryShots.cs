@@ -24,7 +24,7 @@ internal static class GalleryShots
         {
             Id = "free-kick",
             Name = "Free kick over the wall",
-            About = "From 22 m, over the wall, bent to the left by sidespin and back inside the right post. Without spin it misses.",
+            About = "From 22 m, over the wall, bent to the left by sidespin and just inside the post on the kicker's right. Without spin it misses.",
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
@@ -43,7 +43,7 @@ internal static class GalleryShots
         {
             Id = "corner",
             Name = "Inswinging corner",
-            About = "Kicked out over the six-yard box, the sidespin swings it back towards the goal, seen here along the goal line.",
+            About = "The ball starts out over the six-yard box, and the sidespin swings it back towards the goal. The view is along the goal line.",
             Scenario = kick,
             Comparison = kick with { Spin = Vector3d.Zero },
             ComparisonName = "without spin",
@@ -107,7 +107,7 @@ internal static class GalleryShots
         {
             Id = "no-spin-drive",
             Name = "Drive without spin",
-            About = "Struck clean through the middle: fast, flat and straight. Dashed with backspin, which holds it up.",
+            About = "Struck clean through the middle: fast, flat and straight. Dashed: with backspin, which holds it up.",
             Scenario = kick,
             Comparison = Kick(31, left: 0, up: 11, top: -40, side: 0),
             ComparisonName = "with backspin 40 rad/s",
@@ -118,7 +118,7 @@ internal static class GalleryShots
     {
         Id = "dropped-with-topspin",
         Name = "Dropped with topspin",
-        About = "Let go at 3 m with 70 rad/s of topspin: each bounce turns spin into speed forwards.",
+        About = "Dropped from 3 m with 70 rad/s of topspin: each bounce turns spin into forward speed.",
         Scenario = Shot(new Vector3d(0, 3, 0), Vector3d.Zero, KickVectors.Spin(ViewFrame.Direction(1, 0, 0), 70, 0)),
     };
 
@@ -139,7 +139,7 @@ internal static class GalleryShots
             SceneCode = "new Scene { Ground = Ground.Of(SurfaceMaterial.Indoor), Air = new Air { Wind = new Vector3d(-2, 0, 0) } }",
             SceneFields = ["ground.surface=indoor", "air.wind=[-2,0,0]"],
             Name = "Long roll",
-            About = "Rolling from the start on an indoor court, across a side wind of 2 m/s that carries it to the left.",
+            About = "It rolls from the start on an indoor court, and a crosswind of 2 m/s carries it to the left.",
             Scenario = Shot(new Vector3d(0, Radius, 0), velocity, KickVectors.Spin(velocity, 11 / Radius, 0)) with
             {
                 Scene = Scene.Measured with { Ground = Ground.Of(SurfaceMaterial.Indoor), Air = new Air { Wind = new Vector3d(-2, 0, 0) } },
@@ -156,7 +156,7 @@ internal static class GalleryShots
             SceneCode = "Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } }",
             SceneFields = ["air.wind=[-7.778,0,7.778]", "ground.aerodynamics=none"],
             Name = "High ball in the wind",
-            About = "A high ball into a wind of 11 m/s, against it and from the right; dashed in still air. On the ground the wind is off here: it would roll the ball on for ever.",
+            About = "A high ball into a wind of 11 m/s from ahead and from the right. Dashed: in still air. The wind does not act on the ground here, or the ball would never stop.",
             Scenario = kick with
             {
                 Scene = Scene.Windy(new Vector3d(-7.778, 0, 7.778)) with { Ground = new Ground { Aerodynamics = GroundAerodynamics.None } },
@@ -172,7 +172,7 @@ internal static class GalleryShots
         SceneCode = "new Scene { Ball = BallProperties.BeachBall, Ground = Ground.Presets[\"publishedSand\"] }",
         SceneFields = ["ball.type=beachBall", "ground.surface=publishedSand"],
         Name = "Beach ball",
-        About = "Large and light: the air stops it within metres, the sidespin throws it aside, and it stays where it lands on sand.",
+        About = "Large and light: the air stops it within metres, sidespin throws it aside, and it stops where it lands on the sand.",
         Scenario = Shot(new Vector3d(0, 1, 0), ViewFrame.Direction(16, 0, 30), KickVectors.Spin(ViewFrame.Direction(1, 0, 0), 0, 25)) with
         {
             Scene = Scene.Measured with { Ball = BallProperties.BeachBall, Ground = Ground.Presets["publishedSand"] },

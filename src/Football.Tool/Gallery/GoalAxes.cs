@@ -6,6 +6,6 @@ internal static class GoalAxes
     /// <summary>Unit vector towards the pitch.</summary>
     public static Vector3d Outward(this Goal goal) => goal.Facing.Normalized();
 
-    /// <summary>Unit vector along the line, towards the right post as seen from inside the goal.</summary>
+    /// <summary>Unit vector along the goal line, towards "right post", which is on the right of the goalkeeper.</summary>
     public static Vector3d Right(this Goal goal) => Vector3d.Cross(goal.Outward(), Vector3d.Up);
 }

@@ -26,7 +26,7 @@ internal static class QueryShots
         {
             Id = "one-bounce-pass",
             Name = "Pass with one bounce",
-            About = "Asked for: one bounce, and up to a team mate's knee, 24 m away.",
+            About = "The library found this kick: one bounce, then up to a teammate's knee, 24 m away.",
             Scenario = Kick(Scene.Measured, found.Velocity, found.Spin),
             Points = [target],
             DrawnTo = 40,
@@ -44,7 +44,7 @@ internal static class QueryShots
         {
             Id = "in-off-the-post",
             Name = "In off the post, as aimed",
-            About = "Asked for: against the inside of the post, and from there in.",
+            About = "The library found this kick: off the inside of the post and in.",
             Scenario = Kick(scene, found.Velocity, found.Spin),
             Points = [target],
             DrawnTo = 20,

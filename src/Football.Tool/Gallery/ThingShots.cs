@@ -21,8 +21,8 @@ internal static class ThingShots
     private static GalleryShot OffBothPosts() => new()
     {
         Id = "off-both-posts",
-        Name = "In off both posts",
-        About = "From 12 m against one post, along the line in two bounces, against the other, and in.",
+        Name = "In off the post and across",
+        About = "From 12 m against one post, across the goal mouth in one bounce, and in at the far side.",
         Scenario = Shot(new Vector3d(0, Radius, -8), ViewFrame.Direction(28.2, 12.1, 6.6), 0, 40) with { Scene = new Scene { Goals = [Furniture.Goal(20)] } },
         DrawnTo = 24,
     };
@@ -35,7 +35,7 @@ internal static class ThingShots
         {
             Id = "headed-corner",
             Name = "Corner, headed in",
-            About = "A corner to the edge of the six-yard box, met by a header on the run, and in under the bar. Dashed: nobody there.",
+            About = "A corner to the edge of the six-yard box, headed in under the bar on the run. Dashed: without the header.",
             Scenario = Shot(new Vector3d(0, Radius, 0), ViewFrame.Direction(25, 16, 20), -10, -20) with
             {
                 Scene = new Scene { Goals = [new Goal { Center = new Vector3d(0, 0, -34), Facing = new Vector3d(-1, 0, 0) }], Obstacles = [head] },
@@ -66,7 +66,7 @@ internal static class ThingShots
         {
             Id = "round-the-wall",
             Name = "Round the wall",
-            About = $"Straight for the corner it hits the {straight.BlockedBy} (dashed). The library was asked for another way at the same speed, and bends it round the outside.",
+            About = $"Straight for the corner it hits the {straight.BlockedBy} (dashed). The library found another kick at the same speed, which bends round the outside.",
             Scenario = kick,
             Comparison = Shot(request.From, straight.Velocity, 0, 0) with { Scene = scene, Spin = straight.Spin },
             ComparisonName = "without spin",
@@ -105,7 +105,7 @@ internal static class ThingShots
         {
             Id = "down-the-slope",
             Name = "Down a slope into a board",
-            About = "Pushed down a slope of one in ten: it rolls on hardly slower, into a board that stands askew, and from there up and to the side until it rests.",
+            About = "Pushed down a slope of one in ten, it rolls on almost as fast, hits an oblique board, and rolls up and sideways until it rests.",
             SceneFields = ["ground.normal=[0,1,-0.1]"],
             SceneCode = "Scene.Measured with { Ground = new Ground { Normal = new Vector3d(0, 1, -0.1) } }",
             Scenario = Shot(new Vector3d(0, 0, 0), new Vector3d(1.2, -0.7, -7), 0, 0) with

@@ -40,6 +40,6 @@ internal static class InterceptRun
         }
 
         throw new RefusedException(FormattableString.Invariant(
-            $"stop.time is {shot.Duration} with steps of {shot.TimeStep} s; allowed: a way of at most {MostPieces} pieces."));
+            $"The path is too long: stop.time {shot.Duration} / solver.timeStep {shot.TimeStep} needs more than {MostPieces} path segments. Shorten stop.time or use a larger step."));
     }
 }

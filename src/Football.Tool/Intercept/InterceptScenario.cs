@@ -12,7 +12,7 @@ internal sealed record InterceptScenario
 
     public required Player[] Runners { get; init; }
 
-    /// <summary>Reads a scenario; what its numbers may be the library says when it is played.</summary>
+    /// <summary>Reads a scenario. The library checks the numbers when it is simulated.</summary>
     /// <exception cref="RefusedException">A field is unknown, missing or of the wrong type.</exception>
     public static InterceptScenario Read(InputFields fields)
     {

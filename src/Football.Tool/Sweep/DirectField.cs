@@ -6,7 +6,7 @@ namespace FootballPhysics.Tool.Sweep;
 /// <param name="Path">The field.</param>
 /// <param name="Column">Its column.</param>
 /// <param name="Unit">Its unit.</param>
-/// <param name="Allowed">What it may be.</param>
+/// <param name="Allowed">The allowed values.</param>
 /// <param name="Range">What it is drawn from where nothing is said; null for no range.</param>
 internal sealed record DirectField(string Path, string Column, string Unit, NumberRange Allowed, (double Low, double High)? Range = null)
 {

@@ -6,7 +6,7 @@ namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A field that is drawn for every row.</summary>
 /// <param name="Path">The field, its parts parted by points.</param>
-/// <param name="Range">What it is drawn from.</param>
+/// <param name="Range">The range of the random values.</param>
 /// <param name="Direct">Which number of a launch or an aim it is; −1 for a field of the scene.</param>
 internal sealed record DrawnField(string Path, FieldRange Range, int Direct)
 {

@@ -6,14 +6,14 @@ namespace FootballPhysics.Tool.Sweep;
 /// <summary>Why shards cannot be put together.</summary>
 internal sealed class MergeFaults
 {
-    /// <summary>Faults that are told; of more it is told how many.</summary>
+    /// <summary>The maximum number of faults that are printed; of the others only the number is printed.</summary>
     private const int MostTold = 20;
 
     private readonly List<string> _faults = [];
 
     public bool Any => _faults.Count > 0;
 
-    /// <summary>Looks for what can be seen without reading the rows.</summary>
+    /// <summary>Finds the faults that are visible without reading the rows.</summary>
     public void Check(IReadOnlyList<ShardFolder> shards)
     {
         if (shards.Count == 0)
@@ -46,7 +46,7 @@ internal sealed class MergeFaults
             }
             else if (found.Length > 1)
             {
-                _faults.Add($"{found[0].Manifest.Shard} is doubled: {string.Join(", ", found.Select(shard => shard.Name))}.");
+                _faults.Add($"{found[0].Manifest.Shard} exists twice: {string.Join(", ", found.Select(shard => shard.Name))}.");
             }
         }
 
@@ -56,9 +56,11 @@ internal sealed class MergeFaults
         }
     }
 
-    /// <summary>A file is not what its manifest says.</summary>
-    public void Torn(ShardFolder shard, FileRecord file, string how) =>
-        _faults.Add($"{shard.Manifest.Shard} is torn: {Quote.Short(shard.Name)}/{file.Name} has {how}.");
+    /// <summary>Adds a file that differs from its manifest.</summary>
+    public void Damaged(ShardFolder shard, FileRecord file) => Differs(shard, file, "damaged", "other bytes than its manifest says");
+
+    private void Differs(ShardFolder shard, FileRecord file, string how, string content) =>
+        _faults.Add($"{shard.Manifest.Shard} is {how}: {Quote.Short(shard.Name)}/{file.Name} has {content}.");
 
     public void Print(TextWriter to)
     {
@@ -87,7 +89,7 @@ internal sealed class MergeFaults
             long bytes = file.Exists ? file.Length : 0;
             if (bytes != record.Bytes)
             {
-                Torn(shard, record, FormattableString.Invariant($"{bytes} bytes of {record.Bytes}"));
+                Differs(shard, record, "incomplete", FormattableString.Invariant($"{bytes} of {record.Bytes} bytes"));
             }
         }
     }

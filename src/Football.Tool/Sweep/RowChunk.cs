@@ -5,7 +5,7 @@ namespace FootballPhysics.Tool.Sweep;
 /// <summary>Some rows, written.</summary>
 internal sealed class RowChunk(int files)
 {
-    /// <summary>What is to be added to each file.</summary>
+    /// <summary>The bytes to append to each file.</summary>
     public ArrayBufferWriter<byte>[] Files { get; } = [.. Enumerable.Range(0, files).Select(_ => new ArrayBufferWriter<byte>(1 << 12))];
 
     /// <summary>How many rows.</summary>

@@ -2,11 +2,11 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>What a row is to say.</summary>
+/// <summary>The requested columns of a row.</summary>
 /// <param name="Columns">The columns, in their order; none for those that there are by default.</param>
 /// <param name="Events">How many events of each flight.</param>
 /// <param name="Samples">Times of samples, s.</param>
-/// <param name="Hits">Names of things whose hits are counted.</param>
+/// <param name="Hits">The names of the colliders whose hits are counted.</param>
 internal sealed record RowRequest(IReadOnlyList<string> Columns, int Events, IReadOnlyList<double> Samples, IReadOnlyList<string> Hits)
 {
     private const int MostEvents = 64;

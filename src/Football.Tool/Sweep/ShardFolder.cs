@@ -4,7 +4,7 @@ namespace FootballPhysics.Tool.Sweep;
 
 /// <summary>A folder with a shard.</summary>
 /// <param name="Path">The folder.</param>
-/// <param name="Manifest">What it holds.</param>
+/// <param name="Manifest">Its manifest.</param>
 /// <param name="IsDone">Whether that is all of the shard.</param>
 internal sealed record ShardFolder(string Path, Manifest Manifest, bool IsDone)
 {

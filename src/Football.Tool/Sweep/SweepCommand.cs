@@ -25,40 +25,40 @@ internal static class SweepCommand
     {
         var file = new Argument<string?>("FILE")
         {
-            Description = "The scene, the ranges to draw from and what a row says, as JSON; - is the standard input. Without it: the defaults.",
+            Description = "Scene, ranges and columns of a row as JSON; - is standard input; default: the default scene and ranges.",
             Arity = ArgumentArity.ZeroOrOne,
         };
-        Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep.", 1, MostRows, 1000);
-        Option<long> seed = Arguments.Whole("--seed", "What the rows are drawn from, with the field and the row's index.", 0, long.MaxValue, 1);
-        Option<long> jobs = Arguments.Jobs("Threads; default: one a processor. The rows do not depend on it.");
+        Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep, all shards together.", 1, MostRows, 1000);
+        Option<long> seed = Arguments.Whole("--seed", "Seed of the random values; the same seed gives the same rows.", 0, long.MaxValue, 1);
+        Option<long> jobs = Arguments.Jobs("Threads; default: one per processor. The rows do not depend on it.");
         Option<FieldOverride[]> profile = Arguments.Profile();
         Option<FieldOverride[]> set = Arguments.Set("launch.speed=[20,25]");
         Option<FieldOverride[]> range = Arguments.Range("air.wind[0]=[-5,5]");
         var output = new Option<string?>("--out")
         {
             HelpName = "DIR",
-            Description = "Writes files, a schema and a manifest to a folder, each shard to one of its own in it. Where it was interrupted, the same command goes on.",
+            Description = "Write data files, a schema and a manifest to this folder, each shard to its own subfolder. Repeat the command to resume an interrupted run.",
         };
         var format = new Option<string>("--format")
         {
             HelpName = string.Join('|', RowFormat.Names),
-            Description = "How rows are written: an object a line, a table, or with --out NumPy files, one a column, or a Parquet file.",
+            Description = "Format of the rows: JSON lines, CSV, or (with --out) one NumPy file per column or a Parquet file.",
             DefaultValueFactory = _ => RowFormat.Names[0],
         };
         format.AcceptOnlyFromAmong([.. RowFormat.Names]);
         var shard = new Option<(int Index, int Of)>("--shard")
         {
             HelpName = "i/n",
-            Description = "Only the i-th of n parts; all parts one after the other are the whole, byte for byte. Without it: all rows.",
+            Description = "Only part i of n; the parts in order are the whole sweep, byte for byte; default: all rows.",
             CustomParser = ParseShard,
         };
         var verify = new Option<bool>("--verify")
         {
-            Description = "Of a folder that is done, reads all files and looks whether they have the bytes that were written; without it, whether they are there and as long.",
+            Description = "Check the checksums of a finished folder; default: only that the files exist and have the right length.",
         };
         var command = new ExampleCommand(
             "sweep",
-            "Draws launches or aims from ranges, flies or finds them, and writes a row each.",
+            "Generate data sets from parameter ranges",
             "football sweep --count 10",
             "football sweep --count 1000 --seed 7 --set 'launch.speed=[20,30]' --range 'air.wind[0]={\"normal\": [0, 3]}' --shard 1/2",
             """echo '{"launch": {"speed": [20, 25], "elevation": 12}}' | football sweep - --count 5 --format csv""",
@@ -66,11 +66,12 @@ internal static class SweepCommand
         {
             file, count, seed, shard, jobs, profile, set, range, output, format, verify, SweepMerge.Create(terminal),
         };
+        command.Details = "It draws launches or aims at random, simulates or solves them, and writes one row each.";
         command.Validators.Add(result =>
         {
             if (result.GetValue(output) is null && result.GetValue(verify))
             {
-                result.AddError("--verify is given; allowed: with --out DIR.");
+                result.AddError("--verify requires --out DIR.");
             }
 
             if (result.GetValue(output) is null && result.GetValue(format) is "npy" or "parquet")

@@ -47,7 +47,7 @@ internal static class SweepInput
         return plan;
     }
 
-    /// <summary>What the library says about a number, with the field as it was written.</summary>
+    /// <summary>Translates the library's error about a number, with the field as it was written.</summary>
     public static T Refusing<T>(InputFields fields, Func<T> work)
     {
         try

@@ -12,7 +12,7 @@ internal sealed class SweepMerge
 {
     private const int Chunk = 1 << 20;
 
-    /// <summary>What the names of files end with of which it is not yet known whether all is well.</summary>
+    /// <summary>The suffix of the names of files that are not verified yet.</summary>
     private const string New = ".new";
 
     private readonly string _folder;
@@ -24,10 +24,10 @@ internal sealed class SweepMerge
 
     public static Command Create(Terminal terminal)
     {
-        var folder = new Argument<string>("DIR") { Description = "The folder that --out named for all shards." };
+        var folder = new Argument<string>("DIR") { Description = "Folder that --out named for all shards." };
         var command = new ExampleCommand(
             "merge",
-            "Checks the shards in a folder, and writes beside them the files that one process would have written; missing, doubled, unfinished and torn shards are named.",
+            "Check the shards in a folder and write the files of the complete sweep next to them. It lists missing, duplicate, unfinished and damaged shards.",
             "football sweep --count 100 --shard 1/2 --out rows; football sweep --count 100 --shard 2/2 --out rows; football sweep merge rows && cat rows/manifest.json")
         {
             folder,
@@ -40,7 +40,7 @@ internal sealed class SweepMerge
     {
         if (!Directory.Exists(_folder))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which is no folder", "the folder of the shards of a sweep");
+            throw new RefusedException($"DIR {Quote.File(_folder)} is not a folder. Pass the folder that contains the shards.");
         }
 
         List<ShardFolder> shards = ShardFolder.All(_folder);
@@ -66,12 +66,12 @@ internal sealed class SweepMerge
         Manifest? before = Manifest.Read(_folder, Manifest.Done);
         if (before is not null && (first.Identity.Difference(before.Identity) is not null || before.Shard.Of != 1))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds another sweep beside its shards", "a folder of shards alone");
+            throw new RefusedException($"DIR {Quote.File(_folder)} contains another sweep next to its shards. Pass a folder that contains only shards.");
         }
 
         if (before is null && File.Exists(Path.Combine(_folder, Manifest.Unfinished)))
         {
-            throw new RefusedException("DIR", $"{Quote.File(_folder)}, which holds an unfinished sweep beside its shards", "a folder of shards alone");
+            throw new RefusedException($"DIR {Quote.File(_folder)} contains an unfinished sweep next to its shards. Pass a folder that contains only shards.");
         }
 
         try
@@ -144,7 +144,7 @@ internal sealed class SweepMerge
         return record.Name.EndsWith(".npy", StringComparison.Ordinal) ? NumpyHeader.WithRows(header, identity.Count) : header;
     }
 
-    /// <summary>Copies what lies between header and footer, and looks whether all of it is what was written.</summary>
+    /// <summary>Copies the rows between the header and the footer, and checks their hash.</summary>
     private void Copy(ShardFolder shard, FileRecord record, int footer, DataFile? to)
     {
         using FileStream from = File.OpenRead(Path.Combine(shard.Path, record.Name));
@@ -161,7 +161,7 @@ internal sealed class SweepMerge
 
         if (Convert.ToHexStringLower(hash.GetHashAndReset()) != record.Sha256)
         {
-            _faults.Torn(shard, record, "other bytes than its manifest says");
+            _faults.Damaged(shard, record);
         }
     }
 }

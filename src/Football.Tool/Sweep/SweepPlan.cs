@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Ranges;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>A sweep: what its rows have in common, what is drawn for each of them, and what they say.</summary>
+/// <summary>A sweep: the common values of its rows, the random fields and the columns.</summary>
 internal sealed class SweepPlan
 {
     /// <summary>Scenes that are flown in lanes side by side; of more the balls are flown one by one.</summary>
@@ -42,7 +42,7 @@ internal sealed class SweepPlan
 
     public RowRequest Row { get; }
 
-    /// <summary>What is drawn.</summary>
+    /// <summary>The random fields.</summary>
     public IReadOnlyList<DrawnField> Fields { get; }
 
     /// <summary>Which of the fields are no numbers of a launch or an aim: rows with other values have other scenes.</summary>
@@ -73,9 +73,9 @@ internal sealed class SweepPlan
         Scene.Aim is { Method: AimMethod.Direct, Slowest: false, ArrivalTime: null, ArrivalSpeed: null, After: null, Request: { Waypoint: null, SpinIsFree: false, Arc: AimArc.Low } request }
         && request.TargetVelocity == Vector3d.Zero && SceneFields.Length == 0 && BallBatch.SupportsSimd(Scene.Scene) && request.MaximumIterations == new AimRequest().MaximumIterations;
 
-    /// <summary>Takes note of what is in a scene that rows may have.</summary>
+    /// <summary>Registers the colliders of a scene that rows can have.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="things">Names of its things.</param>
+    /// <param name="things">The names of its colliders.</param>
     public void Meet(SweepScene scene, IReadOnlyList<string> things)
     {
         // In the scene of all rows things may share a name.
@@ -117,7 +117,7 @@ internal sealed class SweepPlan
             stride *= grid.Values.Count;
             if (stride > MostGridPoints)
             {
-                throw new RefusedException("ranges", "a grid of too many points", FormattableString.Invariant($"grids whose product has at most {MostGridPoints} points"));
+                throw new RefusedException(FormattableString.Invariant($"ranges make a grid of more than {MostGridPoints} points. Use fewer or coarser grids."));
             }
         }
     }

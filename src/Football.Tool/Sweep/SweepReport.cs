@@ -27,7 +27,7 @@ internal sealed class SweepReport(Terminal terminal, Progress progress, RowSink 
         }
     }
 
-    /// <summary>What was done, in a line.</summary>
+    /// <summary>A one-line summary of the run.</summary>
     /// <param name="folder">Where the rows are.</param>
     /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
     public string Line(string folder, bool countsHandedOn)

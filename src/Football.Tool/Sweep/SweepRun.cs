@@ -65,7 +65,7 @@ internal sealed class SweepRun
         }
         finally
         {
-            // Nobody wants more, where writing failed.
+            // If writing failed, no more rows are needed.
             work.Complete();
         }
 

@@ -4,10 +4,10 @@ using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>What rows have in common: the scene, what is not drawn of a launch or an aim, how to integrate it and when to stop.</summary>
+/// <summary>The common values of the rows: the scene, the fixed values of the launch or aim, the integration and the stop condition.</summary>
 internal sealed record SweepScene
 {
-    /// <summary>The members of an input that are no part of a scenario.</summary>
+    /// <summary>The members of an input that do not belong to a scenario.</summary>
     private static readonly string[] s_ownMembers = ["ranges", "row"];
 
     private static readonly string[] s_kick = [.. DirectField.OfLaunch.Take(DirectField.KickNumbers).Select(field => field.Column)];
@@ -33,10 +33,10 @@ internal sealed record SweepScene
     /// <summary>Whether a launch is said as velocity and spin, else as a kick.</summary>
     public bool HasVectors { get; init; }
 
-    /// <summary>How the ball is turned at its launch; null where nothing is said.</summary>
+    /// <summary>The orientation at the launch; null if not given.</summary>
     public Quaterniond? Orientation { get; init; }
 
-    /// <summary>What kicks are to do; null where balls are flown.</summary>
+    /// <summary>The aim; null if the sweep simulates launches.</summary>
     public AimScenario? Aim { get; init; }
 
     /// <summary>The settings of a batch.</summary>

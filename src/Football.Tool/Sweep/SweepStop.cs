@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep;
 
-/// <summary>What ends a flight before its time is up.</summary>
+/// <summary>The event that ends a flight before its time.</summary>
 internal enum SweepStop
 {
     /// <summary>The first impact.</summary>

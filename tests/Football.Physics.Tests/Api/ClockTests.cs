@@ -34,7 +34,7 @@ public sealed class ClockTests
         var simulator = new Simulator(Scene.Published);
         BallState state = At(simulator, 1e15);
         ArgumentOutOfRangeException refused = Assert.Throws<ArgumentOutOfRangeException>(() => simulator.Run(ref state, 0.01, 1, StopAt.Time, new StepLog()));
-        Assert.StartsWith("timeStep is 0.01; allowed: more than the rounding of a clock at 1000000000000001 s", refused.Message);
+        Assert.StartsWith("timeStep is 0.01; allowed: more than the rounding error of the clock at 1000000000000001 s", refused.Message);
         simulator.Run(ref state, 1, 5, StopAt.Time, new StepLog());
         Assert.Equal(1e15 + 5, state.Time);
     }

@@ -20,8 +20,8 @@ public sealed class GameRefusalTests
     public void A_strike_without_a_ball_is_refused()
     {
         var foot = new Foot();
-        Refused("ball is null;", () => foot.Strike(null!, Vector3d.Zero, Vector3d.Zero, new Vector3d(0, 0, -20), new Vector3d(0, 0, -1)));
-        Refused("ball is null;", () => foot.StrikeFor(null!, Vector3d.Zero, Vector3d.Zero, new Vector3d(0, 0, -20), Vector3d.Zero));
+        Refused("ball is null. Pass a value.", () => foot.Strike(null!, Vector3d.Zero, Vector3d.Zero, new Vector3d(0, 0, -20), new Vector3d(0, 0, -1)));
+        Refused("ball is null. Pass a value.", () => foot.StrikeFor(null!, Vector3d.Zero, Vector3d.Zero, new Vector3d(0, 0, -20), Vector3d.Zero));
     }
 
     [Theory]
@@ -96,7 +96,7 @@ public sealed class GameRefusalTests
         Goal[] two = [s_goal, s_goal with { Center = new Vector3d(0, 0, 40), Facing = new Vector3d(0, 0, -1) }];
         var aimer = new BankShotAimer(new Scene { Goals = two, Obstacles = [s_wall] });
         var request = new AimRequest { From = new Vector3d(0, 0.11, 0), Target = new Vector3d(2.2, 0.9, -12.6), Speed = 24, MaximumElevationDegrees = 30 };
-        Refused("aim.after[0] is left post; allowed: left post[0] … left post[1]: the scene has 2 of that name.", () => aimer.Find(request, "left post"));
+        Refused("aim.after[0] is left post; allowed: left post[0] … left post[1], because the scene has 2 colliders with this name.", () => aimer.Find(request, "left post"));
         Refused("aim.after[1] is crossbar;", () => aimer.Find(request, "wall", "crossbar"));
         Refused("aim.after[0] is left post[2]; allowed: ground | wall | left post |", () => aimer.Find(request, "left post[2]"));
         Refused("aim.after[0] is null;", () => aimer.Find(request, (string)null!));
@@ -148,7 +148,7 @@ public sealed class GameRefusalTests
 
         BallState before = ball.State;
         keeper.MoveTo(new Vector3d(0, 1, -11), new Vector3d(2, 0, 0), 0);
-        Refused(FormattableString.Invariant($"bodies[0].time is 0; allowed: the ball's time before the step, {before.Time:R} s, to within 0.25 s."), () => ball.Step(1.0 / 60.0));
+        Refused(FormattableString.Invariant($"bodies[0].time is 0; allowed: the ball's time before the step, {before.Time:R} s, ± 0.25 s."), () => ball.Step(1.0 / 60.0));
         Assert.True(Snapshot.Same(before, ball.State));
         keeper.MoveTo(new Vector3d(0, 1, -11), new Vector3d(2, 0, 0), before.Time + 0.3);
         Refused("bodies[0].time is", () => ball.Simulator.Run(ref before, 0.01, 0.1, StopAt.Time, new StepLog()));

@@ -100,7 +100,7 @@ public sealed class KeyframeTests
         byte[] older = [.. bytes];
         older[4] = (byte)'3';
         Crc32.Seal(older);
-        Assert.Contains("format FBSG3; allowed: FBSG4", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
+        Assert.Contains("format FBSG3, but this version of the library reads FBSG4", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
 
         // The place of the one keyframe: the last of the bytes but the checksum.
         byte[] other = [.. bytes];

@@ -72,7 +72,7 @@ public sealed class PlayersInTimeTests
         }
 
         BallState before = runner.State;
-        Assert.StartsWith("bodies: they moved at tick 11", Assert.Throws<InvalidOperationException>(() => rollback.ApplyKick(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
+        Assert.StartsWith("Bodies moved at tick 11, so that tick cannot be resimulated. ", Assert.Throws<InvalidOperationException>(() => rollback.ApplyKick(new KickInput(5, default, default))).Message, StringComparison.Ordinal);
         Assert.Equal(1, runner.Kicks.Count);
         Assert.True(Snapshot.Same(before, runner.State));
         runner.MoveBodies = move;
@@ -99,7 +99,7 @@ public sealed class PlayersInTimeTests
 
         // Another scene is told, not a divergence.
         Simulator other = new(Scene.Default with { Gravity = 9.82 });
-        Assert.StartsWith("scene has", Assert.Throws<ArgumentException>(() => received.FirstDivergence(other)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("The scene differs from the recorded one (balls ", Assert.Throws<ArgumentException>(() => received.FirstDivergence(other)).Message, StringComparison.Ordinal);
         Assert.NotEqual(other.SceneHash, new Simulator().SceneHash);
         Assert.Equal(new Simulator().SceneHash, new Simulator(new Scene()).SceneHash);
     }

@@ -137,7 +137,7 @@ public sealed class RollbackTests
         KickInput[] kicks = [new(20, new Vector3d(2, 6, -20), new Vector3d(0, 30, 0))];
         Recording segment = Record(new Simulator(Scene.Published), kicks, 0);
         var windy = new Simulator(Scene.Published with { Air = new Air { Wind = new Vector3d(0, 0, 1) } });
-        Assert.StartsWith("scene has 1 balls", Assert.Throws<ArgumentException>(() => segment.FirstDivergence(windy)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("The scene differs from the recorded one (balls 1, hash ", Assert.Throws<ArgumentException>(() => segment.FirstDivergence(windy)).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -14,7 +14,7 @@ public sealed class StageTests
         stage.Compile();
         Assert.Same(Scene.Default, stage.Game.Scene);
         Assert.Same(stage.Game, stage.Ahead);
-        Assert.Contains("compiled already", Assert.Throws<InvalidOperationException>(() => stage.Add(Goal)).Message, StringComparison.Ordinal);
+        Assert.Contains("already compiled", Assert.Throws<InvalidOperationException>(() => stage.Add(Goal)).Message, StringComparison.Ordinal);
         Assert.Contains("Compile", Assert.Throws<InvalidOperationException>(() => new BallScene().Game).Message, StringComparison.Ordinal);
     }
 

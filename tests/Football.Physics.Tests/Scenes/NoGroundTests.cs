@@ -106,7 +106,7 @@ public sealed class NoGroundTests
 
     [Fact]
     public void A_fan_of_passes_names_the_ground_that_it_misses() =>
-        Assert.StartsWith("ground is none;", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(s_vacuum)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("ground is none, but passes are played on a level pitch.", Assert.Throws<ArgumentOutOfRangeException>(() => new PassFan(s_vacuum)).Message, StringComparison.Ordinal);
 
     [Fact]
     public void A_wire_form_of_a_ball_on_the_ground_is_rejected()

@@ -197,7 +197,7 @@ public sealed class BodyTests
         Assert.Equal("velocity", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(Vector3d.Zero, new Vector3d(2000, 0, 0), 0)).ParamName);
         Assert.Equal("position", Assert.Throws<ArgumentOutOfRangeException>(() => leg.MoveTo(new Vector3d(double.NaN, 0, 0), Vector3d.Zero, 0)).ParamName);
         _ = new Simulator(profile.Scene() with { Bodies = bodies });
-        Assert.Contains("before it is built", Assert.Throws<InvalidOperationException>(() => bodies.Add("arm", leg.Shape)).Message);
+        Assert.Contains("after a Simulator was built with these bodies", Assert.Throws<InvalidOperationException>(() => bodies.Add("arm", leg.Shape)).Message);
     }
 
     private static BallState Played(Scene scene, Action<double> before, out string[] events, Vector3d velocity = default)

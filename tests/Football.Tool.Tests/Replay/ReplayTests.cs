@@ -198,7 +198,7 @@ public sealed class ReplayTests
     {
         FootballCommand done = FootballCommand.Run(Shot, "replay", "-", "-o", "");
         Assert.Equal((1, ""), (done.ExitCode, done.Output));
-        Assert.Contains("--output is \"\"", done.Error);
+        Assert.Contains("--output \"\" cannot be written. ", done.Error);
         Assert.Contains("launch.position is missing", FootballCommand.Run("{}", "replay", "-", "-o", Path.Combine(AppContext.BaseDirectory, "none.html")).Error);
     }
 

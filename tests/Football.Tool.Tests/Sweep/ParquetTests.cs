@@ -101,11 +101,11 @@ public sealed class ParquetTests : IDisposable
         byte[] bytes = File.ReadAllBytes(path);
         bytes[^9] ^= 1;
         File.WriteAllBytes(path, bytes);
-        Refused(format, "\" is changed: it has other bytes than were written; allowed: ", "--verify");
+        Refused(format, "\" was changed after it was written. ", "--verify");
         File.WriteAllBytes(path, bytes[..^1]);
-        Refused(format, $"\" is torn: it has {bytes.Length - 1} bytes of {bytes.Length}; allowed: ");
+        Refused(format, $"\" is incomplete: it has {bytes.Length - 1} of {bytes.Length} bytes. ");
         File.Delete(path);
-        Refused(format, "\" is missing; allowed: ");
+        Refused(format, "\" is missing. Remove the folder to start again.");
     }
 
     [Fact]
@@ -129,12 +129,12 @@ public sealed class ParquetTests : IDisposable
         {
             FootballCommand done = FootballCommand.Run("", "replay", own, "-o", output);
             Assert.Equal(1, done.ExitCode);
-            Assert.Matches("^football: --output is \".*\", which is the input's file too; allowed: ", done.ErrorLine);
+            Assert.Matches("^football: --output \".*\" is also the file of the input. ", done.ErrorLine);
             Assert.Equal(Scenario, File.ReadAllText(own));
         }
 
         FootballCommand twice = FootballCommand.Run("", "replay", own, "-o", At("x"), "--svg", At("x"));
-        Assert.Matches("^football: --svg is \".*x\", which is --output's file too; allowed: ", twice.ErrorLine);
+        Assert.Matches("^football: --svg \".*x\" is also the file of --output. ", twice.ErrorLine);
         Assert.False(File.Exists(At("x")));
     }
 

@@ -121,9 +121,9 @@ public sealed class SweepFolderTests : IDisposable
             [
                 "football: shard-5-of-6 is of another sweep than copy: its seed is 2, not 1.",
                 "football: shard 1 of 6 is missing.",
-                "football: shard 2 of 6 is doubled: copy, shard-2-of-6.",
+                "football: shard 2 of 6 exists twice: copy, shard-2-of-6.",
                 "football: shard 3 of 6 is not finished: shard-3-of-6 has 10 of 10 rows.",
-                "football: shard 4 of 6 is torn: shard-4-of-6/time.npy has 207 bytes of 208.",
+                "football: shard 4 of 6 is incomplete: shard-4-of-6/time.npy has 207 of 208 bytes.",
             ],
             told);
         Assert.False(File.Exists(At("parts", "manifest.json")));
@@ -139,7 +139,7 @@ public sealed class SweepFolderTests : IDisposable
 
         Flip(At("parts", "shard-2-of-2", "rows.csv"), 1000);
         FootballCommand done = Merge();
-        Assert.Equal((1, "football: shard 2 of 2 is torn: shard-2-of-2/rows.csv has other bytes than its manifest says."), (done.ExitCode, done.ErrorLine));
+        Assert.Equal((1, "football: shard 2 of 2 is damaged: shard-2-of-2/rows.csv has other bytes than its manifest says."), (done.ExitCode, done.ErrorLine));
         Assert.Empty(Directory.GetFiles(At("parts")));
     }
 
@@ -171,7 +171,7 @@ public sealed class SweepFolderTests : IDisposable
 
         FootballCommand done = Merge();
         Assert.Equal(1, done.ExitCode);
-        Assert.Matches("^football: DIR is \".*parts\", which holds an unfinished sweep beside its shards; allowed: a folder of shards alone.$", done.ErrorLine);
+        Assert.Matches("^football: DIR \".*parts\" contains an unfinished sweep next to its shards. Pass a folder that contains only shards.$", done.ErrorLine);
         Assert.Equal(before, File.ReadAllBytes(At("parts", "rows.csv")));
     }
 
@@ -201,7 +201,7 @@ public sealed class SweepFolderTests : IDisposable
         Flip(At("rows", "rows.csv"), 1000);
         FootballCommand done = Command("csv", "rows", 500);
         Assert.Equal(1, done.ExitCode);
-        Assert.Matches("^football: \".*rows.csv\" is torn: its first [0-9]+ bytes are not those that were written; allowed: ", done.ErrorLine);
+        Assert.Matches("^football: \".*rows.csv\" is damaged: its first [0-9]+ bytes differ from those that were written. ", done.ErrorLine);
     }
 
     [Fact]
@@ -210,10 +210,10 @@ public sealed class SweepFolderTests : IDisposable
         Write("csv", "rows", 50);
         FootballCommand other = Command("csv", "rows", 51);
         Assert.Equal(1, other.ExitCode);
-        Assert.Matches("^football: --out is \".*rows\", which holds another sweep \\(its count is 50, not 51\\); allowed: ", other.ErrorLine);
+        Assert.Matches("^football: --out \".*rows\" contains another sweep \\(its count is 50, not 51\\). ", other.ErrorLine);
         Directory.CreateDirectory(At("mine"));
         File.WriteAllText(At("mine", "rows.csv"), new string('x', 4000));
-        Assert.Contains("holds a file \"rows.csv\" of another origin", Command("csv", "mine", 50).ErrorLine);
+        Assert.Contains("contains a file of another origin, \"rows.csv\".", Command("csv", "mine", 50).ErrorLine);
     }
 
     [Fact]

@@ -103,7 +103,7 @@ public partial class FootballBall
         return points[..PredictPath(points)];
     }
 
-    /// <summary>Draws the kick in the editor, anew where anything has changed.</summary>
+    /// <summary>Draws the kick in the editor, and updates it after changes.</summary>
     private void DrawPreview()
     {
         int drawn = HashCode.Combine(

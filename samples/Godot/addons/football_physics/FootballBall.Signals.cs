@@ -9,7 +9,7 @@ public partial class FootballBall
     [Signal]
     public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time);
 
-    /// <summary>The ball stayed on what carries it, slipping.</summary>
+    /// <summary>The ball began to slide on a surface.</summary>
     [Signal]
     public delegate void SlideEventHandler(Vector3 position, Vector3 velocity, double time);
 
@@ -21,19 +21,19 @@ public partial class FootballBall
     [Signal]
     public delegate void RestEventHandler(Vector3 position, double time);
 
-    /// <summary>A ball that was carried left what carried it.</summary>
+    /// <summary>The ball lost contact with the surface it slid or rolled on.</summary>
     [Signal]
     public delegate void ContactEndEventHandler(Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>The ball met a net.</summary>
+    /// <summary>The ball hit a net.</summary>
     [Signal]
     public delegate void NetEventHandler(Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>The whole ball is over the line of a goal.</summary>
+    /// <summary>A goal: the whole ball has crossed the line.</summary>
     [Signal]
     public delegate void GoalEventHandler(Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>Things that move leave the ball no room, or it has room again: the ball's motion says which.</summary>
+    /// <summary>Moving objects pinned the ball or released it; see the ball's motion.</summary>
     [Signal]
     public delegate void PinnedEventHandler(Vector3 position, Vector3 velocity, double time);
 

@@ -16,7 +16,7 @@ public partial class FootballBall : Node3D
     /// <summary>Node.PhysicsInterpolationModeEnum.Off, which Godot has from 4.3 on: the ball is interpolated here, and not twice.</summary>
     private const int InterpolationOff = 2;
 
-    /// <summary>Further off where it was drawn than this, m, it was moved by somebody else.</summary>
+    /// <summary>If the node is farther than this from its drawn position, m, other code moved it.</summary>
     private const float Moved = 1e-3f;
 
     private static readonly List<FootballBall> s_all = new();
@@ -29,20 +29,20 @@ public partial class FootballBall : Node3D
     private int _stamp;
     private bool _warned;
 
-    /// <summary>Ball, air, ground and method; none: the measured profile, a football over dry turf in still air, as a new preset has it. A new one, and what is changed of one, counts from the next step on.</summary>
+    /// <summary>Ball, air, ground and integrator; empty: the measured profile (a match ball, still air). A change takes effect in the next step.</summary>
     [Export]
     public FootballPreset? Preset { get; set; }
 
-    /// <summary>Layers whose bodies the ball hits; 0: only goals, pitches, walls and keepers, and the ground. New ones count from the next step on.</summary>
+    /// <summary>Layers of the bodies that the ball hits; 0: only football nodes and the ground. A change takes effect in the next step.</summary>
     [Export(PropertyHint.Layers3DPhysics)]
     public uint HitMask { get; set; }
 
-    /// <summary>Not slower than the fastest body that may hit the ball, m/s.</summary>
+    /// <summary>Maximum speed of bodies that can hit the ball, m/s.</summary>
     [Export]
     public float GreatestSpeed { get; set; } = 15;
 
     /// <summary>The fixed-step runner behind the node: state, tick, kicks by tick, rollback.</summary>
-    public FixedStepRunner Runner => _runner ?? throw new InvalidOperationException("The football has no _Ready behind it yet: use it once it is in the scene tree.");
+    public FixedStepRunner Runner => _runner ?? throw new InvalidOperationException("The football is not ready. Add it to the scene tree first, and use it after _Ready.");
 
     /// <summary>Velocity, m/s.</summary>
     public Vector3 Velocity => GodotFrame.ToGodot(Runner.State.Velocity);
@@ -50,13 +50,13 @@ public partial class FootballBall : Node3D
     /// <summary>Spin, rad/s.</summary>
     public Vector3 Spin => GodotFrame.SpinToGodot(Runner.State.Spin);
 
-    /// <summary>What the ball is doing.</summary>
+    /// <summary>The motion state of the ball.</summary>
     public MotionState Motion => Runner.State.Motion;
 
     /// <summary>Radius of the ball, m.</summary>
     public float Radius => (float)(Preset?.BallOf() ?? BallProperties.Modern).Radius;
 
-    /// <summary>The ball that is longest in the tree; null for none.</summary>
+    /// <summary>The first ball that entered the tree; null if there is none.</summary>
     internal static FootballBall? First => s_all.Count > 0 ? s_all[0] : null;
 
     /// <summary>Kicks the ball at the next physics frame: top spin dips, negative top spin lifts, positive side spin bends to the left.</summary>
@@ -70,14 +70,14 @@ public partial class FootballBall : Node3D
     /// <summary>Kicks the ball as the editor shows it.</summary>
     public void KickAsPreviewed() => Kick(KickSpeed, KickDirection, KickTopSpin, KickSideSpin);
 
-    /// <summary>Puts the ball somewhere, at rest.</summary>
+    /// <summary>Places the ball at rest.</summary>
     public void Place(Vector3 position)
     {
         Runner.Place(GodotFrame.FromGodot(position));
         Draw(1.0);
     }
 
-    /// <summary>Takes over at once what was changed: of the ball, its preset, or what stands in the tree. By itself it is done before the next step.</summary>
+    /// <summary>Applies changes to the ball, its preset or the tree at once. Otherwise they take effect before the next step.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
     public void Apply()
     {
@@ -104,7 +104,7 @@ public partial class FootballBall : Node3D
         DrawSkin();
     }
 
-    /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers in the tree; without bodies.</summary>
+    /// <summary>Compiles a new simulator for the ball's scene: its preset, and the goals, pitches, walls and keepers in the tree, without bodies.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     internal Simulator CompileScene() => new FootballScene(Preset, 0, 0, null).Stage.Game;
 
@@ -140,7 +140,7 @@ public partial class FootballBall : Node3D
         ApplyChanges();
         if (_runner is not { } runner)
         {
-            return;     // its first scene was refused, which was said; the next one that is none makes it begin
+            return;     // its first scene was invalid, which was reported; the next valid one starts it
         }
 
         // Godot has its bodies where they are at this time, on the clock of the ball.
@@ -173,7 +173,7 @@ public partial class FootballBall : Node3D
         if (!_warned && (GlobalPosition - _drawnAt).Length() > Moved)
         {
             _warned = true;
-            GD.PushWarning($"The football \"{Name}\" was moved by its transform, which changes nothing: its place is the simulation's. Call Place(position) to put it somewhere, or Kick.");
+            GD.PushWarning($"The football \"{Name}\" was moved by its transform, which has no effect because the simulation sets its position. Call Place(position) or Kick instead.");
         }
 
         Draw(Engine.GetPhysicsInterpolationFraction());
@@ -182,10 +182,10 @@ public partial class FootballBall : Node3D
 
     private FootballScene NewScene() => new(Preset, HitMask, GreatestSpeed, HitMask == 0 ? null : GetWorld3D().DirectSpaceState);
 
-    /// <summary>A number that changes when anything does that the scene is compiled of.</summary>
+    /// <summary>A hash that changes when any input of the scene changes.</summary>
     private int Stamp() => HashCode.Combine(Preset, Preset?.Stamp ?? 0, HitMask, FootballThing.StampOfAll);
 
-    /// <summary>Takes over what was changed; what is out of range is said once, and the ball goes on as before.</summary>
+    /// <summary>Applies changes. A value out of range is reported once, and the ball keeps its previous settings.</summary>
     private void ApplyChanges()
     {
         if (Stamp() == _stamp)
@@ -199,7 +199,7 @@ public partial class FootballBall : Node3D
         }
         catch (ArgumentOutOfRangeException refusal)
         {
-            GD.PushError($"The football \"{Name}\" goes on as before: {refusal.Message}");
+            GD.PushError($"The football \"{Name}\" keeps its previous settings: {refusal.Message}");
         }
     }
 
@@ -210,7 +210,7 @@ public partial class FootballBall : Node3D
         _drawnAt = GlobalPosition;
     }
 
-    /// <summary>A sphere of the ball's radius, whatever the node's scale, where nothing else is to be seen.</summary>
+    /// <summary>Adds a sphere of the ball's radius, independent of the node's scale, if the node has no visible child.</summary>
     private void DrawSkin()
     {
         if (_skin is null)

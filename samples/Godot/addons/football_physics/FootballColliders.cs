@@ -16,7 +16,7 @@ public sealed class FootballColliders : IEngineColliders
     /// <summary>Bodies that one cast looks for at most.</summary>
     private const int MostBodies = 32;
 
-    /// <summary>How far beyond its unsafe fraction a cast is asked what it touches, m.</summary>
+    /// <summary>The distance beyond the unsafe fraction of a cast at which contacts are queried, m.</summary>
     private const float Beyond = 1e-3f;
 
     private readonly Dictionary<(ulong Body, int Owner), EngineCollider> _known = new();
@@ -31,7 +31,7 @@ public sealed class FootballColliders : IEngineColliders
     /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
     /// <param name="mask">The layers that it hits.</param>
     /// <param name="greatestSpeed">Not slower than the fastest point of any body in them, m/s, with its rotation.</param>
-    /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
+    /// <param name="pushes">True if dynamic bodies react with their mass. The event has the impulse, which the game applies.</param>
     public FootballColliders(PhysicsDirectSpaceState3D space, uint mask, double greatestSpeed, bool pushes = false)
     {
         _pushes = pushes;
@@ -50,7 +50,7 @@ public sealed class FootballColliders : IEngineColliders
     /// <summary>Godot's body of a collider that was met; null for none.</summary>
     public CollisionObject3D? Of(EngineCollider? collider) => collider is not null && _bodies.TryGetValue(collider, out CollisionObject3D? body) ? body : null;
 
-    /// <summary>Adds what a sphere touches on its way.</summary>
+    /// <summary>Adds the bodies that a sphere touches on its path.</summary>
     public void Cast(in SphereCast cast, EngineHits hits)
     {
         Vector3 from = GodotFrame.ToGodot(cast.From);
@@ -58,7 +58,7 @@ public sealed class FootballColliders : IEngineColliders
         _sphere.Radius = (float)cast.Radius;
         _excluded.Clear();
 
-        // What it touches at its start, which a motion leaves out; then what it comes to, body by body.
+        // First the bodies that overlap the sphere at the start, which a cast omits, then those on its path, one by one.
         while (_excluded.Count < MostBodies && TryRest(from, in cast, hits))
         {
         }
@@ -103,7 +103,7 @@ public sealed class FootballColliders : IEngineColliders
         return true;
     }
 
-    /// <summary>Adds all shapes of a body that are not switched off, where the library knows them all.</summary>
+    /// <summary>Adds all enabled shapes of a body, if the library has all of them.</summary>
     /// <param name="id">The body's number.</param>
     /// <param name="body">The body.</param>
     /// <param name="point">Where it is touched.</param>
@@ -137,7 +137,7 @@ public sealed class FootballColliders : IEngineColliders
 
     private EngineCollider Known(ulong body, int owner, string name, Shape3D? shape)
     {
-        // A body that is frozen, set free or made heavier is another thing to the ball.
+        // A body that was frozen or released, or changed its mass, needs a new collider.
         var met = GodotObject.InstanceFromId(body) as CollisionObject3D;
         double mass = _pushes && met is RigidBody3D { Freeze: false } free ? free.Mass : double.PositiveInfinity;
         if (!_known.TryGetValue((body, owner), out EngineCollider? known) || known.Mass != mass)

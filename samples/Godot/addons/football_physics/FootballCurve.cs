@@ -18,7 +18,7 @@ public partial class FootballCurve : Control
     private const float CurveHeight = 120;
     private const int Places = 80;
 
-    /// <summary>Where a build puts the library's documentation, if the project copies it: CopyDocumentationFilesFromPackages.</summary>
+    /// <summary>The path of the library's documentation after a build, if the project sets CopyDocumentationFilesFromPackages.</summary>
     private const string Documentation = "res://.godot/mono/temp/bin/Debug/Football.Physics.xml";
 
     private readonly Label _notes = new() { AutowrapMode = TextServer.AutowrapMode.WordSmart, Position = new Vector2(0, CurveHeight + 4) };
@@ -85,7 +85,7 @@ public partial class FootballCurve : Control
         return points;
     }
 
-    /// <summary>What the library's documentation says of a preset; empty where it is not there.</summary>
+    /// <summary>The library's documentation of a preset; empty if it is not available.</summary>
     private static string Note(string type, string name)
     {
         string file = ProjectSettings.GlobalizePath(Documentation);

@@ -6,7 +6,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>What a thing looks like: meshes below it in world coordinates, which are in no scene file.</summary>
+/// <summary>The drawing of an object: child meshes in world coordinates, which are not saved in the scene file.</summary>
 internal sealed class FootballDrawing
 {
     private static ImageTexture? s_texture;
@@ -66,7 +66,7 @@ internal sealed class FootballDrawing
         mesh.AddSurfaceFromArrays(Mesh.PrimitiveType.Lines, Arrays(points, net.Threads.ToArray()));
     }
 
-    /// <summary>Draws a line through points; nothing where there are fewer than two.</summary>
+    /// <summary>Draws a line through points; nothing if there are fewer than two.</summary>
     public static void Trace(MeshInstance3D drawn, ReadOnlySpan<Vector3> points)
     {
         var mesh = (ArrayMesh)drawn.Mesh;

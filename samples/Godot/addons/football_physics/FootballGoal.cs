@@ -7,22 +7,22 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A goal: posts and bar that stop a ball, a net that bulges and is drawn so, and signals when a ball is in. It opens towards its own back (+z), so that who looks along −z shoots at it.</summary>
+/// <summary>A goal: posts and a crossbar that stop the ball, a net that bulges, and signals for goals. It opens towards +z, so a player who looks along −z shoots at it.</summary>
 /// <remarks>Its place is the middle of the goal line on the ground; its scale does not count.</remarks>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballGoal : FootballThing
 {
     private readonly List<(NetMesh Net, MeshInstance3D Drawn)> _nets = new();
 
-    /// <summary>The whole ball is over the line.</summary>
+    /// <summary>A goal: the whole ball has crossed the line.</summary>
     [Signal]
     public delegate void ScoredEventHandler(FootballBall ball, Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>A ball met the net.</summary>
+    /// <summary>A ball hit the net.</summary>
     [Signal]
     public delegate void NetMetEventHandler(FootballBall ball, Vector3 position, Vector3 velocity, double time);
 
-    /// <summary>A ball hit a post or the bar.</summary>
+    /// <summary>A ball hit a post or the crossbar.</summary>
     [Signal]
     public delegate void FrameHitEventHandler(FootballBall ball, Vector3 position, Vector3 velocity, double time);
 
@@ -38,31 +38,31 @@ public partial class FootballGoal : FootballThing
     [Export(PropertyHint.Range, "0.01,0.2,0.001,suffix:m")]
     public float PostRadius { get; set; } = 0.06f;
 
-    /// <summary>How far behind the line the net begins at the height of the bar, m.</summary>
+    /// <summary>Depth of the net at the height of the crossbar, m.</summary>
     [Export(PropertyHint.Range, "0.1,5,0.01,suffix:m")]
     public float DepthAtBar { get; set; } = 0.8f;
 
-    /// <summary>How far behind the line the net ends on the ground, m.</summary>
+    /// <summary>Depth of the net on the ground, m.</summary>
     [Export(PropertyHint.Range, "0.1,5,0.01,suffix:m")]
     public float DepthOnGround { get; set; } = 2;
 
-    /// <summary>True for a goal with nets: without them a ball flies on.</summary>
+    /// <summary>True if the goal has nets; without them the ball flies through.</summary>
     [Export]
     public bool HasNet { get; set; } = true;
 
-    /// <summary>How often a ball was in since the scene began.</summary>
+    /// <summary>The number of goals since the scene started.</summary>
     public int Count { get; private set; }
 
     internal override int Order => 1;
 
-    /// <summary>The goal as the library has it.</summary>
+    /// <summary>The goal, in the library's type.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It does not stand upright: its opening faces up or down.</exception>
     public Goal ToGoal()
     {
         Vector3d opening = Turn.Rotate(new Vector3d(0, 0, 1)).Horizontal;
         if (opening.Length < 0.1)
         {
-            throw new ArgumentOutOfRangeException(Name.ToString(), "its opening faces up or down; allowed: a goal that stands upright.");
+            throw new ArgumentOutOfRangeException(Name.ToString(), "The opening of the goal faces up or down. Rotate the goal so that it stands upright.");
         }
 
         return new Goal
@@ -98,7 +98,7 @@ public partial class FootballGoal : FootballThing
         }
     }
 
-    /// <summary>Bends the nets as they bulge.</summary>
+    /// <summary>Draws the bulge of the nets.</summary>
     internal void Follow(NetBulges bulges, int first)
     {
         for (int i = 0; i < _nets.Count; i++)
@@ -110,7 +110,7 @@ public partial class FootballGoal : FootballThing
         }
     }
 
-    /// <summary>Emits what happened to it.</summary>
+    /// <summary>Emits its signals for an event.</summary>
     internal void Tell(FootballBall ball, in BallEvent happened)
     {
         StringName? signal = happened.Kind switch

@@ -13,7 +13,7 @@ public partial class FootballKeeper : FootballThing
 {
     private MeshInstance3D? _figure;
 
-    /// <summary>The goal that he guards; none: the nearest.</summary>
+    /// <summary>The goal to guard; empty: the nearest one.</summary>
     [Export]
     public FootballGoal? Goal { get; set; }
 
@@ -29,11 +29,11 @@ public partial class FootballKeeper : FootballThing
     [Export(PropertyHint.Range, "0.5,15,0.1,suffix:m/s")]
     public float Speed { get; set; } = 5;
 
-    /// <summary>How far he reaches in a dive, m.</summary>
+    /// <summary>Reach of a dive, m.</summary>
     [Export(PropertyHint.Range, "0,4,0.01,suffix:m")]
     public float Reach { get; set; } = 1.9f;
 
-    /// <summary>How high he reaches, m.</summary>
+    /// <summary>Reach upwards, m.</summary>
     [Export(PropertyHint.Range, "0.5,4,0.01,suffix:m")]
     public float Highest { get; set; } = 2.6f;
 
@@ -41,7 +41,7 @@ public partial class FootballKeeper : FootballThing
     [Export]
     public Color Shirt { get; set; } = new(0.95f, 0.76f, 0.19f);
 
-    /// <summary>How many shots he has dived for, of the ball that was stepped last.</summary>
+    /// <summary>The number of shots he dived for, for the ball that was stepped last.</summary>
     public int Dives { get; private set; }
 
     internal override int Order => 3;

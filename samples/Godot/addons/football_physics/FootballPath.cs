@@ -4,8 +4,8 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The path ahead in the game: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
-/// <remarks>It shows the kick of <see cref="ShowKick"/> while it is aimed, else the ball's own way while it flies.</remarks>
+/// <summary>The path ahead in the game: a line for the ball, and around it a cone for the spread of the player's kicks.</summary>
+/// <remarks>It shows the kick of <see cref="ShowKick"/> during aiming, and otherwise the path of the flying ball.</remarks>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPath : Node3D
 {
@@ -22,11 +22,11 @@ public partial class FootballPath : Node3D
     [Export]
     public FootballBall? Ball { get; set; }
 
-    /// <summary>How much of the path is shown, s.</summary>
+    /// <summary>Length of the path shown, s.</summary>
     [Export(PropertyHint.Range, "0.1,10,0.1,suffix:s")]
     public float Seconds { get; set; } = 1.6f;
 
-    /// <summary>Standard deviation of the direction, degrees: two of them are shown.</summary>
+    /// <summary>Standard deviation of the direction, degrees; the band shows two of them.</summary>
     [Export(PropertyHint.Range, "0,10,0.1,suffix:°")]
     public float Degrees { get; set; } = 1;
 

@@ -11,11 +11,11 @@ namespace FootballPhysics.GodotAddon;
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPitch : FootballThing
 {
-    /// <summary>From goal line to goal line, m; 105 by Law 1, 40 in futsal.</summary>
+    /// <summary>Length between the goal lines, m; 105 in football, 40 in futsal.</summary>
     [Export(PropertyHint.Range, "10,200,0.1,suffix:m")]
     public float Length { get; set; } = 105;
 
-    /// <summary>From touchline to touchline, m; 68 by Law 1, 20 in futsal.</summary>
+    /// <summary>Width between the touchlines, m; 68 in football, 20 in futsal.</summary>
     [Export(PropertyHint.Range, "5,150,0.1,suffix:m")]
     public float Width { get; set; } = 68;
 
@@ -27,11 +27,11 @@ public partial class FootballPitch : FootballThing
     [Export]
     public FootballPreset.GroundChoice Surface { get; set; } = FootballPreset.GroundChoice.OfProfile;
 
-    /// <summary>Height of the boards around it, m; 0 for none.</summary>
+    /// <summary>Height of the boards around the pitch, m; 0 for none.</summary>
     [Export(PropertyHint.Range, "0,10,0.01,suffix:m")]
     public float BoardHeight { get; set; }
 
-    /// <summary>How far behind the lines the boards stand, m; at 0 there is a gap in them for each goal.</summary>
+    /// <summary>Distance of the boards from the lines, m; at 0 they have a gap for each goal.</summary>
     [Export(PropertyHint.Range, "0,50,0.1,suffix:m")]
     public float BoardDistance { get; set; } = 4;
 
@@ -41,7 +41,7 @@ public partial class FootballPitch : FootballThing
 
     internal override int Order => 0;
 
-    /// <summary>The pitch as the library has it, with its middle at the origin.</summary>
+    /// <summary>The pitch in the library's type, centred at the origin.</summary>
     public Pitch ToPitch() => (Futsal ? Pitch.Futsal : Pitch.Standard) with
     {
         Length = FootballPreset.Typed(Length),
@@ -78,6 +78,6 @@ public partial class FootballPitch : FootballThing
     private void Lay(Node3D drawn, float raised) =>
         drawn.GlobalTransform = new Transform3D(new Basis(GlobalTransform.Basis.GetRotationQuaternion()), GlobalPosition + new Vector3(0, raised, 0));
 
-    /// <summary>A board of the pitch where that lies, which may be turned about y.</summary>
+    /// <summary>A board of the pitch, in the position of the pitch, which can be rotated about y.</summary>
     private BoxShape Placed(BoxShape board) => new(GodotFrame.FromGodot(GlobalPosition) + Turn.Rotate(board.Center), board.HalfSize, Turn);
 }

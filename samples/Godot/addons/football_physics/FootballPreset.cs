@@ -5,18 +5,18 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Ball, air, ground and method as a resource that any number of balls share.</summary>
+/// <summary>Ball, air, ground and integrator, as a resource that several balls can share.</summary>
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballPreset : Resource
 {
-    /// <summary>Profiles to choose from: the measured one is what a ball without a preset has; the published one has the laws and numbers of the thesis that the library began with.</summary>
+    /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset; published has the laws and numbers of the original thesis.</summary>
     public enum ProfileChoice
     {
         Measured,
         Published,
     }
 
-    /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
+    /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/> and a custom one.</summary>
     public enum BallChoice
     {
         Generic,
@@ -37,7 +37,7 @@ public partial class FootballPreset : Resource
         Trionda,
     }
 
-    /// <summary>Grounds to choose from: that of the profile, the presets of <see cref="Ground"/>, and one of your own.</summary>
+    /// <summary>Grounds to choose from: the profile's, the presets of <see cref="Ground"/> and a custom one.</summary>
     public enum GroundChoice
     {
         OfProfile,
@@ -58,7 +58,7 @@ public partial class FootballPreset : Resource
         None,
     }
 
-    /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
+    /// <summary>Laws of the air to choose from: the profile's and the presets of <see cref="ForceSet"/>.</summary>
     public enum AirChoice
     {
         OfProfile,
@@ -69,7 +69,7 @@ public partial class FootballPreset : Resource
         Vacuum,
     }
 
-    /// <summary>The profile that ground and laws are of, where they do not say otherwise. Default measured, as without a preset.</summary>
+    /// <summary>The profile of the ground and the laws, unless they are set below. Default: measured.</summary>
     [Export]
     public ProfileChoice Profile { get; set; } = ProfileChoice.Measured;
 
@@ -85,11 +85,11 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0.02,2,0.001,suffix:m")]
     public float CustomRadius { get; set; } = 0.11f;
 
-    /// <summary>The ground. Default that of the profile: match turf in the measured one.</summary>
+    /// <summary>The ground. Default: the profile's, which is match turf in the measured profile.</summary>
     [Export]
     public GroundChoice Surface { get; set; } = GroundChoice.OfProfile;
 
-    /// <summary>Part of the vertical speed that a bounce on a custom ground gives back.</summary>
+    /// <summary>Fraction of the vertical speed that a bounce on a custom ground returns.</summary>
     [Export(PropertyHint.Range, "0,1,0.001")]
     public float CustomRestitution { get; set; } = 0.67f;
 
@@ -101,11 +101,11 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0,1,0.001")]
     public float CustomRollingFriction { get; set; } = 0.064f;
 
-    /// <summary>The laws of the air. Default those of the profile.</summary>
+    /// <summary>The laws of the air. Default: the profile's.</summary>
     [Export]
     public AirChoice Laws { get; set; } = AirChoice.OfProfile;
 
-    /// <summary>The one-step method.</summary>
+    /// <summary>The integrator.</summary>
     [Export]
     public Integrator Integrator { get; set; } = Integrator.Rk4;
 
@@ -121,11 +121,11 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0.1,1000,0.1,suffix:mm²/s")]
     public float AirViscosity { get; set; } = 15;
 
-    /// <summary>How much of the drag there is: 1 as the laws say, 0 none.</summary>
+    /// <summary>Drag factor: 1 is realistic, 0 is no drag.</summary>
     [Export(PropertyHint.Range, "0,3,0.01")]
     public float DragScale { get; set; } = 1;
 
-    /// <summary>How much a spinning ball bends: 1 as the laws say, 0 not at all.</summary>
+    /// <summary>Bend of a spinning ball: 1 is realistic, 0 is straight.</summary>
     [Export(PropertyHint.Range, "0,3,0.01")]
     public float BendScale { get; set; } = 1;
 
@@ -141,7 +141,7 @@ public partial class FootballPreset : Resource
     [Export(PropertyHint.Range, "0.6,1.1,0.01,suffix:bar")]
     public float BallPressure { get; set; } = 0.8f;
 
-    /// <summary>Water on the pitch and in the ball: 0 as the surface says, 1 soaked.</summary>
+    /// <summary>Water on the pitch and in the ball: 0 no extra water, 1 soaked.</summary>
     [Export(PropertyHint.Range, "0,1,0.01")]
     public float Wetness { get; set; }
 
@@ -156,7 +156,7 @@ public partial class FootballPreset : Resource
     /// <summary>How the scene is integrated.</summary>
     public SolverSettings Settings => new() { Integrator = Integrator };
 
-    /// <summary>A number that changes when any of the numbers here does.</summary>
+    /// <summary>A hash that changes when any of these numbers changes.</summary>
     internal int Stamp => HashCode.Combine(
         HashCode.Combine((int)Profile, (int)Ball, CustomMass, CustomRadius, (int)Surface, CustomRestitution, CustomSlidingFriction, CustomRollingFriction),
         HashCode.Combine((int)Laws, (int)Integrator, GroundHeight, AirDensity, AirViscosity, DragScale, BendScale),
@@ -164,7 +164,7 @@ public partial class FootballPreset : Resource
         Gravity,
         Wind);
 
-    /// <summary>Checks and compiles the scene. Throws <see cref="ArgumentOutOfRangeException"/> where a number is out of range.</summary>
+    /// <summary>Checks and compiles the scene. Throws <see cref="ArgumentOutOfRangeException"/> if a number is out of range.</summary>
     public Simulator Compile() => new(MakeScene(), Settings);
 
     /// <summary>The scene that these numbers describe.</summary>
@@ -174,7 +174,7 @@ public partial class FootballPreset : Resource
         {
             ProfileChoice.Measured => Scene.Measured,
             ProfileChoice.Published => Scene.Published,
-            _ => throw new InvalidOperationException($"There is no profile {Profile}."),
+            _ => throw new InvalidOperationException($"Profile is {Profile}, which does not exist. Choose Measured or Published."),
         };
         Ground ground = Surface != GroundChoice.Custom ? GroundOf(Surface, own.Ground) : own.Ground with
         {
@@ -199,7 +199,7 @@ public partial class FootballPreset : Resource
             : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(DragScale), Typed(BendScale)) } } };
     }
 
-    /// <summary>A ground at a height, m; no ground has no height.</summary>
+    /// <summary>A ground at a height, m. A scene without ground has no height.</summary>
     internal static Ground AtHeight(Ground ground, double height) => ground.IsNone ? ground : ground with { Height = height };
 
     /// <summary>A ground that is chosen by name.</summary>
@@ -213,7 +213,7 @@ public partial class FootballPreset : Resource
         ? BallProperties.Modern with { Mass = Typed(CustomMass), Radius = Typed(CustomRadius) }
         : BallProperties.Presets[NameOf(Ball.ToString())];
 
-    /// <summary>The name of a preset as the library has it: with a small first letter.</summary>
+    /// <summary>The name of a preset in the library, which starts with a small letter.</summary>
     private static string NameOf(string choice) => char.ToLowerInvariant(choice[0]) + choice.Substring(1);
 
     private ForceSet ForcesOf(ForceSet own) => Laws switch

@@ -8,7 +8,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Plays a recorded match segment, goes to any tick of it, and says whether this machine plays it to the same bits. Its scene is that of the edited scene's first ball.</summary>
+/// <summary>Plays a recording, seeks to any tick, and checks that this machine reproduces it bit for bit. It uses the scene of the first ball in the edited scene.</summary>
 [Tool]
 public partial class FootballReplayDock : VBoxContainer
 {
@@ -16,17 +16,17 @@ public partial class FootballReplayDock : VBoxContainer
     private readonly Button _play = new() { Text = "Play" };
     private readonly Button _validate = new() { Text = "Validate" };
     private readonly HSlider _slider = new() { Step = 1 };
-    private readonly Label _label = new() { Text = "A recording is what Recording.ToBytes wrote, of ball.Runner.Record()." };
+    private readonly Label _label = new() { Text = "Open a file that ball.Runner.Record().ToBytes() wrote." };
     private FootballDrawing? _drawing;
     private MeshInstance3D? _marker;
     private FootballBall? _ball;
     private bool _plays;
     private bool _moves;
 
-    /// <summary>The segment that is shown; null for none.</summary>
+    /// <summary>The recording that is shown; null if there is none.</summary>
     public RecordingPlayer? Player { get; private set; }
 
-    /// <summary>What was found out last.</summary>
+    /// <summary>The result of the last check.</summary>
     public string Said => _label.Text;
 
     /// <inheritdoc/>
@@ -54,7 +54,7 @@ public partial class FootballReplayDock : VBoxContainer
         }
     }
 
-    /// <summary>Loads a segment for the scene of a ball: its preset, and the goals, pitches, walls and keepers in the tree.</summary>
+    /// <summary>Loads a recording for the scene of a ball: its preset and the goals, pitches, walls and keepers in the tree.</summary>
     /// <param name="bytes">What Recording.ToBytes wrote.</param>
     /// <param name="ball">The ball.</param>
     public void Load(byte[] bytes, FootballBall ball)
@@ -86,13 +86,13 @@ public partial class FootballReplayDock : VBoxContainer
         }
     }
 
-    /// <summary>Plays all of it and says whether every tick is the recorded one.</summary>
+    /// <summary>Replays the recording and checks every tick.</summary>
     public void Validate()
     {
         if (Player is not null)
         {
             long? divergence = Player.FindDivergence();
-            _label.Text = divergence is null ? "Every tick is the recorded one to the last bit." : $"Tick {divergence} is the first that is not the recorded one.";
+            _label.Text = divergence is null ? "Every tick matches the recording bit for bit." : $"Tick {divergence} is the first that differs from the recording.";
         }
     }
 
@@ -119,7 +119,7 @@ public partial class FootballReplayDock : VBoxContainer
             }
             else
             {
-                _label.Text = "The edited scene has no FootballBall: open the scene that was recorded.";
+                _label.Text = "The edited scene has no FootballBall. Open the scene that was recorded.";
             }
         };
         dialog.PopupCenteredRatio();

@@ -6,7 +6,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The scene of one ball: its preset, the things that stand in Godot's tree, and Godot's bodies.</summary>
+/// <summary>The scene of one ball: its preset, the football nodes in the tree, and Godot's bodies.</summary>
 internal sealed class FootballScene
 {
     private readonly List<FootballGoal> _goals = new();
@@ -49,7 +49,7 @@ internal sealed class FootballScene
         int index = goal is not null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
         if (index < 0)
         {
-            GD.PushWarning($"{keeper.Name}: there is no goal for this keeper to guard; add a FootballGoal to the scene.");
+            GD.PushWarning($"{keeper.Name}: this keeper has no goal to guard. Add a FootballGoal to the scene.");
             return;
         }
 
@@ -69,14 +69,14 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>The goal that an event tells of; null for none.</summary>
+    /// <summary>The goal of an event; null if there is none.</summary>
     public FootballGoal? GoalOf(in BallEvent happened)
     {
         int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
         return goal >= 0 ? _goals[goal] : null;
     }
 
-    /// <summary>Gives what was hit, where it is a body that moves freely, the impulse that it got.</summary>
+    /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
     public void Push(in BallEvent happened)
     {
         if (happened.Kind == BallEventKind.Impact && _colliders?.Of(Stage.ColliderOf(in happened)) is RigidBody3D { Freeze: false } body)
@@ -86,7 +86,7 @@ internal sealed class FootballScene
         }
     }
 
-    /// <summary>Draws nets and keepers as they are.</summary>
+    /// <summary>Draws nets and keepers in their present shape.</summary>
     public void Draw()
     {
         for (int i = 0; i < _goals.Count; i++)

@@ -3,7 +3,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Counts and shows the goals of the tree, and puts a ball that was in, or lies still, back for the next shot.</summary>
+/// <summary>Counts and shows the goals in the tree, and puts the ball back after a goal or a shot at rest.</summary>
 [GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballScore : CanvasLayer
 {
@@ -12,14 +12,14 @@ public partial class FootballScore : CanvasLayer
     private Vector3 _spot;
     private double _left;
 
-    /// <summary>So long after a goal, or after a shot has come to rest, the ball is put back, s; 0: never.</summary>
+    /// <summary>Delay before the ball is put back after a goal or a shot at rest, s; 0: never.</summary>
     [Export(PropertyHint.Range, "0,10,0.1,suffix:s")]
     public float Again { get; set; } = 2;
 
     /// <summary>Goals so far.</summary>
     public int Goals { get; private set; }
 
-    /// <summary>Shots so far: balls that left the spot.</summary>
+    /// <summary>Shots so far: the number of times a ball left its spot.</summary>
     public int Shots { get; private set; }
 
     /// <inheritdoc/>

@@ -20,23 +20,23 @@ public partial class FootballShooter : Node
     [Export]
     public FootballPath? Path { get; set; }
 
-    /// <summary>Speed of a short press, m/s.</summary>
+    /// <summary>Ball speed after a short press, m/s.</summary>
     [Export(PropertyHint.Range, "1,60,0.1,suffix:m/s")]
     public float Slowest { get; set; } = 14;
 
-    /// <summary>Speed of the longest press, m/s.</summary>
+    /// <summary>Ball speed after the longest press, m/s.</summary>
     [Export(PropertyHint.Range, "1,60,0.1,suffix:m/s")]
     public float Fastest { get; set; } = 34;
 
-    /// <summary>How long the longest press is, s.</summary>
+    /// <summary>Duration of the longest press, s.</summary>
     [Export(PropertyHint.Range, "0.1,5,0.1,suffix:s")]
     public float Longest { get; set; } = 1;
 
-    /// <summary>Side spin with the right button, rad/s.</summary>
+    /// <summary>Sidespin with the right button, rad/s.</summary>
     [Export(PropertyHint.Range, "0,200,1,suffix:rad/s")]
     public float Bend { get; set; } = 60;
 
-    /// <summary>How much higher than the mouse points the ball is kicked, degrees: it falls on its way.</summary>
+    /// <summary>Extra elevation above the mouse pointer, degrees, because the ball drops on its path.</summary>
     [Export(PropertyHint.Range, "-45,45,0.1,suffix:°")]
     public float Lift { get; set; } = 4;
 
@@ -75,7 +75,7 @@ public partial class FootballShooter : Node
 
     private float Speed() => Slowest + ((Fastest - Slowest) * MathF.Min(1, (float)_held / Longest));
 
-    /// <summary>From the ball to where the mouse points: at what stands at the distance of the goal, and a little higher.</summary>
+    /// <summary>The direction from the ball to the mouse pointer, at the distance of the goal, with the extra elevation.</summary>
     private Vector3 Aimed(Camera3D view, Vector3 place)
     {
         Vector2 at = GetViewport().GetMousePosition();

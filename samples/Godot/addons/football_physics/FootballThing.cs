@@ -5,8 +5,8 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>A thing that every football in the tree meets: a goal, a pitch, a wall, a keeper. It is drawn as it is hit, in the editor too.</summary>
-/// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>
+/// <summary>An object that every football in the tree can hit: a goal, pitch, wall or keeper. It is drawn as it collides, also in the editor.</summary>
+/// <remarks>A change of a field or of the transform takes effect in the next step, and recompiles the scene of every ball.</remarks>
 [Tool]
 public abstract partial class FootballThing : Node3D, ISerializationListener
 {
@@ -15,7 +15,7 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
     private FootballDrawing? _drawing;
     private int _drawn;
 
-    /// <summary>A number that changes when any of the things in the tree does.</summary>
+    /// <summary>A hash that changes when any football node in the tree changes.</summary>
     internal static int StampOfAll
     {
         get
@@ -30,10 +30,10 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>The order in which things are added: pitches, goals, walls, keepers.</summary>
+    /// <summary>The order in which the objects are added: pitches, goals, walls, keepers.</summary>
     internal abstract int Order { get; }
 
-    /// <summary>A number that changes when anything of it does.</summary>
+    /// <summary>A hash that changes when the object changes.</summary>
     internal int Stamp => HashCode.Combine(Order, GlobalTransform, StampOfFields());
 
     /// <summary>All goals in the tree.</summary>
@@ -81,7 +81,7 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
         }
     }
 
-    /// <summary>Called before the editor loads the project's code anew.</summary>
+    /// <summary>Called before the editor reloads the project's code.</summary>
     public void OnBeforeSerialize()
     {
     }
@@ -98,7 +98,7 @@ public abstract partial class FootballThing : Node3D, ISerializationListener
     /// <summary>Adds it to the scene of a ball.</summary>
     internal abstract void AddTo(FootballScene scene);
 
-    /// <summary>Draws what is met of it.</summary>
+    /// <summary>Draws its colliders.</summary>
     internal abstract void Draw(FootballDrawing drawing);
 
     /// <summary>A number that changes when any of its properties does.</summary>

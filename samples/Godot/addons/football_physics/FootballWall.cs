@@ -10,11 +10,11 @@ namespace FootballPhysics.GodotAddon;
 [Tool, GlobalClass, Icon("res://addons/football_physics/icon.svg")]
 public partial class FootballWall : FootballThing
 {
-    /// <summary>How many players.</summary>
+    /// <summary>Number of players.</summary>
     [Export(PropertyHint.Range, "1,11,1")]
     public int Players { get; set; } = 5;
 
-    /// <summary>From one to the next, m; each is half a metre wide.</summary>
+    /// <summary>Distance from player to player, m; each is half a metre wide.</summary>
     [Export(PropertyHint.Range, "0.3,3,0.01,suffix:m")]
     public float Spacing { get; set; } = 0.52f;
 

@@ -4,18 +4,18 @@ using System.Threading.Tasks;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>Has the library's code compiled on a thread of its own while the game loads, so that no frame waits for it.</summary>
+/// <summary>Compiles the library's code on its own thread while the game loads, so that no frame waits for it.</summary>
 public static class FootballWarmUp
 {
-    /// <summary>From a tenth of a second on the runtime compiles in full what has run often.</summary>
+    /// <summary>The runtime optimises frequently called code after a tenth of a second.</summary>
     private const int Pause = 200;
 
     private static Task? s_done;
 
-    /// <summary>Ends when all is compiled.</summary>
+    /// <summary>Ends when everything is compiled.</summary>
     public static Task Done => s_done ?? Task.CompletedTask;
 
-    /// <summary>Starts it, once; the first ball that enters the tree calls it.</summary>
+    /// <summary>Starts it once; called by the first ball that enters the tree.</summary>
     public static void Begin() => s_done ??= Task.Run(Run);
 
     private static void Run()

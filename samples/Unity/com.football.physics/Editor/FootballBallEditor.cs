@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>The inspector of a ball: what it is doing while the game runs; before that its kick, with a handle in the scene and the path that it makes.</summary>
+    /// <summary>The inspector of a ball. While the game runs it shows the ball's state, before that the kick, with a handle in the scene and the path.</summary>
     [CustomEditor(typeof(FootballBall))]
     public sealed class FootballBallEditor : UnityEditor.Editor
     {
@@ -20,7 +20,7 @@ namespace FootballPhysics.Unity.Editor
             var ball = (FootballBall)target;
             if (!Application.isPlaying)
             {
-                EditorGUILayout.HelpBox("Drag the handle at the end of the arm to aim the kick; the line is the path that it makes.", MessageType.Info);
+                EditorGUILayout.HelpBox("Drag the handle at the end of the arm to aim the kick; the line shows the path of the ball.", MessageType.Info);
                 return;
             }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>Says before a build what would make the ball several times slower.</summary>
+    /// <summary>Warns before a build about settings that make the ball several times slower.</summary>
     public sealed class FootballBuildCheck : IPreprocessBuildWithReport
     {
         /// <inheritdoc/>

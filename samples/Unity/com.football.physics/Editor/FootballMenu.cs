@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>GameObject → Football: the prefabs of the package, where they belong to.</summary>
+    /// <summary>GameObject → Football: the prefabs of the package, at useful positions.</summary>
     public static class FootballMenu
     {
         private const string Prefabs = "Packages/com.football.physics/Prefabs/";

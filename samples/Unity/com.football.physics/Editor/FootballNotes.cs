@@ -6,14 +6,14 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>What the library's documentation says of a preset, with where each number comes from.</summary>
+    /// <summary>The library's documentation of a preset, with the source of each number.</summary>
     public static class FootballNotes
     {
         private const string Documentation = "Packages/com.football.physics/Plugins/Football.Physics.xml";
 
         private static XDocument s_documentation;
 
-        /// <summary>The summary of a preset; empty where the documentation is not there.</summary>
+        /// <summary>The summary of a preset; empty if the documentation is not available.</summary>
         /// <param name="type">The class that has it: "BallProperties", "Ground".</param>
         /// <param name="name">Its name.</param>
         public static string Of(string type, string name)
@@ -34,7 +34,7 @@ namespace FootballPhysics.Unity.Editor
             return summary == null ? "" : string.Join(" ", Text(summary).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries));
         }
 
-        /// <summary>Text, with the last part of what is referred to by name.</summary>
+        /// <summary>The text, with the last part of each referenced name.</summary>
         private static string Text(XElement element)
         {
             return string.Concat(element.Nodes().Select(node => node is XElement inner ? Name((string)inner.Attribute("cref")) + inner.Value : node.ToString()));

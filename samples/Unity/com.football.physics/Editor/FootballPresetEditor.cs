@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>The inspector of a preset: its fields, the drag curve that they make, and where the numbers of its ball and ground come from.</summary>
+    /// <summary>The inspector of a preset: its fields, their drag curve, and the sources of the numbers.</summary>
     [CustomEditor(typeof(FootballPreset))]
     public sealed class FootballPresetEditor : UnityEditor.Editor
     {

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity.Editor
 {
-    /// <summary>Window → Football → Replay: plays a recorded match segment, goes to any tick of it, and says whether this machine plays it to the same bits.</summary>
+    /// <summary>Window → Football → Replay: plays a recording, seeks to any tick, and checks that this machine reproduces it bit for bit.</summary>
     public sealed class FootballReplayWindow : EditorWindow
     {
         private FootballBall _ball;
@@ -17,10 +17,10 @@ namespace FootballPhysics.Unity.Editor
         private bool _plays;
         private double _clock;
 
-        /// <summary>The segment that is shown; null for none.</summary>
+        /// <summary>The recording that is shown; null if there is none.</summary>
         public RecordingPlayer Player => _player;
 
-        /// <summary>What was found out last.</summary>
+        /// <summary>The result of the last check.</summary>
         public string Said => _said;
 
         /// <summary>Opens the window.</summary>
@@ -30,7 +30,7 @@ namespace FootballPhysics.Unity.Editor
             GetWindow<FootballReplayWindow>("Football Replay");
         }
 
-        /// <summary>Loads a segment for the scene of a ball: its preset, and the goals, pitches, walls and keepers that stand in the scene.</summary>
+        /// <summary>Loads a recording for the scene of a ball: its preset and the goals, pitches, walls and keepers.</summary>
         /// <param name="bytes">What Recording.ToBytes wrote.</param>
         /// <param name="ball">The ball.</param>
         public void Load(byte[] bytes, FootballBall ball)
@@ -49,13 +49,13 @@ namespace FootballPhysics.Unity.Editor
             }
         }
 
-        /// <summary>Plays all of it and says whether every tick is the recorded one.</summary>
+        /// <summary>Replays the recording and checks every tick.</summary>
         public void Validate()
         {
             long? divergence = _player.FindDivergence();
             _said = divergence == null
-                ? "Every tick is the recorded one to the last bit."
-                : string.Format(CultureInfo.InvariantCulture, "Tick {0} is the first that is not the recorded one.", divergence);
+                ? "Every tick matches the recording bit for bit."
+                : string.Format(CultureInfo.InvariantCulture, "Tick {0} is the first that differs from the recording.", divergence);
         }
 
         private void OnEnable()
@@ -108,7 +108,7 @@ namespace FootballPhysics.Unity.Editor
                 EditorGUILayout.LabelField("Ball", _player.State.Motion + ", " + _player.State.Velocity.Length.ToString("0.0", CultureInfo.InvariantCulture) + " m/s");
             }
 
-            EditorGUILayout.HelpBox(_said.Length > 0 ? _said : "A recording is what Recording.ToBytes wrote, of ball.Runner.Record().", MessageType.Info);
+            EditorGUILayout.HelpBox(_said.Length > 0 ? _said : "Open a file that ball.Runner.Record().ToBytes() wrote.", MessageType.Info);
         }
 
         private void Update()

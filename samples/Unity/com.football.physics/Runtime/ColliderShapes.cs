@@ -8,7 +8,7 @@ namespace FootballPhysics.Unity
     /// <summary>The library's shapes of Unity's colliders, in the frame of their transform without its scale.</summary>
     internal static class ColliderShapes
     {
-        /// <summary>Whether a collider has a shape that the library knows.</summary>
+        /// <summary>True if the library has the shape of the collider.</summary>
         public static bool HasShape(Collider collider)
         {
             return collider is SphereCollider || collider is CapsuleCollider || collider is BoxCollider;
@@ -16,7 +16,7 @@ namespace FootballPhysics.Unity
 
         /// <summary>A collider as the ball sees it; its surface is that of a FootballSurface on its game object.</summary>
         /// <param name="collider">The collider.</param>
-        /// <param name="mass">The mass by which it gives way, kg; infinite where it does not.</param>
+        /// <param name="mass">The mass in impacts, kg; infinite if the collider does not move.</param>
         public static EngineCollider Make(Collider collider, double mass)
         {
             SurfaceMaterial surface = collider.TryGetComponent(out FootballSurface given) ? given.Surface : SurfaceMaterial.GoalFrame;

@@ -2,7 +2,7 @@ using System;
 
 namespace FootballPhysics.Unity
 {
-    /// <content>What the ball tells.</content>
+    /// <content>The events of the ball.</content>
     public sealed partial class FootballBall
     {
         /// <summary>Something happened to the ball; the events below are by kind.</summary>
@@ -11,7 +11,7 @@ namespace FootballPhysics.Unity
         /// <summary>The ball hit something: the ground, a post, a wall.</summary>
         public event Action<FootballBall, FootballEvent> Impact;
 
-        /// <summary>The ball stayed on what carries it, slipping.</summary>
+        /// <summary>The ball began to slide on a surface.</summary>
         public event Action<FootballBall, FootballEvent> Slide;
 
         /// <summary>The ball began to roll without slip.</summary>
@@ -20,10 +20,10 @@ namespace FootballPhysics.Unity
         /// <summary>The ball came to rest.</summary>
         public event Action<FootballBall, FootballEvent> Rest;
 
-        /// <summary>The ball met a net.</summary>
+        /// <summary>The ball hit a net.</summary>
         public event Action<FootballBall, FootballEvent> Net;
 
-        /// <summary>The whole ball is over the line of a goal.</summary>
+        /// <summary>A goal: the whole ball has crossed the line.</summary>
         public event Action<FootballBall, FootballEvent> Goal;
 
         /// <summary>The same events for the inspector.</summary>

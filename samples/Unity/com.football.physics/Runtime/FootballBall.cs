@@ -13,10 +13,10 @@ namespace FootballPhysics.Unity
     [AddComponentMenu("Football/Football Ball"), DisallowMultipleComponent, RequireComponent(typeof(Rigidbody))]
     public sealed partial class FootballBall : MonoBehaviour
     {
-        /// <summary>A step is due when its time has come but for this part of it: Unity's clock adds single numbers.</summary>
+        /// <summary>The tolerance of the time of a step, as a fraction of the step, because Unity's clock adds single-precision numbers.</summary>
         private const double AlmostDue = 1e-3;
 
-        /// <summary>Further off where it was drawn than this, m, it was moved by somebody else.</summary>
+        /// <summary>If the node is farther than this from its drawn position, m, other code moved it.</summary>
         private const float Moved = 1e-3f;
 
         private static readonly ProfilerMarker s_step = new ProfilerMarker("Football.Step");
@@ -24,19 +24,19 @@ namespace FootballPhysics.Unity
         private static readonly ProfilerMarker s_path = new ProfilerMarker("Football.Path");
         private static readonly ProfilerMarker s_draw = new ProfilerMarker("Football.Draw");
 
-        [SerializeField, Tooltip("Ball, air, ground, method and time step; empty: the measured profile, a football over dry turf in still air, as a new preset has it; in steps of 0.02 s.")]
+        [SerializeField, Tooltip("Ball, air, ground, integrator and time step; empty: the measured profile (a match ball, still air), in steps of 0.02 s.")]
         private FootballPreset preset;
 
-        [SerializeField, Tooltip("The kick that the editor shows, and that KickAsPreviewed does.")]
+        [SerializeField, Tooltip("Kick that the editor previews and KickAsPreviewed performs.")]
         private FootballKick kick = new FootballKick();
 
-        [SerializeField, Range(0.1f, 20f), Tooltip("How much of the path ahead the gizmo shows, s.")]
+        [SerializeField, Range(0.1f, 20f), Tooltip("Length of the path that the gizmo shows, s.")]
         private float gizmoSeconds = 3f;
 
-        [SerializeField, Tooltip("Layers whose colliders the ball hits; none: only goals, pitches, walls and keepers, and the ground.")]
+        [SerializeField, Tooltip("Layers of the colliders that the ball hits; none: only football components and the ground.")]
         private LayerMask hits;
 
-        [SerializeField, Tooltip("Not slower than the fastest collider that may hit the ball, m/s.")]
+        [SerializeField, Tooltip("Maximum speed of colliders that can hit the ball, m/s.")]
         private float greatestSpeed = 15f;
 
         [SerializeField]
@@ -50,7 +50,7 @@ namespace FootballPhysics.Unity
         private Vector3 _drawnAt;
         private bool _warned;
 
-        /// <summary>The preset: a new one, and what is changed of one, counts from the next step on.</summary>
+        /// <summary>The preset. A change takes effect in the next step.</summary>
         public FootballPreset Preset
         {
             get => preset;
@@ -64,7 +64,7 @@ namespace FootballPhysics.Unity
             set => hits = value;
         }
 
-        /// <summary>Not slower than the fastest collider that may hit the ball, m/s.</summary>
+        /// <summary>Maximum speed of colliders that can hit the ball, m/s.</summary>
         public float GreatestSpeed
         {
             get => greatestSpeed;
@@ -91,7 +91,7 @@ namespace FootballPhysics.Unity
         /// <summary>Spin, rad/s, as Rigidbody.angularVelocity has it.</summary>
         public Vector3 Spin => UnityFrame.SpinToUnity(Runner.State.Spin);
 
-        /// <summary>What the ball is doing.</summary>
+        /// <summary>The motion state of the ball.</summary>
         public MotionState Motion => Runner.State.Motion;
 
         /// <summary>Kicks the ball at the next step.</summary>
@@ -112,14 +112,14 @@ namespace FootballPhysics.Unity
             Kick(kick.speed, kick.Direction, kick.topSpin, kick.sideSpin);
         }
 
-        /// <summary>Puts the ball somewhere, at rest.</summary>
+        /// <summary>Places the ball at rest.</summary>
         public void Place(Vector3 position)
         {
             Runner.Place(UnityFrame.FromUnity(position));
             Draw(1.0);
         }
 
-        /// <summary>Takes over at once what was changed: of the ball, its preset, or what stands in the scene. By itself it is done before the next step.</summary>
+        /// <summary>Applies changes to the ball, its preset or the scene at once. Otherwise they take effect before the next step.</summary>
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it, and the ball goes on as before.</exception>
         public void Apply()
         {
@@ -149,7 +149,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>The scene that the ball plays in, compiled anew for somebody else: its preset, the goals, pitches, walls and keepers that are enabled; without colliders.</summary>
+        /// <summary>Compiles a new simulator for the ball's scene: its preset, and the enabled goals, pitches, walls and keepers, without colliders.</summary>
         /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
         public Simulator CompileScene()
         {
@@ -186,7 +186,7 @@ namespace FootballPhysics.Unity
                 ApplyChanges();
                 if (_runner == null)
                 {
-                    return;     // its first scene was refused, which was said; the next one that is none makes it begin
+                    return;     // its first scene was invalid, which was reported; the next valid one starts it
                 }
 
                 _elapsed += Time.fixedDeltaTime;
@@ -222,7 +222,7 @@ namespace FootballPhysics.Unity
                 if (!_warned && (transform.position - _drawnAt).magnitude > Moved)
                 {
                     _warned = true;
-                    Debug.LogWarning("The football \"" + name + "\" was moved by its transform, which changes nothing: its place is the simulation's. Call Place(position) to put it somewhere, or Kick.", this);
+                    Debug.LogWarning("The football \"" + name + "\" was moved by its transform, which has no effect because the simulation sets its position. Call Place(position) or Kick instead.", this);
                 }
 
                 double ahead = _elapsed + (Time.timeAsDouble - Time.fixedTimeAsDouble) - (_steps * _runner.TimeStep);
@@ -231,13 +231,13 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>A number that changes when anything does that the scene is compiled of.</summary>
+        /// <summary>A hash that changes when any input of the scene changes.</summary>
         private int Stamp()
         {
             return HashCode.Combine(preset, preset != null ? preset.Stamp : 0, hits.value, FootballThing.StampOfAll);
         }
 
-        /// <summary>Takes over what was changed; what is out of range is said once, and the ball goes on as before.</summary>
+        /// <summary>Applies changes. A value out of range is reported once, and the ball keeps its previous settings.</summary>
         private void ApplyChanges()
         {
             if (Stamp() == _stamp)
@@ -251,7 +251,7 @@ namespace FootballPhysics.Unity
             }
             catch (ArgumentOutOfRangeException refusal)
             {
-                Debug.LogError("The football \"" + name + "\" goes on as before: " + refusal.Message, this);
+                Debug.LogError("The football \"" + name + "\" keeps its previous settings: " + refusal.Message, this);
             }
         }
 

@@ -3,14 +3,14 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What happens to a ball, as events that are wired up in the inspector.</summary>
+    /// <summary>The events of a ball, for connections in the inspector.</summary>
     [Serializable]
     public sealed class FootballBallEvents
     {
         [Tooltip("The ball hit something: the ground, a post, a wall.")]
         public FootballUnityEvent impact = new FootballUnityEvent();
 
-        [Tooltip("The ball stayed down, slipping.")]
+        [Tooltip("The ball began to slide on a surface.")]
         public FootballUnityEvent slide = new FootballUnityEvent();
 
         [Tooltip("The ball began to roll without slip.")]
@@ -19,22 +19,22 @@ namespace FootballPhysics.Unity
         [Tooltip("The ball came to rest.")]
         public FootballUnityEvent rest = new FootballUnityEvent();
 
-        [Tooltip("A ball that was carried left what carried it.")]
+        [Tooltip("The ball lost contact with the surface it slid or rolled on.")]
         public FootballUnityEvent leave = new FootballUnityEvent();
 
-        [Tooltip("The ball met a net.")]
+        [Tooltip("The ball hit a net.")]
         public FootballUnityEvent net = new FootballUnityEvent();
 
-        [Tooltip("The whole ball is over the line of a goal.")]
+        [Tooltip("A goal: the whole ball has crossed the line.")]
         public FootballUnityEvent goal = new FootballUnityEvent();
 
-        [Tooltip("Things that move leave the ball no room, or it has room again: the ball's motion says which.")]
+        [Tooltip("Moving objects pinned the ball or released it; see the ball's motion.")]
         public FootballUnityEvent squeezed = new FootballUnityEvent();
 
-        [Tooltip("The ball entered a zone of the scene, whose name is the surface of the event.")]
+        [Tooltip("The ball entered a zone of the scene, named by the event's Surface.")]
         public FootballUnityEvent enterZone = new FootballUnityEvent();
 
-        [Tooltip("The ball left a zone of the scene, whose name is the surface of the event.")]
+        [Tooltip("The ball left a zone of the scene, named by the event's Surface.")]
         public FootballUnityEvent exitZone = new FootballUnityEvent();
 
         internal void Invoke(FootballEvent happened)

@@ -12,7 +12,7 @@ namespace FootballPhysics.Unity
     /// <remarks>A collider's scale, and the surface of its game object, are those of when it was first met.</remarks>
     public sealed class FootballColliders : IEngineColliders
     {
-        /// <summary>The ball is cast this much smaller against meshes, so that what it lies on is not in its way.</summary>
+        /// <summary>The reduction of the ball's radius for casts against meshes, so that the surface below the ball does not block the cast.</summary>
         private const float Skin = 0.99f;
 
         private readonly Dictionary<Collider, EngineCollider> _known = new Dictionary<Collider, EngineCollider>();
@@ -28,7 +28,7 @@ namespace FootballPhysics.Unity
         /// <param name="own">The ball's own body, which it does not hit.</param>
         /// <param name="layers">The layers that it hits, as a LayerMask.</param>
         /// <param name="greatestSpeed">Not slower than the fastest point of any of them, m/s, with its rotation.</param>
-        /// <param name="pushes">True where bodies that move freely give way by their mass; the impulse is the event's, for the game to apply.</param>
+        /// <param name="pushes">True if dynamic bodies react with their mass. The event has the impulse, which the game applies.</param>
         public FootballColliders(Rigidbody own, int layers, float greatestSpeed, bool pushes = false)
         {
             _pushes = pushes;
@@ -49,7 +49,7 @@ namespace FootballPhysics.Unity
             return collider != null && _engines.TryGetValue(collider, out Collider met) ? met : null;
         }
 
-        /// <summary>Adds what a sphere touches on its way. Allocates only for colliders that were never met before.</summary>
+        /// <summary>Adds the colliders that a sphere touches on its path. It allocates only for new colliders.</summary>
         public void Cast(in SphereCast cast, EngineHits hits)
         {
             Vector3 from = UnityFrame.ToUnity(cast.From);
@@ -57,7 +57,7 @@ namespace FootballPhysics.Unity
             var radius = (float)cast.Radius;
             var distance = (float)cast.Distance;
 
-            // What the sphere touches where it starts, and then what it comes to.
+            // First the colliders that overlap the sphere at the start, then those on its path.
             int near = UnityEngine.Physics.OverlapSphereNonAlloc(from, radius, _near, _layers, QueryTriggerInteraction.Ignore);
             while (near == _near.Length)
             {
@@ -87,7 +87,7 @@ namespace FootballPhysics.Unity
                 return;
             }
 
-            // A body that was made kinematic, set free or made heavier is another thing to the ball.
+            // A body that became kinematic or dynamic, or changed its mass, needs a new collider.
             Rigidbody body = collider.attachedRigidbody;
             double mass = _pushes && body != null && !body.isKinematic ? body.mass : double.PositiveInfinity;
             if (!_known.TryGetValue(collider, out EngineCollider known) || known.Mass != mass)
@@ -113,7 +113,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Where the ball would touch a mesh: where it does already, else where it comes to it.</summary>
+        /// <summary>The contact of the ball with a mesh: the present one, or the first one on its path.</summary>
         private bool TryTouch(Collider collider, in SphereCast cast, out Vector3 point, out Vector3 normal)
         {
             Vector3 from = UnityFrame.ToUnity(cast.From);
@@ -142,7 +142,7 @@ namespace FootballPhysics.Unity
             return found;
         }
 
-        /// <summary>The plane that is nearest to the ball's centre, of what rays ahead and down from it meet.</summary>
+        /// <summary>The plane closest to the ball's centre, among those hit by rays ahead and down.</summary>
         private static bool Nearest(Collider collider, Vector3 from, float reach, Vector3 direction, out Vector3 point, out Vector3 normal)
         {
             point = Vector3.zero;

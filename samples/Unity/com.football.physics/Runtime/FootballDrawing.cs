@@ -7,7 +7,7 @@ using UnityEngine.SceneManagement;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What a thing looks like: objects of their own in its scene, made when it is enabled and in no file, for children must not be made or destroyed while their parent is switched on or off.</summary>
+    /// <summary>The drawing of an object: separate objects in its scene, created when it is enabled and never saved, because children must not be created or destroyed while their parent is enabled or disabled.</summary>
     internal sealed class FootballDrawing
     {
         private static Vector3[] s_room = Array.Empty<Vector3>();

@@ -22,19 +22,19 @@ namespace FootballPhysics.Unity
             Spin = UnityFrame.SpinToUnity(happened.Spin);
         }
 
-        /// <summary>What happened.</summary>
+        /// <summary>The kind of the event.</summary>
         public BallEventKind Kind { get; }
 
-        /// <summary>What was hit, met or passed, or carries the ball: "ground", "left post", "back net", the name of an obstacle; null for none.</summary>
+        /// <summary>The name of the collider: "ground", "left post" (on the goalkeeper's left), "back net", the name of an obstacle; null if there is none.</summary>
         public string Surface { get; }
 
-        /// <summary>Normal of the contact, from the thing to the ball; zero where there is none.</summary>
+        /// <summary>The normal of the contact, from the object to the ball; zero if there is no contact.</summary>
         public Vector3 Normal { get; }
 
         /// <summary>When, s of the ball's own time: exact, inside the fixed step.</summary>
         public double Time { get; }
 
-        /// <summary>Where the centre was, m.</summary>
+        /// <summary>The position of the ball's centre, m.</summary>
         public Vector3 Position { get; }
 
         /// <summary>Velocity just before, m/s.</summary>
@@ -49,13 +49,13 @@ namespace FootballPhysics.Unity
         /// <summary>Spin just after, rad/s.</summary>
         public Vector3 Spin { get; }
 
-        /// <summary>Impulse on the ball, N s; what was hit got the opposite. Zero for what is no impact.</summary>
+        /// <summary>The impulse on the ball, N s; the object gets the opposite one. Zero if the event is not an impact.</summary>
         public Vector3 Impulse { get; }
 
         /// <summary>Speed against what was hit, along the normal, m/s: how loud it is.</summary>
         public float ApproachSpeed { get; }
 
-        /// <summary>The goal whose line, net, post or bar it tells of; null for none.</summary>
+        /// <summary>The goal of the event; null if there is none.</summary>
         public FootballGoal Goal { get; }
 
         /// <summary>The collider of Unity's that was hit; null for none.</summary>

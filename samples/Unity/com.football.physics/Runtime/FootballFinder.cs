@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>Finds what a component was not given.</summary>
+    /// <summary>Finds objects that a component needs and that are not set in the inspector.</summary>
     internal static class FootballFinder
     {
-        /// <summary>The first ball of the scene; null for none.</summary>
+        /// <summary>The first ball of the scene; null if there is none.</summary>
         public static FootballBall Ball()
         {
 #if UNITY_2023_1_OR_NEWER

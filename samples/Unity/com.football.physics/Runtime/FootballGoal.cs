@@ -20,34 +20,34 @@ namespace FootballPhysics.Unity
         [SerializeField, Range(0.01f, 0.2f), Tooltip("Radius of posts and bar, m; at most 0.06 by Law 1.")]
         private float postRadius = 0.06f;
 
-        [SerializeField, Range(0.1f, 5f), Tooltip("How far behind the line the net begins at the height of the bar, m.")]
+        [SerializeField, Range(0.1f, 5f), Tooltip("Depth of the net at the height of the crossbar, m.")]
         private float depthAtBar = 0.8f;
 
-        [SerializeField, Range(0.1f, 5f), Tooltip("How far behind the line the net ends on the ground, m.")]
+        [SerializeField, Range(0.1f, 5f), Tooltip("Depth of the net on the ground, m.")]
         private float depthOnGround = 2f;
 
-        [SerializeField, Tooltip("Nets: without them a ball flies on.")]
+        [SerializeField, Tooltip("Add nets; without them the ball flies through.")]
         private bool hasNet = true;
 
-        [SerializeField, Tooltip("The whole ball is over the line.")]
+        [SerializeField, Tooltip("Goal: the whole ball has crossed the line.")]
         private FootballUnityEvent scored = new FootballUnityEvent();
 
-        [SerializeField, Tooltip("A ball met the net.")]
+        [SerializeField, Tooltip("A ball hit the net.")]
         private FootballUnityEvent netMet = new FootballUnityEvent();
 
-        [SerializeField, Tooltip("A ball hit a post or the bar.")]
+        [SerializeField, Tooltip("A ball hit a post or the crossbar.")]
         private FootballUnityEvent frameHit = new FootballUnityEvent();
 
         private NetMesh[] _nets = Array.Empty<NetMesh>();
         private Mesh[] _meshes = Array.Empty<Mesh>();
 
-        /// <summary>The whole ball is over the line.</summary>
+        /// <summary>A goal: the whole ball has crossed the line.</summary>
         public event Action<FootballGoal, FootballEvent> Scored;
 
-        /// <summary>A ball met the net.</summary>
+        /// <summary>A ball hit the net.</summary>
         public event Action<FootballGoal, FootballEvent> NetMet;
 
-        /// <summary>A ball hit a post or the bar.</summary>
+        /// <summary>A ball hit a post or the crossbar.</summary>
         public event Action<FootballGoal, FootballEvent> FrameHit;
 
         /// <summary>Width of the opening, m.</summary>
@@ -62,7 +62,7 @@ namespace FootballPhysics.Unity
         /// <summary>True for a goal with nets.</summary>
         public bool HasNet { get => hasNet; set => hasNet = value; }
 
-        /// <summary>How often a ball was in since the scene began.</summary>
+        /// <summary>The number of goals since the scene started.</summary>
         public int Goals { get; private set; }
 
         internal override int Order => 1;
@@ -74,7 +74,7 @@ namespace FootballPhysics.Unity
             Vector3d opening = UnityFrame.FromUnity(transform.rotation * new Vector3(0f, 0f, -1f)).Horizontal;
             if (opening.Length < 0.1)
             {
-                throw new ArgumentOutOfRangeException(name, "its opening faces up or down; allowed: a goal that stands upright.");
+                throw new ArgumentOutOfRangeException(name, "The opening of the goal faces up or down. Rotate the goal so that it stands upright.");
             }
 
             return new Goal
@@ -121,7 +121,7 @@ namespace FootballPhysics.Unity
             _meshes = meshes.ToArray();
         }
 
-        /// <summary>Bends the nets as they bulge.</summary>
+        /// <summary>Draws the bulge of the nets.</summary>
         /// <param name="bulges">The bulges of the scene.</param>
         /// <param name="first">The first of this goal.</param>
         internal void Follow(NetBulges bulges, int first)

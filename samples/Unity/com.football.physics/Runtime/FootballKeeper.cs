@@ -6,11 +6,11 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A goalkeeper who stands where this object is and dives for shots at the nearest goal, as the library's Interception.FindSave answers.</summary>
+    /// <summary>A goalkeeper at the position of this object, who dives for shots at the nearest goal. The dive comes from the library's Interception.FindSave.</summary>
     [AddComponentMenu("Football/Football Keeper"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballKeeper : FootballThing
     {
-        [SerializeField, Tooltip("The goal that he guards; empty: the nearest.")]
+        [SerializeField, Tooltip("Goal to guard; empty: the nearest one.")]
         private FootballGoal goal;
 
         [SerializeField, Range(0f, 2f), Tooltip("Reaction time, s.")]
@@ -22,10 +22,10 @@ namespace FootballPhysics.Unity
         [SerializeField, Range(0.5f, 15f), Tooltip("Top speed, m/s.")]
         private float speed = 5f;
 
-        [SerializeField, Range(0f, 4f), Tooltip("How far he reaches in a dive, m.")]
+        [SerializeField, Range(0f, 4f), Tooltip("Reach of a dive, m.")]
         private float reach = 1.9f;
 
-        [SerializeField, Range(0.5f, 4f), Tooltip("How high he reaches, m.")]
+        [SerializeField, Range(0.5f, 4f), Tooltip("Reach upwards, m.")]
         private float highest = 2.6f;
 
         [SerializeField, Tooltip("Colour of his shirt.")]
@@ -33,7 +33,7 @@ namespace FootballPhysics.Unity
 
         private Transform _figure;
 
-        /// <summary>The goal that he guards; null: the nearest.</summary>
+        /// <summary>The goal to guard; null: the nearest one.</summary>
         public FootballGoal Goal { get => goal; set => goal = value; }
 
         /// <summary>Reaction time, s.</summary>
@@ -42,10 +42,10 @@ namespace FootballPhysics.Unity
         /// <summary>Top speed, m/s.</summary>
         public float Speed { get => speed; set => speed = value; }
 
-        /// <summary>How far he reaches in a dive, m.</summary>
+        /// <summary>Reach of a dive, m.</summary>
         public float Reach { get => reach; set => reach = value; }
 
-        /// <summary>How many shots he has dived for, of the ball that was stepped last.</summary>
+        /// <summary>The number of shots he dived for, for the ball that was stepped last.</summary>
         public int Dives { get; private set; }
 
         internal override int Order => 3;

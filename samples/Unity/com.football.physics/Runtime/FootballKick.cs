@@ -8,23 +8,23 @@ namespace FootballPhysics.Unity
     public sealed class FootballKick
     {
         /// <summary>m/s.</summary>
-        [Range(0f, 60f), Tooltip("m/s; a hard shot has 30.")]
+        [Range(0f, 60f), Tooltip("Ball speed, m/s; 30 is a hard shot.")]
         public float speed = 25f;
 
         /// <summary>Degrees above the horizontal.</summary>
-        [Range(-90f, 90f), Tooltip("Degrees above the horizontal.")]
+        [Range(-90f, 90f), Tooltip("Angle above the horizontal, degrees.")]
         public float elevation = 15f;
 
         /// <summary>Degrees to the right of forward, as Unity turns about y.</summary>
-        [Range(-180f, 180f), Tooltip("Degrees to the right of forward (z).")]
+        [Range(-180f, 180f), Tooltip("Angle to the right of forward (z), degrees.")]
         public float heading;
 
         /// <summary>rad/s; negative is backspin.</summary>
-        [Range(-200f, 200f), Tooltip("rad/s; positive dips, negative is backspin.")]
+        [Range(-200f, 200f), Tooltip("Topspin, rad/s: positive makes the ball dip, negative is backspin.")]
         public float topSpin;
 
         /// <summary>rad/s; positive bends to the left.</summary>
-        [Range(-200f, 200f), Tooltip("rad/s; positive bends to the left.")]
+        [Range(-200f, 200f), Tooltip("Sidespin, rad/s: positive bends the ball to the left.")]
         public float sideSpin;
 
         /// <summary>Its direction, in Unity's frame.</summary>

@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The path ahead in the game view: a line where the ball goes, and around it the cone of where a kick may go that is meant so, by the errors of who takes it.</summary>
-    /// <remarks>It shows the kick of <see cref="Show"/> while it is aimed, else the ball's own way while it flies.</remarks>
+    /// <summary>The path ahead in the game view: a line for the ball, and around it a cone for the spread of the player's kicks.</summary>
+    /// <remarks>It shows the kick of <see cref="Show"/> during aiming, and otherwise the path of the flying ball.</remarks>
     [AddComponentMenu("Football/Football Path"), DisallowMultipleComponent]
     public sealed class FootballPath : MonoBehaviour
     {
@@ -14,10 +14,10 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("The ball; empty: the first in the scene.")]
         private FootballBall ball;
 
-        [SerializeField, Range(0.1f, 10f), Tooltip("How much of the path is shown, s.")]
+        [SerializeField, Range(0.1f, 10f), Tooltip("Length of the path shown, s.")]
         private float seconds = 1.6f;
 
-        [SerializeField, Range(0f, 10f), Tooltip("Standard deviation of the direction, degrees: two of them are shown.")]
+        [SerializeField, Range(0f, 10f), Tooltip("Standard deviation of the direction, degrees; the band shows two of them.")]
         private float degrees = 1f;
 
         [SerializeField, Range(0f, 30f), Tooltip("Standard deviation of the speed, %.")]
@@ -26,7 +26,7 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("Colour of the line.")]
         private Color color = new Color(1f, 0.92f, 0.016f, 1f);
 
-        [SerializeField, Tooltip("Material of the lines; empty: that of the render pipeline.")]
+        [SerializeField, Tooltip("Material of the lines; empty: the default of the render pipeline.")]
         private Material material;
 
         private Vector3[] _points = Array.Empty<Vector3>();
@@ -39,7 +39,7 @@ namespace FootballPhysics.Unity
         /// <summary>The ball whose path is shown.</summary>
         public FootballBall Ball { get => ball; set => ball = value; }
 
-        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        /// <summary>The material for drawing; null: the default of the render pipeline. A change takes effect when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
 
         /// <summary>The line of the path, and then those of the cone.</summary>

@@ -5,36 +5,36 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A pitch: its ground is the ground of every football, at the height of this object; its lines are drawn, and it has boards where they have a height. Goals are objects of their own.</summary>
+    /// <summary>A pitch: the ground of every football, at the height of this object, with lines, and with boards if their height is not 0. Goals are separate objects.</summary>
     /// <remarks>Its transform is the middle of the pitch, whose length is along z; it may be turned about y. Its scale does not count.</remarks>
     [AddComponentMenu("Football/Football Pitch"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballPitch : FootballThing
     {
-        [SerializeField, Range(10f, 200f), Tooltip("From goal line to goal line, m; 105 by Law 1, 40 in futsal.")]
+        [SerializeField, Range(10f, 200f), Tooltip("Length between the goal lines, m; 105 in football, 40 in futsal.")]
         private float length = 105f;
 
-        [SerializeField, Range(5f, 150f), Tooltip("From touchline to touchline, m; 68 by Law 1, 20 in futsal.")]
+        [SerializeField, Range(5f, 150f), Tooltip("Width between the touchlines, m; 68 in football, 20 in futsal.")]
         private float width = 68f;
 
-        [SerializeField, Tooltip("Goals and areas of futsal.")]
+        [SerializeField, Tooltip("Use the goals and areas of futsal.")]
         private bool futsal;
 
-        [SerializeField, Tooltip("What it is made of; Of Profile: the ground of the ball's preset.")]
+        [SerializeField, Tooltip("Material of the ground; Of Profile: the ground of the ball's preset.")]
         private FootballPreset.GroundChoice surface = FootballPreset.GroundChoice.OfProfile;
 
-        [SerializeField, Range(0f, 10f), Tooltip("Height of the boards around it, m; 0 for none.")]
+        [SerializeField, Range(0f, 10f), Tooltip("Height of the boards around the pitch, m; 0 for none.")]
         private float boardHeight;
 
-        [SerializeField, Range(0f, 50f), Tooltip("How far behind the lines the boards stand, m; at 0 there is a gap in them for each goal.")]
+        [SerializeField, Range(0f, 50f), Tooltip("Distance of the boards from the lines, m; at 0 they have a gap for each goal.")]
         private float boardDistance = 4f;
 
         [SerializeField, Tooltip("Colour of the ground.")]
         private Color grass = new Color(0.27f, 0.48f, 0.24f, 1f);
 
-        /// <summary>From goal line to goal line, m.</summary>
+        /// <summary>Length between the goal lines, m.</summary>
         public float Length { get => length; set => length = value; }
 
-        /// <summary>From touchline to touchline, m.</summary>
+        /// <summary>Width between the touchlines, m.</summary>
         public float Width { get => width; set => width = value; }
 
         /// <summary>True for goals and areas of futsal.</summary>
@@ -43,15 +43,15 @@ namespace FootballPhysics.Unity
         /// <summary>Height of the boards, m; 0 for none.</summary>
         public float BoardHeight { get => boardHeight; set => boardHeight = value; }
 
-        /// <summary>How far behind the lines the boards stand, m.</summary>
+        /// <summary>Distance of the boards from the lines, m.</summary>
         public float BoardDistance { get => boardDistance; set => boardDistance = value; }
 
-        /// <summary>What it is made of.</summary>
+        /// <summary>The material of the ground.</summary>
         public FootballPreset.GroundChoice Surface { get => surface; set => surface = value; }
 
         internal override int Order => 0;
 
-        /// <summary>The pitch as the library has it, with its middle at the origin.</summary>
+        /// <summary>The pitch in the library's type, centred at the origin.</summary>
         public Pitch ToPitch()
         {
             return (futsal ? Pitch.Futsal : Pitch.Standard) with
@@ -96,7 +96,7 @@ namespace FootballPhysics.Unity
             drawn.SetPositionAndRotation(transform.position + new Vector3(0f, raised, 0f), transform.rotation);
         }
 
-        /// <summary>A board of the pitch where that lies, which may be turned about y.</summary>
+        /// <summary>A board of the pitch, in the position of the pitch, which can be rotated about y.</summary>
         private BoxShape Placed(BoxShape board)
         {
             Quaterniond turn = UnityFrame.FromUnity(transform.rotation);

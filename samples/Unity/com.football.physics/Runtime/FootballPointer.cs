@@ -9,7 +9,7 @@ namespace FootballPhysics.Unity
     internal static class FootballPointer
     {
 #if ENABLE_INPUT_SYSTEM && FOOTBALL_INPUT_SYSTEM
-        /// <summary>Where it points to, pixels.</summary>
+        /// <summary>The position of the pointer, pixels.</summary>
         public static Vector2 Position => Mouse.current != null ? Mouse.current.position.ReadValue() : default;
 
         /// <summary>True while the left button is held.</summary>
@@ -21,7 +21,7 @@ namespace FootballPhysics.Unity
         /// <summary>True in the frame in which R is pressed.</summary>
         public static bool Again => Keyboard.current != null && Keyboard.current.rKey.wasPressedThisFrame;
 #else
-        /// <summary>Where it points to, pixels.</summary>
+        /// <summary>The position of the pointer, pixels.</summary>
         public static Vector2 Position => new Vector2(Input.mousePosition.x, Input.mousePosition.y);
 
         /// <summary>True while the left button is held.</summary>

@@ -11,8 +11,8 @@ namespace FootballPhysics.Unity
         /// <summary>The time step of a ball without a preset, s.</summary>
         public const double DefaultTimeStep = 0.02;
 
-        /// <summary>The profile that ground and laws are of, where they do not say otherwise. Default measured, as without a preset.</summary>
-        [Header("Profile"), Tooltip("Measured: as a ball without a preset. Published: the laws and numbers of the thesis that the library began with.")]
+        /// <summary>The profile of the ground and the laws, unless they are set below. Default: measured.</summary>
+        [Header("Profile"), Tooltip("Measured: like a ball without a preset. Published: the laws and numbers of the original thesis.")]
         public ProfileChoice profile = ProfileChoice.Measured;
 
         /// <summary>The ball. Default a match football.</summary>
@@ -27,7 +27,7 @@ namespace FootballPhysics.Unity
         [Range(0.02f, 2f), Tooltip("Radius of a custom ball, m.")]
         public float customRadius = 0.11f;
 
-        /// <summary>The ground. Default that of the profile: match turf in the measured one.</summary>
+        /// <summary>The ground. Default: the profile's, which is match turf in the measured profile.</summary>
         [Header("Ground")]
         public GroundChoice ground = GroundChoice.OfProfile;
 
@@ -36,18 +36,18 @@ namespace FootballPhysics.Unity
         public float groundHeight;
 
         /// <summary>Part of the vertical speed that a bounce on a ground of your own gives back.</summary>
-        [Range(0f, 1f), Tooltip("Custom ground: part of the vertical speed that a bounce gives back.")]
+        [Range(0f, 1f), Tooltip("Custom ground: fraction of the vertical speed that a bounce returns.")]
         public float customRestitution = 0.67f;
 
         /// <summary>Friction of a ball that slides on a ground of your own.</summary>
-        [Range(0f, 2f), Tooltip("Custom ground: friction of a ball that slides.")]
+        [Range(0f, 2f), Tooltip("Custom ground: friction of a sliding ball.")]
         public float customSlidingFriction = 0.45f;
 
         /// <summary>Friction of a ball that rolls on a ground of your own.</summary>
-        [Range(0f, 1f), Tooltip("Custom ground: friction of a ball that rolls.")]
+        [Range(0f, 1f), Tooltip("Custom ground: resistance of a rolling ball.")]
         public float customRollingFriction = 0.064f;
 
-        /// <summary>The laws of the air. Default those of the profile.</summary>
+        /// <summary>The laws of the air. Default: the profile's.</summary>
         [Header("Air")]
         public AirChoice laws = AirChoice.OfProfile;
 
@@ -60,11 +60,11 @@ namespace FootballPhysics.Unity
         public float airViscosity = 15f;
 
         /// <summary>How much of the drag there is: 1 as it is measured, 0 none.</summary>
-        [Range(0f, 3f), Tooltip("How much of the drag there is: 1 as the laws say, 0 none.")]
+        [Range(0f, 3f), Tooltip("Drag factor: 1 is realistic, 0 is no drag.")]
         public float dragScale = 1f;
 
         /// <summary>How much a spinning ball bends: 1 as it is measured, 0 not at all.</summary>
-        [Range(0f, 3f), Tooltip("How much a spinning ball bends: 1 as the laws say, 0 not at all.")]
+        [Range(0f, 3f), Tooltip("Bend of a spinning ball: 1 is realistic, 0 is straight.")]
         public float bendScale = 1f;
 
         /// <summary>Wind in Unity's frame, m/s.</summary>
@@ -80,7 +80,7 @@ namespace FootballPhysics.Unity
         public float ballPressure = 0.8f;
 
         /// <summary>Water on the pitch and in the ball.</summary>
-        [Range(0f, 1f), Tooltip("Water on the pitch and in the ball: 0 as the ground above, 1 soaked.")]
+        [Range(0f, 1f), Tooltip("Water on the pitch and in the ball: 0 no extra water, 1 soaked.")]
         public float wetness;
 
         /// <summary>Wear of the ball.</summary>
@@ -91,22 +91,22 @@ namespace FootballPhysics.Unity
         [Range(0f, 1f), Tooltip("Mud on the pitch and on the ball: 0 none, 1 deep.")]
         public float mud;
 
-        /// <summary>The one-step method.</summary>
+        /// <summary>The integrator.</summary>
         [Header("Steps")]
         public Integrator integrator = Integrator.Rk4;
 
         /// <summary>The time step, s: a double, for 0.02f is not 0.02. The same on every machine that is to have the same bits.</summary>
-        [Tooltip("The time step, s; 0.001 to 0.1. The same on every machine that is to have the same bits.")]
+        [Tooltip("Time step, s; 0.001 to 0.1. Use the same on every machine that must stay in sync.")]
         public double timeStep = DefaultTimeStep;
 
-        /// <summary>Profiles to choose from: the measured one is what a ball without a preset has; the published one has the laws and numbers of the thesis that the library began with.</summary>
+        /// <summary>Profiles to choose from. Measured is the profile of a ball without a preset; published has the laws and numbers of the original thesis.</summary>
         public enum ProfileChoice
         {
             Measured,
             Published,
         }
 
-        /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/>, and one of your own.</summary>
+        /// <summary>Balls to choose from: the presets of <see cref="BallProperties"/> and a custom one.</summary>
         public enum BallChoice
         {
             Generic,
@@ -148,7 +148,7 @@ namespace FootballPhysics.Unity
             None,
         }
 
-        /// <summary>Laws of the air to choose from: those of the profile, and the presets of <see cref="ForceSet"/>.</summary>
+        /// <summary>Laws of the air to choose from: the profile's and the presets of <see cref="ForceSet"/>.</summary>
         public enum AirChoice
         {
             OfProfile,
@@ -162,7 +162,7 @@ namespace FootballPhysics.Unity
         /// <summary>How the scene is integrated.</summary>
         public SolverSettings Settings => new SolverSettings { Integrator = integrator };
 
-        /// <summary>A number that changes when any of the numbers here does.</summary>
+        /// <summary>A hash that changes when any of these numbers changes.</summary>
         internal int Stamp
         {
             get
@@ -223,7 +223,7 @@ namespace FootballPhysics.Unity
                 : scene with { Forces = scene.Forces with { CustomForces = new IForce[] { new ScaledAir(scene, Typed(dragScale), Typed(bendScale)) } } };
         }
 
-        /// <summary>A ground at a height, m; no ground has no height.</summary>
+        /// <summary>A ground at a height, m. A scene without ground has no height.</summary>
         internal static Ground AtHeight(Ground ground, double height)
         {
             return ground.IsNone ? ground : ground with { Height = height };
@@ -237,7 +237,7 @@ namespace FootballPhysics.Unity
             return choice == GroundChoice.OfProfile || choice == GroundChoice.Custom ? own : FootballPhysics.Ground.Presets[NameOf(choice.ToString())];
         }
 
-        /// <summary>The name of a preset as the library has it: with a small first letter.</summary>
+        /// <summary>The name of a preset in the library, which starts with a small letter.</summary>
         internal static string NameOf(string choice)
         {
             return char.ToLowerInvariant(choice[0]) + choice.Substring(1);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>The scene of one ball: its preset, the things that stand in Unity's scene, and Unity's colliders.</summary>
+    /// <summary>The scene of one ball: its preset, the football objects of Unity's scene, and Unity's colliders.</summary>
     internal sealed class FootballScene
     {
         private readonly List<FootballGoal> _goals = new List<FootballGoal>();
@@ -37,7 +37,7 @@ namespace FootballPhysics.Unity
 
         public BallScene Stage { get; }
 
-        /// <summary>How fast the fastest collider may come, m/s.</summary>
+        /// <summary>The maximum speed of colliders, m/s.</summary>
         public float GreatestSpeed
         {
             set
@@ -63,7 +63,7 @@ namespace FootballPhysics.Unity
             int index = goal != null ? _goals.IndexOf(goal) : Stage.NearestGoal(feet);
             if (index < 0)
             {
-                Debug.LogWarning(keeper.name + ": there is no goal for this keeper to guard; add a Football Goal to the scene.", keeper);
+                Debug.LogWarning(keeper.name + ": this keeper has no goal to guard. Add a Football Goal to the scene.", keeper);
                 return;
             }
 
@@ -71,7 +71,7 @@ namespace FootballPhysics.Unity
             _keepers.Add(keeper);
         }
 
-        /// <summary>Says that Unity has its colliders where they are at this time, on the clock of the ball.</summary>
+        /// <summary>Sets the time, on the ball's clock, at which Unity's colliders have their present positions.</summary>
         public void CollidersAreAt(double time)
         {
             if (_colliders != null)
@@ -81,7 +81,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>An event in Unity's frame, with the goal or collider that it tells of.</summary>
+        /// <summary>Converts an event to Unity's frame, with its goal or collider.</summary>
         public FootballEvent Tell(in BallEvent happened)
         {
             int goal = happened.ColliderIndex >= 0 ? Stage.GoalOf(in happened) : -1;
@@ -93,7 +93,7 @@ namespace FootballPhysics.Unity
                 _colliders?.Of(Stage.ColliderOf(in happened)));
         }
 
-        /// <summary>Gives what was hit, where it is a body that moves freely, the impulse that it got.</summary>
+        /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
         public void Push(in FootballEvent happened)
         {
             if (happened.Kind == BallEventKind.Impact && happened.Collider != null)
@@ -107,7 +107,7 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>Draws nets and keepers as they are.</summary>
+        /// <summary>Draws nets and keepers in their present shape.</summary>
         public void Draw()
         {
             for (int i = 0; i < _goals.Count; i++)

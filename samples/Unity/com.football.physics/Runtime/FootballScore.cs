@@ -7,7 +7,7 @@ namespace FootballPhysics.Unity
     [AddComponentMenu("Football/Football Score"), DisallowMultipleComponent]
     public sealed class FootballScore : MonoBehaviour
     {
-        [SerializeField, Range(0f, 10f), Tooltip("So long after a goal, or after a shot has come to rest, the ball is put back, s; 0: never.")]
+        [SerializeField, Range(0f, 10f), Tooltip("Delay before the ball is put back after a goal or a shot at rest, s; 0: never.")]
         private float again = 2f;
 
         private readonly System.Collections.Generic.List<FootballGoal> _goals = new System.Collections.Generic.List<FootballGoal>();
@@ -19,7 +19,7 @@ namespace FootballPhysics.Unity
         /// <summary>Goals so far.</summary>
         public int Goals { get; private set; }
 
-        /// <summary>Shots so far: balls that left the spot.</summary>
+        /// <summary>Shots so far: the number of times a ball left its spot.</summary>
         public int Shots { get; private set; }
 
         private void Start()

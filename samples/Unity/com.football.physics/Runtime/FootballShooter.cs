@@ -9,25 +9,25 @@ namespace FootballPhysics.Unity
         [SerializeField, Tooltip("The ball; empty: the first in the scene.")]
         private FootballBall ball;
 
-        [SerializeField, Tooltip("Camera that the mouse points through; empty: the main one.")]
+        [SerializeField, Tooltip("Camera for the mouse; empty: the main camera.")]
         private Camera view;
 
-        [SerializeField, Tooltip("Shows the aimed kick; empty: the one on this object, if there is one.")]
+        [SerializeField, Tooltip("Football Path that shows the aimed kick; empty: the one on this object, if any.")]
         private FootballPath path;
 
-        [SerializeField, Range(1f, 60f), Tooltip("Speed of a short press, m/s.")]
+        [SerializeField, Range(1f, 60f), Tooltip("Ball speed after a short press, m/s.")]
         private float slowest = 14f;
 
-        [SerializeField, Range(1f, 60f), Tooltip("Speed of the longest press, m/s.")]
+        [SerializeField, Range(1f, 60f), Tooltip("Ball speed after the longest press, m/s.")]
         private float fastest = 34f;
 
-        [SerializeField, Range(0.1f, 5f), Tooltip("How long the longest press is, s.")]
+        [SerializeField, Range(0.1f, 5f), Tooltip("Duration of the longest press, s.")]
         private float longest = 1f;
 
-        [SerializeField, Range(0f, 200f), Tooltip("Side spin with the right button, rad/s.")]
+        [SerializeField, Range(0f, 200f), Tooltip("Sidespin with the right button, rad/s.")]
         private float bend = 60f;
 
-        [SerializeField, Range(-45f, 45f), Tooltip("How much higher than the mouse points the ball is kicked, degrees: it falls on its way.")]
+        [SerializeField, Range(-45f, 45f), Tooltip("Extra elevation above the mouse pointer, degrees, because the ball drops on its path.")]
         private float lift = 4f;
 
         private Vector3 _spot;
@@ -95,7 +95,7 @@ namespace FootballPhysics.Unity
             return slowest + ((fastest - slowest) * Mathf.Clamp(_held / longest, 0f, 1f));
         }
 
-        /// <summary>From the ball to where the mouse points: at what stands at the distance of the nearest goal, and a little higher.</summary>
+        /// <summary>The direction from the ball to the mouse pointer, at the distance of the nearest goal, with the extra elevation.</summary>
         private Vector3 Aimed()
         {
             Vector2 at = FootballPointer.Position;

@@ -4,23 +4,23 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What a football looks like: a sphere of its radius with the classic pattern, by which one sees it spin. Made when it is enabled; no texture, no model.</summary>
+    /// <summary>Draws a football: a sphere of its radius with the classic pattern, which makes the spin visible. It needs no texture or model.</summary>
     [AddComponentMenu("Football/Football Skin"), DisallowMultipleComponent, ExecuteAlways, RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
     public sealed class FootballSkin : MonoBehaviour
     {
-        [SerializeField, Tooltip("Material to draw it with; empty: that of the render pipeline.")]
+        [SerializeField, Tooltip("Material for drawing; empty: the default of the render pipeline.")]
         private Material material;
 
-        [SerializeField, Tooltip("Colour that the pattern is tinted with.")]
+        [SerializeField, Tooltip("Tint of the pattern.")]
         private Color color = Color.white;
 
         private FootballDrawing _drawing;
         private int _drawn;
 
-        /// <summary>Colour that the pattern is tinted with.</summary>
+        /// <summary>Tint of the pattern.</summary>
         public Color Color { get => color; set => color = value; }
 
-        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        /// <summary>The material for drawing; null: the default of the render pipeline. A change takes effect when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
 
         private float Radius => TryGetComponent(out FootballBall ball) ? ball.Radius : (float)BallProperties.Modern.Radius;

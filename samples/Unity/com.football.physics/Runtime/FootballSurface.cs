@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>What a collider is made of, for the ball that hits it. Without one it is as a goal's frame.</summary>
+    /// <summary>The material of a collider. Colliders without this component have the material of a goal frame.</summary>
     [AddComponentMenu("Football/Football Surface"), DisallowMultipleComponent]
     public sealed class FootballSurface : MonoBehaviour
     {

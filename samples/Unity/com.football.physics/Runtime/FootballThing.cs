@@ -4,23 +4,23 @@ using UnityEngine;
 
 namespace FootballPhysics.Unity
 {
-    /// <summary>A thing that every football in the scene meets as long as it is enabled: a goal, a pitch, a wall, a keeper. It is drawn as it is hit.</summary>
-    /// <remarks>What is changed of it, its transform included, counts at the next step; a change compiles the scene of every ball anew.</remarks>
+    /// <summary>An object that every football in the scene can hit while it is enabled: a goal, pitch, wall or keeper. It is drawn as it collides.</summary>
+    /// <remarks>A change of a field or of the transform takes effect in the next step, and recompiles the scene of every ball.</remarks>
     [ExecuteAlways]
     public abstract class FootballThing : MonoBehaviour
     {
         private static readonly List<FootballThing> s_all = new List<FootballThing>();
 
-        [SerializeField, Tooltip("Material to draw it with; empty: that of the render pipeline.")]
+        [SerializeField, Tooltip("Material for drawing; empty: the default of the render pipeline.")]
         private Material material;
 
         private FootballDrawing _drawing;
         private int _drawn;
 
-        /// <summary>Material to draw it with; null: that of the render pipeline. A new one counts when the component is enabled.</summary>
+        /// <summary>The material for drawing; null: the default of the render pipeline. A change takes effect when the component is enabled.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>A number that changes when any of the enabled things does.</summary>
+        /// <summary>A hash that changes when any enabled object changes.</summary>
         internal static int StampOfAll
         {
             get
@@ -35,13 +35,13 @@ namespace FootballPhysics.Unity
             }
         }
 
-        /// <summary>The order in which things are added: pitches, goals, walls, keepers.</summary>
+        /// <summary>The order in which the objects are added: pitches, goals, walls, keepers.</summary>
         internal abstract int Order { get; }
 
-        /// <summary>A number that changes when anything of it does.</summary>
+        /// <summary>A hash that changes when the object changes.</summary>
         internal int Stamp => HashCode.Combine(Order, transform.position, transform.rotation, StampOfFields());
 
-        /// <summary>All enabled things, in an order that is the same on every machine.</summary>
+        /// <summary>All enabled objects, in the same order on every machine.</summary>
         internal static List<FootballThing> InOrder()
         {
             var things = new List<FootballThing>(s_all);
@@ -52,13 +52,13 @@ namespace FootballPhysics.Unity
         /// <summary>Adds it to the scene of a ball.</summary>
         internal abstract void AddTo(FootballScene scene);
 
-        /// <summary>Draws what is met of it.</summary>
+        /// <summary>Draws its colliders.</summary>
         internal abstract void Draw(FootballDrawing drawing);
 
-        /// <summary>A number that changes when any of its fields does.</summary>
+        /// <summary>A hash that changes when any of its fields changes.</summary>
         internal abstract int StampOfFields();
 
-        /// <summary>A position in its own frame without its scale, in the library's frame.</summary>
+        /// <summary>Converts a position in its local frame, without scale, to the library's frame.</summary>
         internal Vector3d Place(Vector3 local)
         {
             return UnityFrame.FromUnity(transform.position + (transform.rotation * local));
@@ -71,7 +71,7 @@ namespace FootballPhysics.Unity
             Redraw();
         }
 
-        /// <summary>Takes it out of the scene.</summary>
+        /// <summary>Removes it from the scene.</summary>
         protected virtual void OnDisable()
         {
             s_all.Remove(this);
@@ -79,7 +79,7 @@ namespace FootballPhysics.Unity
             _drawing = null;
         }
 
-        /// <summary>Draws it anew where it was changed.</summary>
+        /// <summary>Updates the drawing after a change.</summary>
         protected virtual void Update()
         {
             if (Stamp != _drawn)

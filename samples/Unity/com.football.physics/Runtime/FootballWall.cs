@@ -9,10 +9,10 @@ namespace FootballPhysics.Unity
     [AddComponentMenu("Football/Football Wall"), DisallowMultipleComponent, ExecuteAlways]
     public sealed class FootballWall : FootballThing
     {
-        [SerializeField, Range(1, 11), Tooltip("How many players.")]
+        [SerializeField, Range(1, 11), Tooltip("Number of players.")]
         private int players = 5;
 
-        [SerializeField, Range(0.3f, 3f), Tooltip("From one to the next, m; each is half a metre wide.")]
+        [SerializeField, Range(0.3f, 3f), Tooltip("Distance from player to player, m; each is half a metre wide.")]
         private float spacing = 0.52f;
 
         [SerializeField, Tooltip("Colour of the shirts.")]

@@ -7,7 +7,7 @@ namespace FootballPhysics.Unity
     /// <summary>Has the library's code compiled on a thread of its own while the first scene loads, so that no frame of the game waits for it.</summary>
     public static class FootballWarmUp
     {
-        /// <summary>From a tenth of a second on the runtime compiles in full what has run often.</summary>
+        /// <summary>The runtime optimises frequently called code after a tenth of a second.</summary>
         private const int Pause = 200;
 
         private static Task s_done;

@@ -71,9 +71,9 @@ public sealed class BankShotAimer
         Check.Given(nameof(request), request);
         Check.Given("aim.after", after);
         request.Validate();
-        if (request.Waypoint is { } point)
+        if (request.Waypoint is not null)
         {
-            throw Check.Refusal("aim.waypoint", point.ToString(), "none, where something is to be met before");
+            throw Check.Conflict("aim.waypoint", "aim.waypoint cannot be combined with aim.after. Leave one of them unset.");
         }
 
         // 1. Solve chains of legs from several guesses, and correct the results by their miss. 2. If none hits, search over all directions.
@@ -165,7 +165,7 @@ public sealed class BankShotAimer
     {
         if (names.Length == 0)
         {
-            throw Check.Refusal("aim.after", "[]", "the names of one thing or more");
+            throw Check.Refusal("aim.after", "[]", "at least one name of a collider");
         }
 
         if (!_things.TryGetValue(names.Length, out int[]? things))
@@ -188,7 +188,7 @@ public sealed class BankShotAimer
         int found = Find(name, 0, out int same);
         if (same > 1)
         {
-            throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}]: the scene has {same} of that name"));
+            throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}], because the scene has {same} colliders with this name"));
         }
 
         // "name[k]" is the k-th object of that name, unless an object has exactly this name.
@@ -203,7 +203,7 @@ public sealed class BankShotAimer
         if (same == 0)
         {
             int count = _colliders.Length;
-            string known = count == 0 ? "none: the scene has nothing to meet" : string.Join(" | ", Enumerable.Range(_first, count).Select(_simulator.NameOf).Distinct());
+            string known = count == 0 ? "none, because the scene has no colliders" : string.Join(" | ", Enumerable.Range(_first, count).Select(_simulator.NameOf).Distinct());
             throw Check.Refusal(Check.Item("aim.after", place), name, known);
         }
 

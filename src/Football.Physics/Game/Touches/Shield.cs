@@ -22,7 +22,7 @@ public sealed record ShieldRequest
     internal void Validate()
     {
         Player.Validate();
-        Check.Given("shield.opponents", Opponents);
+        Check.Member("shield.opponents", Opponents);
         Check.Within("shield.opponents", Opponents.Count, 0, 64);
         for (int i = 0; i < Opponents.Count; i++)
         {

@@ -204,13 +204,13 @@ public sealed partial class BallGroup
 
         if (log?.Observer is not null)
         {
-            throw new ArgumentException("log has an observer; allowed: none, it would not know whose pieces it sees. Look ahead for paths.", nameof(log));
+            throw new ArgumentException("A BallGroup does not support StepLog.Observer. Use LookAhead to get paths.", nameof(log));
         }
 
         Check.Within(nameof(dt), dt, 0, Limits.Time);
         if (states.Length != Count)
         {
-            throw new ArgumentException($"states has {states.Length} balls; allowed: {Count}, as many as the group.", nameof(states));
+            throw new ArgumentException($"states.Length is {states.Length}; allowed: {Count}, one state for each ball of the group.", nameof(states));
         }
 
         World world = _simulators[0].World;

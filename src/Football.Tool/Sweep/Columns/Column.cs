@@ -2,9 +2,9 @@ namespace FootballPhysics.Tool.Sweep.Columns;
 
 /// <summary>A column of a data set.</summary>
 /// <param name="Name">Its name.</param>
-/// <param name="Kind">What its values are.</param>
+/// <param name="Kind">The type of its values.</param>
 /// <param name="Unit">Their unit; empty for none.</param>
-/// <param name="Meaning">What they mean.</param>
+/// <param name="Meaning">The meaning of the values.</param>
 internal sealed record Column(string Name, ColumnKind Kind, string Unit, string Meaning)
 {
     /// <summary>Most words of a column: a byte's.</summary>

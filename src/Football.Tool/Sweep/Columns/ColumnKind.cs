@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep.Columns;
 
-/// <summary>What the values of a column are.</summary>
+/// <summary>The type of the values of a column.</summary>
 internal enum ColumnKind
 {
     /// <summary>Doubles; not a number where there is no value.</summary>

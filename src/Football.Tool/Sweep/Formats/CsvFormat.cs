@@ -5,7 +5,7 @@ using FootballPhysics.Tool.Sweep.Columns;
 
 namespace FootballPhysics.Tool.Sweep.Formats;
 
-/// <summary>A line of names, and one of values for each row (RFC 4180); nothing where a number is none.</summary>
+/// <summary>A line of names, then one line of values per row (RFC 4180); a missing number is empty.</summary>
 internal sealed class CsvFormat(IReadOnlyList<Column> columns) : RowFormat
 {
     /// <summary>Bytes that a number needs at most.</summary>

@@ -11,7 +11,7 @@ namespace FootballPhysics.Tool.Sweep.Formats;
 /// </summary>
 /// <remarks>
 /// Format: parquet.apache.org/docs/file-format. A row group has a page a column: DOUBLE and INT64 PLAIN, words RLE_DICTIONARY in one bit-packed run of eight bits, behind their dictionary's page. Nothing
-/// is compressed, nothing is null: a number that is none is NaN, as in the other formats.
+/// is compressed, and nothing is null: a missing number is NaN.
 /// </remarks>
 internal sealed class ParquetFormat : RowFormat
 {

@@ -29,7 +29,7 @@ internal abstract class RowFormat
     /// <summary>The file of a column.</summary>
     public abstract string FileOf(Column column);
 
-    /// <summary>What a file begins with.</summary>
+    /// <summary>The header of a file.</summary>
     /// <param name="file">Which of <see cref="Files"/>.</param>
     /// <param name="rows">Rows that will follow.</param>
     public abstract byte[] Header(int file, long rows);
@@ -38,12 +38,12 @@ internal abstract class RowFormat
     /// <param name="bytes">Bytes of a row.</param>
     public virtual int RowsAtOnce(int bytes) => Math.Clamp((1 << 20) / bytes, 1, 4096);
 
-    /// <summary>What a file ends with when all rows are there.</summary>
+    /// <summary>The footer of a complete file.</summary>
     /// <param name="file">Which of <see cref="Files"/>.</param>
     /// <param name="parts">Rows of each part that the file was put together of: one, but for merged shards.</param>
     public virtual byte[] Footer(int file, IReadOnlyList<long> parts) => [];
 
-    /// <summary>Bytes of all files together; null where nobody knows before they are written.</summary>
+    /// <summary>The total size of all files in bytes; null if it is unknown before they are written.</summary>
     public abstract long? Bytes(long rows);
 
     /// <summary>Writes rows.</summary>

@@ -16,7 +16,7 @@ internal sealed class ThriftWriter
     private readonly Stack<int> _before = new();
     private int _last;
 
-    /// <summary>What was written, with the end of the outermost structure.</summary>
+    /// <summary>The bytes written, including the end of the outermost structure.</summary>
     public byte[] End() => [.. _to.WrittenSpan, 0];
 
     public ThriftWriter Number(int field, int value)

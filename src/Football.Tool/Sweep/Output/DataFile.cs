@@ -3,7 +3,7 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>A file that grows, and the hash of what is in it.</summary>
+/// <summary>A growing file and the hash of its content.</summary>
 internal sealed class DataFile : IDisposable
 {
     private const int Chunk = 1 << 20;
@@ -20,7 +20,7 @@ internal sealed class DataFile : IDisposable
         _header = header;
     }
 
-    /// <summary>What there is of it.</summary>
+    /// <summary>The present length and hash.</summary>
     public FileRecord Record => new(_name, _stream.Position, _header, Convert.ToHexStringLower(_hash.GetCurrentHash()));
 
     /// <summary>Makes a file, or begins again what there is.</summary>
@@ -39,7 +39,7 @@ internal sealed class DataFile : IDisposable
         return file;
     }
 
-    /// <summary>Goes on where a record says that all is well; what comes after it is given up.</summary>
+    /// <summary>Continues after the part that a record confirms; later bytes are discarded.</summary>
     /// <exception cref="RefusedException">What there should be is not there.</exception>
     public static DataFile Continue(string folder, FileRecord record)
     {
@@ -55,10 +55,8 @@ internal sealed class DataFile : IDisposable
         if (left > 0 || file.Record.Sha256 != record.Sha256)
         {
             file.Dispose();
-            throw new RefusedException(
-                Quote.File(Path.Combine(folder, record.Name)),
-                FormattableString.Invariant($"torn: its first {record.Bytes} bytes are not those that were written"),
-                "what was there when the sweep was interrupted; remove the folder to begin again");
+            string path = Quote.File(Path.Combine(folder, record.Name));
+            throw new RefusedException(FormattableString.Invariant($"{path} is damaged: its first {record.Bytes} bytes differ from those that were written. Remove the folder to start again."));
         }
 
         file._stream.SetLength(record.Bytes);

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>A file of a data set, or what there is of it.</summary>
+/// <summary>A file of a data set, or its finished part.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="Bytes">Its length.</param>
 /// <param name="Header">How many of the bytes come before the first row.</param>

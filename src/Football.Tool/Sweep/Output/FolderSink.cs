@@ -6,8 +6,8 @@ using FootballPhysics.Tool.Sweep.Formats;
 namespace FootballPhysics.Tool.Sweep.Output;
 
 /// <summary>
-/// Rows that go to the files of a folder. A checkpoint says how much of each is certain; who comes back after an interruption goes on from there. The
-/// manifest takes its place when all rows are there.
+/// Writes rows to the files of a folder. A checkpoint records the confirmed length of each file; a run after an interruption continues there. The
+/// manifest replaces it when all rows are written.
 /// </summary>
 internal sealed class FolderSink : RowSink
 {
@@ -45,7 +45,7 @@ internal sealed class FolderSink : RowSink
     /// <param name="identity">The sweep.</param>
     /// <param name="shard">The part of it.</param>
     /// <param name="format">How rows are written.</param>
-    /// <param name="schema">What the columns are.</param>
+    /// <param name="schema">The schema of the columns.</param>
     /// <param name="countsHandedOn">Whether lanes hand rows to the single ball.</param>
     /// <param name="time">The clock by which checkpoints are due.</param>
     /// <param name="verifies">Whether the bytes of a folder that is done are read and hashed.</param>
@@ -58,14 +58,14 @@ internal sealed class FolderSink : RowSink
         }
         catch (Exception e) when (OutputFile.IsFileFault(e))
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which cannot be made", "a folder that can be written");
+            throw new RefusedException($"--out {Quote.File(folder)} cannot be created. Pass a folder that can be written.");
         }
 
         Manifest? done = Manifest.Read(folder, Manifest.Done);
         Manifest? begun = done ?? Manifest.Read(folder, Manifest.Unfinished);
         if (begun is not null && (identity.Difference(begun.Identity) ?? (begun.Shard != shard ? $"it is {begun.Shard}" : null)) is { } difference)
         {
-            throw new RefusedException("--out", $"{Quote.File(folder)}, which holds another sweep ({difference})", "a new folder, or that of an interrupted run of the same sweep");
+            throw new RefusedException($"--out {Quote.File(folder)} contains another sweep ({difference}). Pass a new folder, or the folder of an interrupted run of the same sweep.");
         }
 
         var sink = new FolderSink(folder, identity, shard, countsHandedOn, Schema.Record(schema), format, time);
@@ -145,7 +145,7 @@ internal sealed class FolderSink : RowSink
 
         if (begun is not null)
         {
-            // One file after the other: whoever holds the first of them holds all.
+            // In a fixed order: the process that locks the first file locks all of them.
             foreach (FileRecord record in begun.Files.Take(format.Files.Count))
             {
                 _files.Add(DataFile.Continue(_folder, record));
@@ -166,22 +166,22 @@ internal sealed class FolderSink : RowSink
         Checkpoint();
     }
 
-    /// <summary>A file of a folder that is done is there, as long as it was, and with the bytes that it had where that is asked for.</summary>
+    /// <summary>Checks that a file of a finished folder exists and has its recorded length, and, if requested, its recorded hash.</summary>
     private void CheckThere(FileRecord record, bool verifies)
     {
         string path = Path.Combine(_folder, record.Name);
         var file = new FileInfo(path);
-        string? fault = !file.Exists ? "missing"
-            : file.Length != record.Bytes ? FormattableString.Invariant($"torn: it has {file.Length} bytes of {record.Bytes}")
-            : verifies && DataFile.HashOf(path) != record.Sha256 ? "changed: it has other bytes than were written"
+        string? fault = !file.Exists ? "is missing"
+            : file.Length != record.Bytes ? FormattableString.Invariant($"is incomplete: it has {file.Length} of {record.Bytes} bytes")
+            : verifies && DataFile.HashOf(path) != record.Sha256 ? "was changed after it was written"
             : null;
         if (fault is not null)
         {
-            throw new RefusedException(Quote.File(path), fault, "what the manifest says; remove the folder to begin again");
+            throw new RefusedException($"{Quote.File(path)} {fault}. Remove the folder to start again.");
         }
     }
 
-    /// <summary>Files of the names that are to be written, but without a checkpoint, are somebody else's; those of a run that ended at once are empty but for headers.</summary>
+    /// <summary>Rejects files that have a name to be written, but no checkpoint. Files of a run that ended at once contain only headers and are accepted.</summary>
     private void RefuseForeign(RowFormat format)
     {
         for (int f = 0; f < format.Files.Count; f++)
@@ -189,7 +189,7 @@ internal sealed class FolderSink : RowSink
             var file = new FileInfo(Path.Combine(_folder, format.Files[f]));
             if (file.Exists && (file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file).Length > format.Header(f, _shard.Rows).Length)
             {
-                throw new RefusedException("--out", $"{Quote.File(_folder)}, which holds a file {Quote.File(file.Name)} of another origin", "a new folder, or that of an interrupted run of the same sweep");
+                throw new RefusedException($"--out {Quote.File(_folder)} contains a file of another origin, {Quote.File(file.Name)}. Pass a new folder, or the folder of an interrupted run of the same sweep.");
             }
         }
     }

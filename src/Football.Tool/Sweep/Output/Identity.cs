@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>What says which bytes a data set has: parts that differ in it do not belong together.</summary>
+/// <summary>The parameters that determine the bytes of a data set. Shards that differ in them do not belong together.</summary>
 /// <param name="Program">The program and its version.</param>
 /// <param name="Format">How rows are written.</param>
 /// <param name="Seed">The seed.</param>
@@ -28,7 +28,7 @@ internal sealed record Identity(string Program, string Format, long Seed, long C
         json.WriteRawValue(Sweep);
     }
 
-    /// <summary>What another one has that this has not; null where they are the same.</summary>
+    /// <summary>The first difference from another identity; null if they are equal.</summary>
     public string? Difference(Identity other) =>
         Program != other.Program ? $"its program is {other.Program}, not {Program}"
         : Format != other.Format ? $"its format is {other.Format}, not {Format}"

@@ -5,11 +5,11 @@ using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>What a folder holds: of which sweep, which part, how many rows, in which files.</summary>
+/// <summary>The content of a folder: the sweep, the shard, the number of rows and the files.</summary>
 /// <param name="Identity">The sweep.</param>
 /// <param name="Shard">The part.</param>
 /// <param name="Rows">Rows that there are; those of the part where it is done.</param>
-/// <param name="FlownSingly">How many of them lanes handed to the single ball; null where nothing is flown in lanes.</param>
+/// <param name="FlownSingly">The number of rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</param>
 /// <param name="Files">The files.</param>
 internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long? FlownSingly, IReadOnlyList<FileRecord> Files)
 {
@@ -19,15 +19,15 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     /// <summary>Name of the file in a folder that is not done.</summary>
     public const string Unfinished = "checkpoint.json";
 
-    /// <summary>What is added to a name while the file is written.</summary>
+    /// <summary>The suffix of a file name while the file is written.</summary>
     public const string New = ".new";
 
     private static readonly JsonWriterOptions s_options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>Reads it; null where there is none.</summary>
+    /// <summary>Reads the file; null if it does not exist.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="name">Name of the file.</param>
-    /// <exception cref="RefusedException">The file is no manifest.</exception>
+    /// <exception cref="RefusedException">The file is not a manifest.</exception>
     public static Manifest? Read(string folder, string name)
     {
         string path = Path.Combine(folder, name);
@@ -51,7 +51,7 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
         {
-            throw new RefusedException(Quote.File(path), "no manifest of a sweep", "one that football sweep has written");
+            throw new RefusedException($"{Quote.File(path)} is not the manifest of a sweep. Use one that football sweep wrote.");
         }
     }
 

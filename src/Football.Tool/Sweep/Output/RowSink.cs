@@ -12,7 +12,7 @@ internal abstract class RowSink : IDisposable
     public long FlownSingly { get; protected set; }
 
     /// <summary>Adds rows.</summary>
-    /// <param name="files">What is to be added to each file.</param>
+    /// <param name="files">The bytes to append to each file.</param>
     /// <param name="rows">How many rows that is.</param>
     /// <param name="handedOn">How many of them lanes handed to the single ball.</param>
     public void Add(IReadOnlyList<ArrayBufferWriter<byte>> files, int rows, long handedOn)

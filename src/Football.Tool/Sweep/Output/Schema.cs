@@ -8,7 +8,7 @@ using FootballPhysics.Tool.Sweep.Formats;
 
 namespace FootballPhysics.Tool.Sweep.Output;
 
-/// <summary>What the columns of a data set are: names, files, types, units, words.</summary>
+/// <summary>The schema of a data set: the names, files, types, units and words of its columns.</summary>
 internal static class Schema
 {
     /// <summary>Name of the file.</summary>
@@ -40,8 +40,8 @@ internal static class Schema
         return text.WrittenSpan.ToArray();
     }
 
-    /// <summary>The columns that a file tells of.</summary>
-    /// <exception cref="RefusedException">It is no schema.</exception>
+    /// <summary>Reads the columns of a schema file.</summary>
+    /// <exception cref="RefusedException">The file is not a schema.</exception>
     public static IReadOnlyList<Column> Read(string path)
     {
         try
@@ -51,7 +51,7 @@ internal static class Schema
         }
         catch (Exception e) when (e is IOException or JsonException or InvalidOperationException or KeyNotFoundException)
         {
-            throw new RefusedException(Quote.File(path), "no schema of a sweep", "one that football sweep has written");
+            throw new RefusedException($"{Quote.File(path)} is not the schema of a sweep. Use one that football sweep wrote.");
         }
     }
 

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
-/// <summary>What a field's values are drawn from.</summary>
+/// <summary>The range of a field's random values.</summary>
 internal abstract class FieldRange
 {
     /// <summary>Values that bound all others: what is allowed for them is allowed for all.</summary>

@@ -16,11 +16,11 @@ internal static class RangeInput
 
     private const string Forms = """[low, high] | {"uniform": [low, high]} | {"normal": [mean, deviation], "within": [low, high]} | {"list": [value, …]} | {"grid": [value, …]} | {"grid": {"from", "to", "count"}}""";
 
-    /// <summary>Reads a range; null where the value is none, but the field's own.</summary>
+    /// <summary>Reads a range; null if the value is an ordinary value of the field.</summary>
     /// <param name="field">The field, for a refusal.</param>
-    /// <param name="value">What stands there.</param>
+    /// <param name="value">The value in the input.</param>
     /// <param name="allowed">What its numbers may be; null where somebody else says so.</param>
-    /// <exception cref="RefusedException">It is no range, or a number of it is not allowed.</exception>
+    /// <exception cref="RefusedException">The value is not a range, or one of its numbers is not allowed.</exception>
     public static FieldRange? Read(string field, JsonElement value, NumberRange? allowed)
     {
         FieldRange? range = value.ValueKind switch

@@ -15,7 +15,7 @@ internal sealed class AimRows : RowMaker
 
     public override long? FlownSingly => null;
 
-    /// <summary>Names of what becomes of a search, in the order of <see cref="AimStatus"/>.</summary>
+    /// <summary>The names of the statuses, in the order of <see cref="AimStatus"/>.</summary>
     public static string[] Statuses { get; } = [.. Enum.GetValues<AimStatus>().Select(status => Words.Of(status))];
 
     protected override void Answer(int count)

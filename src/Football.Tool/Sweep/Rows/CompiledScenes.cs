@@ -5,7 +5,7 @@ namespace FootballPhysics.Tool.Sweep.Rows;
 /// <summary>The scenes of rows, compiled; one that comes again is not compiled again.</summary>
 /// <typeparam name="T">A compiled scene.</typeparam>
 /// <param name="plan">The sweep.</param>
-/// <param name="draws">What was drawn for the rows.</param>
+/// <param name="draws">The random values of the rows.</param>
 /// <param name="compile">Compiles a scene.</param>
 internal sealed class CompiledScenes<T>(SweepPlan plan, RowDraws draws, Func<SweepScene, T> compile)
     where T : class

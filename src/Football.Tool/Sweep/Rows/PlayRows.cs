@@ -157,7 +157,7 @@ internal sealed class PlayRows : LaunchRows
         if (!_end.IsFinite)
         {
             throw new RefusedException(FormattableString.Invariant(
-                $"row {Draws.First + row}: the motion is not finite; allowed: a scenario whose places and speeds stay within what a double can hold."));
+                $"row {Draws.First + row}: the motion overflows. Reduce the speeds, the coefficients or stop.time."));
         }
 
         _lastEvent = _path.Events.Count - 1;

@@ -2,7 +2,7 @@ using FootballPhysics.Tool.Sweep.Ranges;
 
 namespace FootballPhysics.Tool.Sweep.Rows;
 
-/// <summary>What was drawn for some rows.</summary>
+/// <summary>The random values of some rows.</summary>
 internal sealed class RowDraws
 {
     private readonly SweepPlan _plan;

@@ -24,7 +24,7 @@ internal abstract class RowMaker
     /// <summary>The columns that rows have.</summary>
     public IReadOnlyList<ColumnData> Columns => _columns ??= [.. Chosen.Select(source => new ColumnData(source.Column, _capacity))];
 
-    /// <summary>Of the last rows, how many lanes handed to the single ball; null where nothing is flown in lanes.</summary>
+    /// <summary>The number of the last rows that the SIMD batch passed to the scalar simulation; null if there is no batch.</summary>
     public abstract long? FlownSingly { get; }
 
     protected SweepPlan Plan { get; }
@@ -105,7 +105,7 @@ internal abstract class RowMaker
             "row.columns", Quote.Short(name), string.Join(" | ", names));
     }
 
-    /// <summary>The row's number, and what was drawn for it; of a kick all five numbers, drawn or not.</summary>
+    /// <summary>The row's number and its random values; for a kick all five numbers, even if they are fixed.</summary>
     private IEnumerable<ColumnSource> DrawnSources()
     {
         yield return new ColumnSource(Column.Whole("index", "", "number of the row in the whole sweep, from 0"), (to, from, count) =>

@@ -62,7 +62,7 @@ namespace FootballPhysics.Unity.Tests
             Assert.Less(ball.transform.position.z, 20f);
         }
 
-        /// <summary>What the component plays is what the library plays, to the last bit.</summary>
+        /// <summary>The component and the library give bit-identical results.</summary>
         [UnityTest]
         public IEnumerator A_kick_is_the_library_s_kick_to_the_last_bit()
         {
