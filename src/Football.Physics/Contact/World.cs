@@ -10,7 +10,6 @@ internal sealed class World
     /// <summary>Maximum share once the net has settled, and the allowed RK4 error during the settling time, m/s.</summary>
     private const double LargestChangeInNets = 0.6;
     private const double ErrorInNets = 3e-9;
-
     private readonly string[] _names;
     private readonly int _zones;
 
@@ -36,7 +35,6 @@ internal sealed class World
             Ground = colliders[0];
         }
 
-        // Do this even if there are no bodies yet, so that a body added later is detected.
         scene.Bodies?.Use();
         IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
@@ -301,8 +299,7 @@ internal sealed class World
 
     /// <summary>True if the first of two touched colliders has priority.</summary>
     /// <remarks>
-    /// Bodies and engine colliders are ordered by their contact normals, because the order in which they were added or found must not
-    /// affect the result.
+    /// Bodies and engine colliders are ordered by their contact normals: the order in which they were added or found must not matter.
     /// All others are in the order of the scene.
     /// </remarks>
     public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
