@@ -111,20 +111,23 @@ internal sealed class MatchCommand
             throw refusal;
         }
 
+        // A rejected track is one line; the guesses are written only if it is read.
+        List<string> guesses = [];
         using Stream stream = Arguments.OpenInput(file, terminal);
-        TrackReading reading = TrackReader.Reading(stream, terminal.Person.WriteLine, format, scene.Gravity);
+        TrackReading reading = TrackReader.Reading(stream, guesses.Add, format, scene.Gravity);
         TrackPoint[] track = reading.Points;
         MatchFitResult fit;
         try
         {
             fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new Told(progress)));
-            UnitRivals.Check(scene, request, reading, fit, terminal.Person.WriteLine);
+            UnitRivals.Check(scene, request, reading, fit, guesses.Add);
         }
         catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
         {
             throw said;
         }
 
+        guesses.ForEach(terminal.Person.WriteLine);
         if (json)
         {
             foreach (MatchPiece piece in fit.Pieces)

@@ -9,13 +9,21 @@ internal static class UnitRivals
 {
     /// <summary>A rival is right if its rms is this share of that in metres, and so many times the noise of three coordinates and the error of the laws, m.</summary>
     private const double Share = 0.7;
-    private const double NoiseShare = 1.5;
+    private const double NoiseShare = 2;
     private const double LawError = 0.003;
 
     private const int LeastFlights = 2;
+    private const double Shortest = 0.3;
 
     /// <summary>So many points are enough to compare.</summary>
     private const int Most = 3000;
+
+    /// <summary>The median rms of the flights, m: one that another ball or a touch spoils does not count.</summary>
+    private static double Usual(MatchFitResult fit)
+    {
+        double[] rms = [.. fit.Pieces.Where(piece => piece.Kind == MatchPieceKind.Flight && piece.Duration >= Shortest).Select(piece => piece.Rms).Order()];
+        return rms.Length > 0 ? rms[rms.Length / 2] : double.PositiveInfinity;
+    }
 
     /// <summary>Throws if another unit describes a track whose unit was guessed.</summary>
     /// <param name="scene">The scene.</param>
@@ -33,12 +41,14 @@ internal static class UnitRivals
 
         MatchFitRequest flights = request with { Surface = false };
         TrackPoint[] points = reading.Points.Length > Most ? reading.Points[..Most] : reading.Points;
-        double metres = points.Length < reading.Points.Length ? new MatchFit(scene).Find(points, flights).Rms : fit.Rms;
+        MatchFitResult metres = points.Length < reading.Points.Length ? new MatchFit(scene).Find(points, flights) : fit;
         bool IsBetter(double along, double across, double up)
         {
             MatchFitResult rival = new MatchFit(scene).Find(
                 [.. points.Select(point => new TrackPoint(point.Time, new Vector3d(along * point.Position.X, up * point.Position.Y, across * point.Position.Z), point.Noise))], flights);
-            return rival.Flights >= LeastFlights && rival.Rms < Share * up * metres && rival.Rms < (NoiseShare * Math.Sqrt(3) * rival.Noise) + LawError;
+            double most = (NoiseShare * Math.Sqrt(3) * rival.Noise) + LawError;
+            return rival.Flights >= LeastFlights
+                && ((rival.Rms < most && rival.Rms < Share * up * metres.Rms) || (Usual(rival) < most && Usual(rival) < Share * up * Usual(metres)));
         }
 
         if (IsBetter(0.9144, 0.9144, 0.9144))

@@ -180,6 +180,10 @@ internal static class CsvTable
         }
     }
 
+    /// <summary>True if the columns that are given by number hold a time and numbers.</summary>
+    private static bool IsData(TrackLine line, TrackFormat format) =>
+        TrackColumns.ByNumber(format, line.Cells.Length) is { } columns && columns.Places.Append(columns.Time).All(column => TrackTimes.IsTime(line[column]) || TrackMissing.IsMissing(line[column]));
+
     private static void FindHeader(TrackTable table, string[]? comment, TrackFormat format)
     {
         List<TrackLine> lines = table.Lines;
@@ -193,7 +197,7 @@ internal static class CsvTable
         {
             table.Header = comment;
         }
-        else if (lines.Count > 0 && lines[0].Cells.Any(cell => cell.Any(char.IsLetter) && !TrackMissing.IsMissing(cell) && !TrackTimes.IsTime(cell)))
+        else if (lines.Count > 0 && !IsData(lines[0], format) && lines[0].Cells.Any(cell => cell.Any(char.IsLetter) && !TrackMissing.IsMissing(cell) && !TrackTimes.IsTime(cell)))
         {
             // A header whose names are not known: by number, if they are given so.
             table.Header = lines[0].Cells;

@@ -98,12 +98,6 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
 
         if (column == columns.Frame)
         {
-            if (table.Rate is { } usual)
-            {
-                said(FormattableString.Invariant($"guessed: {usual} frames a second, the usual rate of this layout; --rate gives another."));
-                return 1 / usual;
-            }
-
             throw new RefusedException("TRACK has frame numbers and no times. Give --rate with the frames a second" + Likely(times, places) + ".");
         }
 
@@ -131,8 +125,9 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
     }
 
     /// <summary>The rate at which a ball in metres would fall as one does, as an advice.</summary>
-    private static string Likely(double[] frames, double[][] places)
+    private string Likely(double[] frames, double[][] places)
     {
+        double metres = table.Unit is { } unit ? TrackFormat.Metres(unit)!.Value : 1;
         int[] seen = [.. Enumerable.Range(0, frames.Length).Where(i => !double.IsNaN(frames[i] + places[2][i])).OrderBy(i => frames[i])];
         TrackFall fall = TrackFall.Of([.. seen.Select(i => frames[i])], [.. seen.Select(i => places[2][i])]);
         if (!fall.IsSure || !(fall.Fall > 0))
@@ -140,9 +135,9 @@ internal sealed class TrackClock(TrackTable table, TrackColumns columns, TrackFo
             return "";
         }
 
-        double rate = Math.Sqrt(9.81 / fall.Fall);
+        double rate = Math.Sqrt(9.81 / (metres * fall.Fall));
         double usual = s_rates.MinBy(likely => Math.Abs(Math.Log(likely / rate)));
-        return FormattableString.Invariant($"; if heights are metres the ball falls as at about {usual}");
+        return FormattableString.Invariant($"; by the fall of the ball it is about {usual}, if heights are {table.Unit ?? "m"}");
     }
 
     /// <summary>Without a header, a column that does not go up is not one of times.</summary>

@@ -32,7 +32,7 @@ internal static partial class TrackLayouts
     private static TrackTable Tracab(string text, Action<string> said)
     {
         said("guessed: TRACAB's layout, in centimetres; the ball is in the third part of each line.");
-        var table = new TrackTable { Header = ["frame", "ball_x", "ball_y", "ball_z"], Unit = "cm", Rate = 25 };
+        var table = new TrackTable { Header = ["frame", "ball_x", "ball_y", "ball_z"], Unit = "cm" };
         long number = 0;
         foreach (string line in text.Split('\n'))
         {

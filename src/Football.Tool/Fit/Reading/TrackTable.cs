@@ -21,7 +21,4 @@ internal sealed class TrackTable
 
     /// <summary>Unit of the coordinates that the file's layout fixes, or null.</summary>
     public string? Unit { get; init; }
-
-    /// <summary>Usual rate of the file's layout, frames a second, or null.</summary>
-    public double? Rate { get; init; }
 }

@@ -15,8 +15,8 @@ internal sealed record TrackReading(Vector3d[] Places, bool IsGuessed, bool IsSh
 /// <summary>Finds the unit and the frame of a track's coordinates: as given, as its header states, or by how the ball falls in flight.</summary>
 internal sealed class TrackUnits
 {
-    /// <summary>Falls of a unit are within these shares of g: drag and lift change them, a wrong unit does by more.</summary>
-    private const double LeastShare = 0.6;
+    /// <summary>The fall in the right unit is within these shares of g. Drag and lift change it by less, a wrong unit by more.</summary>
+    private const double LeastShare = 0.5;
     private const double MostShare = 1.55;
 
     /// <summary>No ball moves so fast for a twentieth of its track, m/s, or over so large a pitch, m.</summary>
@@ -81,6 +81,13 @@ internal sealed class TrackUnits
     private bool IsYUp(out TrackFall fall)
     {
         TrackFall z = TrackFall.Of(_times, _places[2]);
+        if (!z.IsSure && _format.IsYUp != true)
+        {
+            // Heights that count downwards: there the impacts, not the falls, are at the top.
+            TrackFall down = TrackFall.Of(_times, [.. _places[2].Select(value => -value)]);
+            z = down is { IsSure: true, Fall: > 0 } ? down with { Fall = -down.Fall } : z;
+        }
+
         TrackFall y = TrackFall.Of(_times, _places[1]);
         if (_format.IsYUp is { } given)
         {
@@ -128,7 +135,12 @@ internal sealed class TrackUnits
         {
             double metres = TrackFormat.Metres(known)!.Value;
             RefuseFall(fall with { Fall = metres * fall.Fall }, gravity);
-            return [.. Enumerable.Range(0, 3).Select(axis => TrackFormat.Metres(_format.Unit ?? _stated[axis] ?? known)!.Value)];
+            if (_format.Unit is null && Array.Exists(_stated, unit => unit is null))
+            {
+                _said("guessed: positions whose unit the header does not state are metres; --unit gives one unit for all.");
+            }
+
+            return [.. _stated.Select(unit => TrackFormat.Metres(_format.Unit ?? unit ?? "m")!.Value)];
         }
 
         string unit = Found(fall, gravity);
@@ -145,8 +157,9 @@ internal sealed class TrackUnits
         }
 
         RefuseDown(fall);
-        string? unit = Array.Find(s_likely, likely => TrackFormat.Metres(likely)!.Value * fall.Fall / gravity is > LeastShare and < MostShare);
-        if (unit is null)
+        double Ratio(string likely) => TrackFormat.Metres(likely)!.Value * fall.Fall / gravity;
+        string unit = s_likely.MinBy(likely => Math.Abs(Math.Log(Ratio(likely))))!;
+        if (Ratio(unit) is < LeastShare or > MostShare)
         {
             throw new RefusedException(FormattableString.Invariant(
                 $"The ball falls at {fall.Fall:0.###} units of length per unit of time squared in TRACK, which is no known unit. Give --unit, and --time-unit or --rate if times are not seconds."));
