@@ -11,14 +11,26 @@ internal sealed class TrackRuns
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
 
-    /// <summary>√20: deviation of a third difference by that of a point; and the median of |x| by the deviation.</summary>
-    private const double ThirdDifference = 4.47213595499958;
+    /// <summary>The median of |x| by the deviation.</summary>
     private const double Median = 0.6745;
+
+    /// <summary>If points are missing, more differences span an impact: then a lower quantile of |x| is taken, and its value by the deviation.</summary>
+    private const double LowerShare = 0.35;
+    private const double Lower = 0.4538;
+    private const double UnequalSpans = 1.5;
+
+    /// <summary>Longer waits, in usual ones, do not count for the mean wait.</summary>
+    private const double LongWait = 10;
+
+    /// <summary>The share of third differences that the noise is estimated from: those over the shortest times, in which a path bends least.</summary>
+    private const double ShortestShare = 0.3;
+
+    private readonly double _mean;
 
     public TrackRuns(TrackPoint[] seen)
     {
-        TrackPoint[] track = WithoutRepeats(seen);
-        Wait = UsualWait(track);
+        TrackPoint[] track = TrackTiming.Unrounded(WithoutRepeats(seen));
+        Wait = UsualWait(track, out _mean);
         Noise = NoiseOf(track);
         Points = WithoutSpikes(track);
         List<int> ends = [];
@@ -47,7 +59,7 @@ internal sealed class TrackRuns
     public double Noise { get; }
 
     /// <summary>True when a track has a gap between two times.</summary>
-    public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
+    public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * _mean, LeastGap);
 
     /// <summary>One point a time: a wait of zero is none.</summary>
     private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
@@ -64,7 +76,8 @@ internal sealed class TrackRuns
         return [.. kept];
     }
 
-    private static double UsualWait(TrackPoint[] track)
+    /// <summary>The median of the waits, and their mean without long ones: larger where points are missing.</summary>
+    private static double UsualWait(TrackPoint[] track, out double mean)
     {
         double[] waits = new double[track.Length - 1];
         for (int i = 1; i < track.Length; i++)
@@ -73,32 +86,83 @@ internal sealed class TrackRuns
         }
 
         Array.Sort(waits);
-        return waits[waits.Length / 2];
+        double median = waits[waits.Length / 2];
+        double sum = 0;
+        int count = 0;
+        foreach (double wait in waits)
+        {
+            if (wait <= LongWait * median)
+            {
+                sum += wait;
+                count++;
+            }
+        }
+
+        mean = Math.Max(median, sum / count);
+        return median;
     }
 
-    /// <summary>By third differences, which a smooth path leaves small.</summary>
+    /// <summary>By third divided differences, which a smooth path leaves small however its points are spaced.</summary>
     private double NoiseOf(TrackPoint[] track)
     {
+        List<(double Span, int Last)> windows = [];
+        for (int i = 3; i < track.Length; i++)
+        {
+            double span = track[i].Time - track[i - 3].Time;
+            if (!IsGap(0, span - (2 * _mean)))
+            {
+                windows.Add((span, i));
+            }
+        }
+
+        windows.Sort();
+        double longest = windows.Count > 0 ? windows[(int)(ShortestShare * (windows.Count - 1))].Span * (1 + 1e-6) : 0;
+        bool isUnequal = windows.Count > 0 && windows[windows.Count / 2].Span > UnequalSpans * windows[0].Span;
         double squares = 0;
         List<double> differences = [];
         for (int axis = 0; axis < 3; axis++)
         {
             differences.Clear();
-            for (int i = 3; i < track.Length; i++)
+            foreach ((double span, int last) in windows)
             {
-                if (!IsGap(track[i - 3].Time, track[i].Time - (2 * Wait)))
+                if (span <= longest)
                 {
-                    Vector3d third = track[i].Position - track[i - 3].Position - (3 * (track[i - 1].Position - track[i - 2].Position));
+                    Vector3d third = ThirdDifference(track, last);
                     differences.Add(Math.Abs(axis == 0 ? third.X : axis == 1 ? third.Y : third.Z));
                 }
             }
 
             differences.Sort();
-            double deviation = differences.Count > 0 ? differences[differences.Count / 2] / (Median * ThirdDifference) : 0;
+            double deviation = differences.Count == 0 ? 0
+                : isUnequal ? differences[(int)(LowerShare * differences.Count)] / Lower
+                : differences[differences.Count / 2] / Median;
             squares += deviation * deviation;
         }
 
         return Math.Sqrt(squares / 3);
+    }
+
+    /// <summary>The third divided difference of four points up to one, in deviations of a point: Σ cᵢ pᵢ / √Σ cᵢ², cᵢ = 1/Π (tᵢ − tⱼ).</summary>
+    private static Vector3d ThirdDifference(TrackPoint[] track, int last)
+    {
+        // In units of the four points' time, so that no power of it is lost.
+        int first = last - 3;
+        double unit = track[last].Time - track[first].Time;
+        Vector3d sum = Vector3d.Zero;
+        double squares = 0;
+        for (int i = first; i <= last; i++)
+        {
+            double product = 1;
+            for (int j = first; j <= last; j++)
+            {
+                product *= j == i ? 1 : (track[i].Time - track[j].Time) / unit;
+            }
+
+            sum += (1 / product) * (track[i].Position - track[first].Position);
+            squares += 1 / (product * product);
+        }
+
+        return double.IsFinite(squares) ? (1 / Math.Sqrt(squares)) * sum : Vector3d.Zero;
     }
 
     private TrackPoint[] WithoutSpikes(TrackPoint[] track)
@@ -107,7 +171,7 @@ internal sealed class TrackRuns
         List<TrackPoint> kept = [];
         for (int i = 0; i < track.Length; i++)
         {
-            bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * Wait;
+            bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * _mean;
             if (!isInside || Off(track, i) <= most || Off(track, i) < Math.Max(Off(track, i - 1), Off(track, i + 1)) || !IsSmoothWithout(track, i, most))
             {
                 kept.Add(track[i]);
@@ -118,16 +182,38 @@ internal sealed class TrackRuns
     }
 
     /// <summary>How far a point is off the cubic through its four neighbours.</summary>
-    private static double Off(TrackPoint[] track, int i) =>
-        i < 2 || i + 2 >= track.Length ? 0
-        : (track[i].Position - ((4.0 / 6.0) * (track[i - 1].Position + track[i + 1].Position)) + ((1.0 / 6.0) * (track[i - 2].Position + track[i + 2].Position))).Length;
+    private static double Off(TrackPoint[] track, int i)
+    {
+        if (i < 2 || i + 2 >= track.Length)
+        {
+            return 0;
+        }
+
+        Vector3d off = track[i].Position;
+        for (int j = i - 2; j <= i + 2; j++)
+        {
+            double weight = 1;
+            for (int k = i - 2; k <= i + 2; k++)
+            {
+                weight *= k == i || k == j ? 1 : (track[i].Time - track[k].Time) / (track[j].Time - track[k].Time);
+            }
+
+            off -= j == i ? Vector3d.Zero : weight * track[j].Position;
+        }
+
+        return off.Length;
+    }
 
     /// <summary>True when the neighbours lie on a line nearly: then the one between them is what jumped.</summary>
     private static bool IsSmoothWithout(TrackPoint[] track, int i, double most)
     {
-        Vector3d before = track[i - 1].Position - track[i - 2].Position;
-        Vector3d after = track[i + 2].Position - track[i + 1].Position;
-        Vector3d across = 0.5 * (track[i + 1].Position - track[i - 1].Position);
+        double wait = 0.25 * (track[i + 2].Time - track[i - 2].Time);
+        Vector3d before = Step(track, i - 2, i - 1, wait);
+        Vector3d after = Step(track, i + 1, i + 2, wait);
+        Vector3d across = Step(track, i - 1, i + 1, wait);
         return (across - before).Length < most && (across - after).Length < most;
     }
+
+    /// <summary>The way of a wait at the speed between two points.</summary>
+    private static Vector3d Step(TrackPoint[] track, int from, int to, double wait) => wait / (track[to].Time - track[from].Time) * (track[to].Position - track[from].Position);
 }
