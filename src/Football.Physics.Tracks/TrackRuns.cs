@@ -7,6 +7,10 @@ internal sealed class TrackRuns
     private const double GapShare = 3.5;
     private const double LeastGap = 0.1;
 
+    /// <summary>If the mean wait is so many usual ones, points are missing here and there, and longer waits are no gaps.</summary>
+    private const double Scattered = 1.3;
+    private const double ScatteredGap = 6;
+
     /// <summary>A point that is so far off the cubic through its four neighbours, m or deviations, has jumped out and back: no impact bends a path so much.</summary>
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
@@ -14,16 +18,16 @@ internal sealed class TrackRuns
     /// <summary>The median of |x| by the deviation.</summary>
     private const double Median = 0.6745;
 
-    /// <summary>If points are missing, more differences span an impact: then a lower quantile of |x| is taken, and its value by the deviation.</summary>
-    private const double LowerShare = 0.35;
-    private const double Lower = 0.4538;
-    private const double UnequalSpans = 1.5;
+    /// <summary>If points are missing, more differences span an impact: then those of so many deviations are left out, again and again.</summary>
+    private const double MostDeviations = 2.5;
+    private const int Rounds = 4;
+    private const double UnequalSpans = 1.2;
 
     /// <summary>Longer waits, in usual ones, do not count for the mean wait.</summary>
     private const double LongWait = 10;
 
     /// <summary>The share of third differences that the noise is estimated from: those over the shortest times, in which a path bends least.</summary>
-    private const double ShortestShare = 0.3;
+    private const double ShortestShare = 0.5;
 
     private readonly double _mean;
 
@@ -59,7 +63,7 @@ internal sealed class TrackRuns
     public double Noise { get; }
 
     /// <summary>True when a track has a gap between two times.</summary>
-    public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * _mean, LeastGap);
+    public bool IsGap(double from, double to) => to - from > Math.Max((_mean > Scattered * Wait ? ScatteredGap : GapShare) * _mean, LeastGap);
 
     /// <summary>One point a time: a wait of zero is none.</summary>
     private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
@@ -134,8 +138,14 @@ internal sealed class TrackRuns
 
             differences.Sort();
             double deviation = differences.Count == 0 ? 0
-                : isUnequal ? differences[(int)(LowerShare * differences.Count)] / Lower
                 : differences[differences.Count / 2] / Median;
+            for (int i = 0; isUnequal && i < Rounds && differences.Count > 0; i++)
+            {
+                double most = MostDeviations * deviation;
+                int kept = differences.FindLastIndex(difference => difference <= most) + 1;
+                deviation = differences[kept / 2] / Median;
+            }
+
             squares += deviation * deviation;
         }
 
