@@ -1,26 +1,41 @@
 namespace FootballPhysics.Tracks;
 
-/// <summary>A prepared track: without spikes, split at gaps, and with an estimate of its noise.</summary>
+/// <summary>A track made ready: without points that jump out and back, divided where it has gaps, and with its noise.</summary>
 internal sealed class TrackRuns
 {
-    /// <summary>The wait that counts as a gap, as a multiple of the usual one and in s.</summary>
+    /// <summary>A wait of so many usual ones, and of so many seconds, is a gap.</summary>
     private const double GapShare = 3.5;
     private const double LeastGap = 0.1;
+
+    /// <summary>If the mean wait exceeds this multiple of the median wait, single points are missing, and longer waits are not gaps.</summary>
+    private const double Scattered = 1.3;
+    private const double ScatteredGap = 6;
 
     /// <summary>The distance of a spike from the cubic through its four neighbours, in m and in standard deviations.</summary>
     /// <remarks>No impact bends a path that far.</remarks>
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
 
-    /// <summary>√20, the standard deviation of a third difference relative to a point; and the median of |x| relative to the standard
-    /// deviation.</summary>
-    private const double ThirdDifference = 4.47213595499958;
+    /// <summary>The median of |x| relative to the standard deviation.</summary>
     private const double Median = 0.6745;
+
+    /// <summary>If points are missing, more differences span an impact. Differences above this many standard deviations are then left out, in several rounds.</summary>
+    private const double MostDeviations = 3;
+    private const int Rounds = 4;
+    private const double UnequalSpans = 1.2;
+
+    /// <summary>Waits above this multiple of the median wait do not count for the mean wait.</summary>
+    private const double LongWait = 10;
+
+    /// <summary>The share of third differences used to estimate the noise: those over the shortest times, in which a path bends least.</summary>
+    private const double ShortestShare = 0.5;
+
+    private readonly double _mean;
 
     public TrackRuns(TrackPoint[] seen)
     {
-        TrackPoint[] track = WithoutRepeats(seen);
-        Wait = UsualWait(track);
+        TrackPoint[] track = TrackTiming.Unrounded(WithoutRepeats(seen));
+        Wait = UsualWait(track, out _mean);
         Noise = NoiseOf(track);
         Points = WithoutSpikes(track);
         List<int> ends = [];
@@ -42,14 +57,14 @@ internal sealed class TrackRuns
     /// <summary>The exclusive end of each run without gaps.</summary>
     public IReadOnlyList<int> Ends { get; }
 
-    /// <summary>The usual wait between two points, in s.</summary>
+    /// <summary>The median wait between two points, in s.</summary>
     public double Wait { get; }
 
     /// <summary>The standard deviation of a coordinate from one point to the next, in m.</summary>
     public double Noise { get; }
 
     /// <summary>True if there is a gap between two times.</summary>
-    public bool IsGap(double from, double to) => to - from > Math.Max(GapShare * Wait, LeastGap);
+    public bool IsGap(double from, double to) => to - from > Math.Max((_mean > Scattered * Wait ? ScatteredGap : GapShare) * _mean, LeastGap);
 
     /// <summary>Removes points with the same time as the one before.</summary>
     private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
@@ -66,7 +81,8 @@ internal sealed class TrackRuns
         return [.. kept];
     }
 
-    private static double UsualWait(TrackPoint[] track)
+    /// <summary>The median of the waits, and their mean without long ones: larger where points are missing.</summary>
+    private static double UsualWait(TrackPoint[] track, out double mean)
     {
         double[] waits = new double[track.Length - 1];
         for (int i = 1; i < track.Length; i++)
@@ -75,32 +91,89 @@ internal sealed class TrackRuns
         }
 
         Array.Sort(waits);
-        return waits[waits.Length / 2];
+        double median = waits[waits.Length / 2];
+        double sum = 0;
+        int count = 0;
+        foreach (double wait in waits)
+        {
+            if (wait <= LongWait * median)
+            {
+                sum += wait;
+                count++;
+            }
+        }
+
+        mean = Math.Max(median, sum / count);
+        return median;
     }
 
-    /// <summary>Estimates the noise from third differences, which are small for a smooth path.</summary>
+    /// <summary>Estimates the noise from third divided differences, which are small for a smooth path at any spacing.</summary>
     private double NoiseOf(TrackPoint[] track)
     {
+        List<(double Span, int Last)> windows = [];
+        for (int i = 3; i < track.Length; i++)
+        {
+            double span = track[i].Time - track[i - 3].Time;
+            if (!IsGap(0, span - (2 * _mean)))
+            {
+                windows.Add((span, i));
+            }
+        }
+
+        windows.Sort();
+        double longest = windows.Count > 0 ? windows[(int)(ShortestShare * (windows.Count - 1))].Span * (1 + 1e-6) : 0;
+        bool isUnequal = windows.Count > 0 && windows[windows.Count / 2].Span > UnequalSpans * windows[0].Span;
         double squares = 0;
         List<double> differences = [];
         for (int axis = 0; axis < 3; axis++)
         {
             differences.Clear();
-            for (int i = 3; i < track.Length; i++)
+            foreach ((double span, int last) in windows)
             {
-                if (!IsGap(track[i - 3].Time, track[i].Time - (2 * Wait)))
+                if (span <= longest)
                 {
-                    Vector3d third = track[i].Position - track[i - 3].Position - (3 * (track[i - 1].Position - track[i - 2].Position));
+                    Vector3d third = ThirdDifference(track, last);
                     differences.Add(Math.Abs(axis == 0 ? third.X : axis == 1 ? third.Y : third.Z));
                 }
             }
 
             differences.Sort();
-            double deviation = differences.Count > 0 ? differences[differences.Count / 2] / (Median * ThirdDifference) : 0;
+            double deviation = differences.Count == 0 ? 0
+                : differences[differences.Count / 2] / Median;
+            for (int i = 0; isUnequal && i < Rounds && differences.Count > 0; i++)
+            {
+                double most = MostDeviations * deviation;
+                int kept = differences.FindLastIndex(difference => difference <= most) + 1;
+                deviation = differences[kept / 2] / Median;
+            }
+
             squares += deviation * deviation;
         }
 
         return Math.Sqrt(squares / 3);
+    }
+
+    /// <summary>The third divided difference of four points up to one, in deviations of a point: Σ cᵢ pᵢ / √Σ cᵢ², cᵢ = 1/Π (tᵢ − tⱼ).</summary>
+    private static Vector3d ThirdDifference(TrackPoint[] track, int last)
+    {
+        // In units of the four points' time, so that no power of it is lost.
+        int first = last - 3;
+        double unit = track[last].Time - track[first].Time;
+        Vector3d sum = Vector3d.Zero;
+        double squares = 0;
+        for (int i = first; i <= last; i++)
+        {
+            double product = 1;
+            for (int j = first; j <= last; j++)
+            {
+                product *= j == i ? 1 : (track[i].Time - track[j].Time) / unit;
+            }
+
+            sum += (1 / product) * (track[i].Position - track[first].Position);
+            squares += 1 / (product * product);
+        }
+
+        return double.IsFinite(squares) ? (1 / Math.Sqrt(squares)) * sum : Vector3d.Zero;
     }
 
     private TrackPoint[] WithoutSpikes(TrackPoint[] track)
@@ -109,7 +182,7 @@ internal sealed class TrackRuns
         List<TrackPoint> kept = [];
         for (int i = 0; i < track.Length; i++)
         {
-            bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * Wait;
+            bool isInside = i >= 2 && i + 2 < track.Length && track[i + 2].Time - track[i - 2].Time < 5 * _mean;
             if (!isInside || Off(track, i) <= most || Off(track, i) < Math.Max(Off(track, i - 1), Off(track, i + 1)) || !IsSmoothWithout(track, i, most))
             {
                 kept.Add(track[i]);
@@ -120,16 +193,38 @@ internal sealed class TrackRuns
     }
 
     /// <summary>Returns the distance of a point from the cubic through its four neighbours.</summary>
-    private static double Off(TrackPoint[] track, int i) =>
-        i < 2 || i + 2 >= track.Length ? 0
-        : (track[i].Position - ((4.0 / 6.0) * (track[i - 1].Position + track[i + 1].Position)) + ((1.0 / 6.0) * (track[i - 2].Position + track[i + 2].Position))).Length;
+    private static double Off(TrackPoint[] track, int i)
+    {
+        if (i < 2 || i + 2 >= track.Length)
+        {
+            return 0;
+        }
+
+        Vector3d off = track[i].Position;
+        for (int j = i - 2; j <= i + 2; j++)
+        {
+            double weight = 1;
+            for (int k = i - 2; k <= i + 2; k++)
+            {
+                weight *= k == i || k == j ? 1 : (track[i].Time - track[k].Time) / (track[j].Time - track[k].Time);
+            }
+
+            off -= j == i ? Vector3d.Zero : weight * track[j].Position;
+        }
+
+        return off.Length;
+    }
 
     /// <summary>True if the neighbours are nearly on a line, so that the point between them is a spike.</summary>
     private static bool IsSmoothWithout(TrackPoint[] track, int i, double most)
     {
-        Vector3d before = track[i - 1].Position - track[i - 2].Position;
-        Vector3d after = track[i + 2].Position - track[i + 1].Position;
-        Vector3d across = 0.5 * (track[i + 1].Position - track[i - 1].Position);
+        double wait = 0.25 * (track[i + 2].Time - track[i - 2].Time);
+        Vector3d before = Step(track, i - 2, i - 1, wait);
+        Vector3d after = Step(track, i + 1, i + 2, wait);
+        Vector3d across = Step(track, i - 1, i + 1, wait);
         return (across - before).Length < most && (across - after).Length < most;
     }
+
+    /// <summary>Returns the displacement in a wait at the mean velocity between two points.</summary>
+    private static Vector3d Step(TrackPoint[] track, int from, int to, double wait) => wait / (track[to].Time - track[from].Time) * (track[to].Position - track[from].Position);
 }

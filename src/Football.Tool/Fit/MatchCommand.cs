@@ -3,6 +3,7 @@ using FootballPhysics.Drawing;
 using FootballPhysics.Scenarios;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Tool.Fit.Reading;
 
 namespace FootballPhysics.Tool.Fit;
 
@@ -15,7 +16,7 @@ internal sealed class MatchCommand
     private readonly Option<string?> _match = new("--match")
     {
         HelpName = "TRACK.csv",
-        Description = "Fit the track of a whole match instead of FILE: a header, then lines of t, x, y, z (s, m, z up); - is standard input.",
+        Description = "Fit the track of a whole match instead of FILE: CSV of t, x, y, z in most notations, or a layout of TRACAB, SkillCorner or Sportec; - is standard input.",
     };
 
     private readonly Option<string?> _ball = new("--ball") { HelpName = "TYPE", Description = "With --match: the ball, short for --set ball.type=TYPE, e.g. modern." };
@@ -30,19 +31,30 @@ internal sealed class MatchCommand
 
     private readonly Option<string?> _plot = new("--plot") { HelpName = "FILE.svg", Description = "With --match: draw the track, the fit and their distances." };
 
+    private readonly Option<string?> _unit = new("--unit") { HelpName = "UNIT", Description = "With --match: unit of the positions: m, cm, mm, km, ft, yd, in, pitch (0 to 1) or percent (0 to 100); default: found." };
+    private readonly Option<string?> _timeUnit = new("--time-unit") { HelpName = "UNIT", Description = "With --match: unit of the times: s, ms, us, ns or min; default: found." };
+    private readonly Option<string?> _rate = new("--rate") { HelpName = "HZ", Description = "With --match: frames a second, if the file has frame numbers; also a ratio, such as 30000/1001." };
+    private readonly Option<string?> _pitch = new("--pitch") { HelpName = "LxW", Description = "With --match: metres of the pitch for --unit pitch and percent; default 105x68." };
+    private readonly Option<string?> _y = new("--y") { HelpName = "SIDE", Description = "With --match: left or right, the side of x to which y points, seen from above; default left. The wrong side mirrors sidespins." };
+    private readonly Option<string?> _up = new("--up") { HelpName = "AXIS", Description = "With --match: z or y, the axis that points up; default: found." };
+    private readonly Option<string?> _decimal = new("--decimal") { HelpName = "MARK", Description = "With --match: point or comma, the decimal mark; default: found." };
+    private readonly Option<string?> _columns = new("--columns") { HelpName = "T,X,Y,Z", Description = "With --match: names, or numbers from 1, of the columns; default: found." };
+
+    private Option[] Own => [_ball, _altitude, _temperature, _free, _plot, _unit, _timeUnit, _rate, _pitch, _y, _up, _decimal, _columns];
+
     /// <summary>Adds its options to a command.</summary>
     public void AddTo(Command command)
     {
         command.Add(_match);
-        command.Add(_ball);
-        command.Add(_altitude);
-        command.Add(_temperature);
-        command.Add(_free);
-        command.Add(_plot);
+        foreach (Option option in Own)
+        {
+            command.Add(option);
+        }
+
         command.Validators.Add(result =>
         {
             bool match = result.GetResult(_match) is not null;
-            foreach (Option option in (Option[])[_ball, _altitude, _temperature, _free, _plot])
+            foreach (Option option in Own)
             {
                 if (!match && result.GetResult(option) is not null)
                 {
@@ -70,6 +82,9 @@ internal sealed class MatchCommand
         string file = parsed.GetValue(_match)!;
         OutputFile.RefuseSame([file], ("--plot", parsed.GetValue(_plot)));
         MatchFitRequest request = Request(parsed.GetValue(_free));
+        TrackFormat format = TrackFormat.Of(
+            parsed.GetValue(_unit), parsed.GetValue(_timeUnit), parsed.GetValue(_rate), parsed.GetValue(_pitch),
+            parsed.GetValue(_y), parsed.GetValue(_up), parsed.GetValue(_decimal), parsed.GetValue(_columns));
         List<FieldOverride> overrides = [];
         void Set(string path, object? value)
         {
@@ -96,18 +111,23 @@ internal sealed class MatchCommand
             throw refusal;
         }
 
+        // A rejected track is one line; the guesses are written only if it is read.
+        List<string> guesses = [];
         using Stream stream = Arguments.OpenInput(file, terminal);
-        TrackPoint[] track = TrackReader.Read(stream, terminal.Person.WriteLine);
+        TrackReading reading = TrackReader.Reading(stream, guesses.Add, format, scene.Gravity);
+        TrackPoint[] track = reading.Points;
         MatchFitResult fit;
         try
         {
             fit = Progress.Show(terminal, "fit", progress => new MatchFit(scene).Find(track, request, new Told(progress)));
+            UnitRivals.Check(scene, request, reading, fit, guesses.Add);
         }
         catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, fields) is { } said)
         {
             throw said;
         }
 
+        guesses.ForEach(terminal.Person.WriteLine);
         if (json)
         {
             foreach (MatchPiece piece in fit.Pieces)

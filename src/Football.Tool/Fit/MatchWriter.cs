@@ -144,12 +144,17 @@ internal static class MatchWriter
         }
     }
 
+    /// <summary>The maximum residual and noise of a track in metres and seconds, m.</summary>
+    private const double MostRms = 0.5;
+    private const double MostNoise = 0.35;
+
     /// <summary>The quality of a track, in words.</summary>
     public static string GoodFor(MatchFitResult fit)
     {
         // A launch wants a few flights that fit about as well as their points are seen; what all share wants several of them, of centimetres.
         double seen = Math.Max(0.02, 3 * fit.Noise);
-        return fit.Flights == 0 ? "nothing that flies long enough: only when the ball was touched, and where it was on the ground"
+        return fit.Rms > MostRms || fit.Noise > MostNoise ? FormattableString.Invariant($"nothing: the fit is {fit.Rms:0.00} m off, and its points are {fit.Noise:0.00} m; check units, times and columns")
+            : fit.Flights == 0 ? "nothing that flies long enough: only when the ball was touched, and where it was on the ground"
             : fit.Rms > seen + 0.05 ? "where the ball flew and about how fast; its track is not that of a free ball to within its noise, so no spin, wind or drag"
             : fit.Flights < 4 || fit.Noise > 0.06 ? "launches of its flights; too few, or too coarse, for wind, drag and surface: those stay about what was known before"
             : fit.Impacts < 4 ? "launches and spins, wind and drag; too few impacts for the surface"

@@ -1,151 +1,150 @@
-using System.Globalization;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Fit.Reading;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>Reads the track of a ball from CSV as trackers write it: a header, then a line a moment; positions in the frame of a pitch, z up, become those of the library, y up.</summary>
+/// <summary>Reads the track of a ball as people have it; positions become those of the library, metres with y up.</summary>
 /// <remarks>
-/// Columns by name, in any order, others ignored: time t, time or timestamp (seconds, [days ]hh:mm:ss, or a date and time of ISO 8601), place x, y, z or ball_x, ball_y, ball_z
-/// as kloppy writes them, each also with _m, _cm or _mm behind it. A line without a place (empty, nan, null, none) is a gap.
+/// CSV with any separator and decimal mark, with or without a header, and the layouts of <see cref="TrackLayouts"/>. Each guess is one line to the caller; the reader throws if it
+/// cannot tell how a number is meant. A line without a position is a gap.
 /// </remarks>
 internal static class TrackReader
 {
-    private const long LongestFile = 1L << 30;
-
-    /// <summary>The maximum absolute coordinate, m.</summary>
-    private const double Farthest = 1e5;
-
-    /// <summary>The least noise that a point is taken for, m: what is written has a last digit.</summary>
+    /// <summary>The least noise that a point is taken for, m: numbers as written have a last digit.</summary>
     private const double LeastNoise = 1e-4;
 
-    /// <summary>A clock that goes back by more than this has restarted, s.</summary>
-    private const double Restart = 1;
+    /// <summary>A ball is this far from the origin at most, m.</summary>
+    private const double Farthest = 1e5;
 
-    /// <summary>Between parts whose times are shifted, s.</summary>
-    private const double BetweenParts = 60;
-
-    private static readonly string[] Times = ["t", "time", "timestamp", "time_s", "seconds"];
-
-    private static readonly (string Suffix, double Metres)[] Units = [("", 1), ("_m", 1), ("_cm", 0.01), ("_mm", 0.001)];
+    private const double Gravity = 9.81;
 
     /// <summary>Reads it.</summary>
     /// <param name="stream">The file.</param>
-    /// <param name="said">Told what a person should know.</param>
-    /// <exception cref="RefusedException">The file is not a track; the message names the line, the value and the allowed values.</exception>
-    public static TrackPoint[] Read(Stream stream, Action<string> said)
+    /// <param name="said">Receives guesses and remarks.</param>
+    /// <param name="format">How the file is written, as far as that is given.</param>
+    /// <param name="gravity">g, m/s², by which a unit is checked.</param>
+    /// <exception cref="RefusedException">The file is not a track; the message names line and value, or an option to give.</exception>
+    public static TrackPoint[] Read(Stream stream, Action<string> said, TrackFormat? format = null, double gravity = Gravity) => Reading(stream, said, format, gravity).Points;
+
+    /// <summary>Reads it, and reports how sure the unit is.</summary>
+    /// <inheritdoc cref="Read"/>
+    public static TrackReading Reading(Stream stream, Action<string> said, TrackFormat? format = null, double gravity = Gravity)
     {
-        if (stream.CanSeek && stream.Length > LongestFile)
+        // 1. Text, and cells. 2. Columns. 3. Numbers. 4. Times, in seconds and in order. 5. Metres.
+        format ??= new TrackFormat();
+        string text = TrackText.Read(stream);
+        TrackTable table = TrackLayouts.Find(text, said) ?? CsvTable.Read(text, format, said);
+        TrackColumns columns = Columns(table, format, said);
+        KeepBall(table, columns, said);
+        double[][] places = Places(table, columns, format, said);
+        double[] clock = new TrackClock(table, columns, format, said).Seconds(places);
+
+        List<(double Time, Vector3d Place)> moments = [];
+        List<int> rows = [];
+        for (int i = 0; i < clock.Length; i++)
         {
-            throw new RefusedException("TRACK", FormattableString.Invariant($"{stream.Length} bytes"), FormattableString.Invariant($"at most {LongestFile} bytes"));
+            if (!double.IsNaN(clock[i]))
+            {
+                moments.Add((clock[i], new Vector3d(places[0][i], places[1][i], places[2][i])));
+                rows.Add(i);
+            }
         }
 
-        using var reader = new StreamReader(stream, leaveOpen: true);
-        string[] header = Split(reader.ReadLine() ?? throw new RefusedException("TRACK", "empty", "a header and lines of t, x, y, z"));
-        int time = Column(header, Times, [("", 1)], "t | time | timestamp", out _);
-        int x = Column(header, ["x", "ball_x"], Units, "x | ball_x", out double perX);
-        int y = Column(header, ["y", "ball_y"], Units, "y | ball_y", out double perY);
-        int z = Column(header, ["z", "ball_z"], Units, "z | ball_z", out double perZ);
-        var points = new List<TrackPoint>();
-        DateTimeOffset? first = null;
-        double shift = 0;
-        double last = double.NegativeInfinity;
-        for (long line = 2; reader.ReadLine() is { } text; line++)
+        List<long> numbers = [.. rows.Select(row => table.Lines[row].Number)];
+        string Half(int at) => table.Lines[rows[at]][columns.Period];
+        TrackOrder.Sort(moments, numbers, at => columns.Period >= 0 && Half(at) != Half(at - 1), said);
+        moments.RemoveAll(moment => double.IsNaN(moment.Place.X + moment.Place.Y + moment.Place.Z));
+        if (moments.Count < 8)
         {
-            if (string.IsNullOrWhiteSpace(text))
-            {
-                continue;
-            }
-
-            string[] cells = Split(text);
-            string Cell(int at) => at < cells.Length ? cells[at] : "";
-            if (IsMissing(Cell(time)))
-            {
-                continue;
-            }
-
-            double t = Time(Cell(time), line, ref first) + shift;
-            if (t < last - Restart)
-            {
-                // The clock restarts with each half or match: the following points are placed a minute later.
-                shift += last + BetweenParts - t;
-                t = last + BetweenParts;
-                said(FormattableString.Invariant($"line {line}: the clock begins anew; from here on times are {shift:0.###} s later than written."));
-            }
-            else if (t < last)
-            {
-                throw Refused(line, header[time], Cell(time), "a time that is not before the one above; a clock that begins anew goes back by more than a second");
-            }
-
-            last = t;
-            if (IsMissing(Cell(x)) || IsMissing(Cell(y)) || IsMissing(Cell(z)))
-            {
-                continue;
-            }
-
-            double px = perX * Place(Cell(x), line, header[x]);
-            double py = perY * Place(Cell(y), line, header[y]);
-            double pz = perZ * Place(Cell(z), line, header[z]);
-            points.Add(new TrackPoint(t, new Vector3d(px, pz, -py), LeastNoise));
+            throw new RefusedException("TRACK", FormattableString.Invariant($"{moments.Count} points"), "at least 8 lines with a time and a place");
         }
 
-        return points.Count >= 8
-            ? [.. points]
-            : throw new RefusedException("TRACK", FormattableString.Invariant($"{points.Count} points"), "at least 8 lines with a time and a position");
+        double[] times = [.. moments.Select(moment => moment.Time)];
+        double[][] seen = [[.. moments.Select(moment => moment.Place.X)], [.. moments.Select(moment => moment.Place.Y)], [.. moments.Select(moment => moment.Place.Z)]];
+        string?[] stated = table.Unit is { } unit ? [unit, unit, unit] : columns.Units;
+        TrackReading reading = TrackUnits.Convert(format, stated, times, seen, gravity, said);
+        int far = Array.FindIndex(reading.Places, place => !(Math.Max(Math.Abs(place.X), Math.Max(Math.Abs(place.Y), Math.Abs(place.Z))) <= Farthest));
+        return far < 0
+            ? reading with { Points = [.. reading.Places.Select((place, i) => new TrackPoint(times[i], place, LeastNoise))] }
+            : throw new RefusedException(FormattableString.Invariant($"The position at {times[far]} s in TRACK is more than 100 km off. Leave cells empty if the ball was not seen, or give --unit."));
     }
 
-    private static string[] Split(string line) => [.. line.Split(line.Contains(';', StringComparison.Ordinal) && !line.Contains(',', StringComparison.Ordinal) ? ';' : ',').Select(cell => cell.Trim().Trim('"', '\uFEFF').Trim())];
-
-    private static int Column(string[] header, string[] names, (string Suffix, double Metres)[] units, string wanted, out double metres)
+    private static TrackColumns Columns(TrackTable table, TrackFormat format, Action<string> said)
     {
-        foreach (string name in names)
+        if (table.Header is { } header)
         {
-            foreach ((string suffix, double unit) in units)
+            TrackColumns? named = TrackColumns.Find(header, format) ?? (format.Columns is null ? null : TrackColumns.ByNumber(format, header.Length));
+            named?.RefuseTwins(header);
+            return named ?? throw Unknown(header, format);
+        }
+
+        int count = table.Lines.Count > 0 ? table.Lines[0].Cells.Length : 0;
+        TrackColumns columns = TrackColumns.ByNumber(format, count)
+            ?? throw new RefusedException(FormattableString.Invariant($"TRACK has no header, and {count} columns. Write a header t,x,y,z, or give the columns of t, x, y and z by number, such as --columns 1,3,4,5."));
+        TrackLine? other = table.Lines.Where(line => line.Cells.Length > count && line.Cells.Skip(count).Any(cell => cell.Length > 0)).Select(line => (TrackLine?)line).FirstOrDefault();
+        if (other is { } longer)
+        {
+            throw new RefusedException(FormattableString.Invariant($"line {longer.Number} has {longer.Cells.Length} cells, the first line has {count}. Put cells that contain a comma in quotes, or separate cells by semicolons."));
+        }
+
+        if (format.Columns is null)
+        {
+            said("guessed: there is no header; the columns are t, x, y, z.");
+        }
+
+        return columns;
+    }
+
+    private static RefusedException Unknown(string[] header, TrackFormat format)
+    {
+        string names = Quote.Short(string.Join(',', header));
+        if (format.Columns is { } wanted)
+        {
+            return new RefusedException("--columns", Quote.Short(string.Join(',', wanted)), $"four names of TRACK's header, which is {names}, or four numbers from 1");
+        }
+
+        bool hasHeight = header.Any(name => name.Contains('z', StringComparison.OrdinalIgnoreCase) || name.Contains("height", StringComparison.OrdinalIgnoreCase));
+        return new RefusedException(
+            "TRACK's header", names,
+            "a column t | time | timestamp | frame, and x, y, z or ball_x, ball_y, ball_z" + (hasHeight ? "; --columns T,X,Y,Z names others" : "; without heights there are no flights to fit, and --columns T,X,Y,Z names a column of them"));
+    }
+
+    /// <summary>Leaves the lines of the ball, if others are there.</summary>
+    private static void KeepBall(TrackTable table, TrackColumns columns, Action<string> said)
+    {
+        foreach (int column in columns.Objects)
+        {
+            int balls = table.Lines.Count(line => IsBall(line[column]));
+            if (balls > 0 && balls < table.Lines.Count)
             {
-                int at = Array.FindIndex(header, column => column.Equals(name + suffix, StringComparison.OrdinalIgnoreCase));
-                if (at >= 0)
-                {
-                    metres = unit;
-                    return at;
-                }
+                said(FormattableString.Invariant($"guessed: the ball's lines are the {balls} whose {Quote.Short(table.Header![column])} is ball."));
+                table.Lines.RemoveAll(line => !IsBall(line[column]));
+                return;
+            }
+        }
+    }
+
+    private static bool IsBall(string cell) => cell.Equals("ball", StringComparison.OrdinalIgnoreCase) || cell.StartsWith("DFL-OBJ", StringComparison.Ordinal);
+
+    private static double[][] Places(TrackTable table, TrackColumns columns, TrackFormat format, Action<string> said)
+    {
+        char? mark = format.Decimal ?? (table.Separator == 0 ? '.' : null);
+        TrackNumbers[] numbers = TrackNumbers.Of(table, columns.Places, mark, said);
+        double[][] places = [new double[table.Lines.Count], new double[table.Lines.Count], new double[table.Lines.Count]];
+        for (int i = 0; i < table.Lines.Count; i++)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                string cell = table.Lines[i][columns.Places[axis]];
+                places[axis][i] = TrackMissing.IsMissing(cell) ? double.NaN
+                    : numbers[axis].Read(cell) is { } number && double.IsFinite(number) ? number
+                    : throw new RefusedException(
+                        FormattableString.Invariant($"line {table.Lines[i].Number}, {Quote.Short(table.Header?[columns.Places[axis]] ?? "xyz"[axis].ToString())}"), Quote.Short(cell),
+                        "a number, without thousands separators or units; empty where the ball was not seen");
             }
         }
 
-        throw new RefusedException("TRACK's header", Quote.Short(string.Join(',', header)), $"a column {wanted}");
+        TrackMissing.Remove(places, said);
+        return places;
     }
-
-    private static bool IsMissing(string cell) =>
-        cell.Length == 0 || cell.Equals("nan", StringComparison.OrdinalIgnoreCase) || cell.Equals("null", StringComparison.OrdinalIgnoreCase)
-        || cell.Equals("none", StringComparison.OrdinalIgnoreCase) || cell.Equals("na", StringComparison.OrdinalIgnoreCase);
-
-    /// <summary>Seconds; of a date and time those since the first.</summary>
-    private static double Time(string cell, long line, ref DateTimeOffset? first)
-    {
-        if (double.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds))
-        {
-            return Math.Abs(seconds) <= 1e10 ? seconds : throw Refused(line, "time", cell, "seconds up to 1e10");
-        }
-
-        // "0 days 00:00:00.040000", as pandas writes a time
-        string clock = cell.Replace(" days ", ".", StringComparison.Ordinal);
-        if (TimeSpan.TryParse(clock, CultureInfo.InvariantCulture, out TimeSpan span))
-        {
-            return span.TotalSeconds;
-        }
-
-        if (DateTimeOffset.TryParse(cell, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out DateTimeOffset date))
-        {
-            first ??= date;
-            return (date - first.Value).TotalSeconds;
-        }
-
-        throw Refused(line, "time", cell, "seconds, hh:mm:ss, or a date and time of ISO 8601");
-    }
-
-    private static double Place(string cell, long line, string column) =>
-        double.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out double place) && Math.Abs(place) <= Farthest
-            ? place
-            : throw Refused(line, column, cell, "a number of metres, within ±100 km; empty where the ball was not seen");
-
-    private static RefusedException Refused(long line, string column, string value, string allowed) =>
-        new(FormattableString.Invariant($"line {line}, {Quote.Short(column)}"), Quote.Short(value), allowed);
 }

@@ -1,0 +1,66 @@
+using System.Text;
+using FootballPhysics.Scenarios.Input;
+
+namespace FootballPhysics.Tool.Fit.Reading;
+
+/// <summary>The text of a track's file; refuses files that are not text.</summary>
+internal static class TrackText
+{
+    private const long LongestFile = 1L << 30;
+
+    /// <summary>First bytes of files that people take for tables, and how to make one of them.</summary>
+    private static readonly (byte[] First, string Kind, string Advice)[] s_others =
+    [
+        ([0x50, 0x4B, 3, 4], "a ZIP archive or a spreadsheet", "Unpack it, or save it as CSV"),
+        ([0x1F, 0x8B], "compressed with gzip", "Unpack it with gunzip"),
+        ([0x50, 0x41, 0x52, 0x31], "a Parquet file", "Write it as CSV, such as by pandas.read_parquet(…).to_csv(…)"),
+        ([0x89, 0x48, 0x44, 0x46], "an HDF5 file", "Write the track as CSV"),
+    ];
+
+    public static string Read(Stream stream)
+    {
+        if (stream.CanSeek && stream.Length > LongestFile)
+        {
+            throw new RefusedException("TRACK", FormattableString.Invariant($"{stream.Length} bytes"), FormattableString.Invariant($"at most {LongestFile} bytes"));
+        }
+
+        using var bytes = new MemoryStream();
+        stream.CopyTo(bytes);
+        ReadOnlySpan<byte> content = bytes.GetBuffer().AsSpan(0, (int)bytes.Length);
+        foreach ((byte[] first, string kind, string advice) in s_others)
+        {
+            if (content.StartsWith(first))
+            {
+                throw new RefusedException($"TRACK is {kind}. {advice}.");
+            }
+        }
+
+        bytes.Position = 0;
+        using var reader = new StreamReader(bytes, Utf16(content) ?? Encoding.UTF8, detectEncodingFromByteOrderMarks: true);
+        string text = reader.ReadToEnd();
+        return text.Contains('\0', StringComparison.Ordinal) ? throw new RefusedException("TRACK contains zero bytes. Write it as text in UTF-8.") : text.TrimStart('\uFEFF');
+    }
+
+    /// <summary>UTF-16 without a mark: every second of the first bytes is zero.</summary>
+    private static UnicodeEncoding? Utf16(ReadOnlySpan<byte> content)
+    {
+        if (content.Length < 16)
+        {
+            return null;
+        }
+
+        int even = 0;
+        int odd = 0;
+        for (int i = 0; i < 16; i++)
+        {
+            (even, odd) = content[i] != 0 ? (even, odd) : i % 2 == 0 ? (even + 1, odd) : (even, odd + 1);
+        }
+
+        return (even, odd) switch
+        {
+            (8, 0) => new UnicodeEncoding(bigEndian: true, byteOrderMark: false),
+            (0, 8) => new UnicodeEncoding(bigEndian: false, byteOrderMark: false),
+            _ => null,
+        };
+    }
+}
