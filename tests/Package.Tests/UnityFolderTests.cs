@@ -63,10 +63,12 @@ public sealed partial class UnityFolderTests
     [Fact]
     public void The_script_that_packs_says_where_the_assembly_goes()
     {
-        string script = Repository.Text("samples/Unity/build.sh");
+        Assert.Contains("samples/Unity/pack.cs", Repository.Text("samples/Unity/build.sh"));
+        string script = Repository.Text("samples/Unity/pack.cs");
         Assert.Contains("netstandard2.1", script);
-        Assert.Contains("$package/Plugins/", script);
+        Assert.Contains("\"Plugins\"", script);
         Assert.Contains(".tgz", script);
+        Assert.Contains("--branch", script);
     }
 
     [Fact]
