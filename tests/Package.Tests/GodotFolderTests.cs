@@ -40,7 +40,7 @@ public sealed partial class GodotFolderTests
         Assert.DoesNotContain("AddCustomType", Repository.Text(Addon + "/FootballPlugin.cs"));
         Type[] global = [.. typeof(FootballBall).Assembly.GetTypes().Where(type => type.IsDefined(typeof(GlobalClassAttribute)))];
         Assert.Equal(
-            ["FootballBall", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballWall"],
+            ["FootballAir", "FootballBall", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballWall"],
             global.Select(type => type.Name).Order(StringComparer.Ordinal));
         foreach (Type type in global)
         {
@@ -52,7 +52,7 @@ public sealed partial class GodotFolderTests
     [Fact]
     public void GDScript_finds_every_method_by_its_name()
     {
-        foreach (Type type in (Type[])[typeof(FootballBall), typeof(FootballPreset)])
+        foreach (Type type in (Type[])[typeof(FootballBall), typeof(FootballAir), typeof(FootballPreset)])
         {
             string[] names = [.. type.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly).Where(method => !method.IsSpecialName).Select(method => method.Name)];
             Assert.Equal(names.Length, names.Distinct().Count());
