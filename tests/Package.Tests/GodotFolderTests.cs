@@ -61,6 +61,14 @@ public sealed partial class GodotFolderTests
         string readme = Repository.Text(Addon + "/README.md");
         Assert.Contains("$Ball.Kick(27.0, Vector3(-0.1, 0.3, -1.0), -10.0, 55.0)", readme);
         Assert.Contains("4.1 or later", readme);
+
+        // A callable of GDScript must take as many arguments as the signal has.
+        foreach ((Type node, string signal) in ((Type, string)[])[(typeof(FootballBall), "Impact"), (typeof(FootballGoal), "Scored")])
+        {
+            string[] arguments = Regex.Match(readme, @$"\.{signal}\.connect\(func\(([^)]*)\)").Groups[1].Value.Split(", ");
+            Assert.Equal(node.GetNestedType(signal + "EventHandler")!.GetMethod("Invoke")!.GetParameters().Length, arguments.Length);
+        }
+
         Assert.Equal(4, typeof(FootballBall).GetMethod(nameof(FootballBall.Kick))!.GetParameters().Length);
     }
 
@@ -151,6 +159,9 @@ public sealed partial class GodotFolderTests
             Assert.Contains($"id=\"{used}\"", scene);
         }
 
+        // Before the first build Godot cannot load a C# plugin, and says so: the user switches it on.
+        Assert.DoesNotContain("[editor_plugins]", Repository.Text(Folder + "/project.godot"));
+        Assert.Contains("value=\"feed\"", Repository.Text(Folder + "/NuGet.config"));
         Assert.Contains("script=\"FootballPlugin.cs\"", Repository.Text(Addon + "/plugin.cfg"));
         Assert.Equal(Repository.Text("LICENSE"), Repository.Text(Addon + "/LICENSE.md"));
     }
