@@ -138,6 +138,21 @@ for file in Football.Physics{,.Engines}.{dll,xml}; do
 done
 ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work/unity/package" -name '*.meta' | wc -l) fixed ids, its links, and the assemblies of the .nupkg"
 
+# By git URL: a branch with the built package as its only content, cloned as Unity's package manager does.
+unity_branch() {
+  (cd "$work/one" && env -u NUGET_PACKAGES GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.com GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.com \
+    "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh --branch upm)
+}
+quietly "samples/Unity/build.sh --branch" unity_branch
+quietly "git clone of the branch" git clone -q --depth 1 --branch upm "file://$work/one" "$work/upm"
+rm -rf "$work/upm/.git"
+sed -i '/Url": /d' "$work/upm/package.json"
+diff -r "$work/unity/package" "$work/upm" > "$log" || fail "the branch for Unity is not the package"
+before=$(git -C "$work/one" rev-parse upm)
+quietly "samples/Unity/build.sh --branch, again" unity_branch
+[[ $(git -C "$work/one" rev-parse upm) == "$before" ]] || fail "an unchanged package for Unity makes a commit"
+ok "package for Unity by git URL: the branch has the files of the tarball; an unchanged package makes no commit"
+
 build_copy() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
 remotes() { git -C "$work/two/elsewhere" remote; }
 for remote in $(remotes); do git -C "$work/two/elsewhere" remote remove "$remote"; done

@@ -33,6 +33,7 @@ internal static class Laboratories
         AnswersLab.Create(terminal),
         FuzzLab.Create(terminal),
         BallsLab.Create(terminal),
+        BodiesLab.Create(terminal),
         RigsLab.Create(terminal),
         KicksLab.Create(terminal),
         SweepLab.Create(terminal),

@@ -10,10 +10,17 @@ internal sealed class CompiledScene
     private LaunchDerivatives? _derivatives;
 
     /// <summary>Compiles a scene.</summary>
-    public CompiledScene(Scene scene, SolverSettings settings) => Simulator = new Simulator(scene, settings);
+    public CompiledScene(Scene scene, SolverSettings settings)
+    {
+        Simulator = new Simulator(scene, settings);
+        Aerodynamics = new Aerodynamics(scene);
+    }
 
     /// <summary>The scene as C# steps it.</summary>
     public Simulator Simulator { get; }
+
+    /// <summary>The air of the scene, for bodies that C moves.</summary>
+    public Aerodynamics Aerodynamics { get; }
 
     /// <summary>The handle; 0 until there is one.</summary>
     public nuint Handle { get; set; }

@@ -7,6 +7,8 @@ public sealed class LabTests
 {
     [Theory]
     [InlineData("vacuum", 5)]
+    [InlineData("bodies", 5)]
+    [InlineData("bodies", 6)]
     [InlineData("consistency", 5)]
     [InlineData("consistency", 3)] // Shots that enter and leave the law with spin within one step.
     [InlineData("consistency", 24)]

@@ -40,7 +40,7 @@ public sealed partial class GodotFolderTests
         Assert.DoesNotContain("AddCustomType", Repository.Text(Addon + "/FootballPlugin.cs"));
         Type[] global = [.. typeof(FootballBall).Assembly.GetTypes().Where(type => type.IsDefined(typeof(GlobalClassAttribute)))];
         Assert.Equal(
-            ["FootballBall", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballWall"],
+            ["FootballAir", "FootballBall", "FootballGoal", "FootballKeeper", "FootballPath", "FootballPitch", "FootballPreset", "FootballScore", "FootballShooter", "FootballWall"],
             global.Select(type => type.Name).Order(StringComparer.Ordinal));
         foreach (Type type in global)
         {
@@ -52,7 +52,7 @@ public sealed partial class GodotFolderTests
     [Fact]
     public void GDScript_finds_every_method_by_its_name()
     {
-        foreach (Type type in (Type[])[typeof(FootballBall), typeof(FootballPreset)])
+        foreach (Type type in (Type[])[typeof(FootballBall), typeof(FootballAir), typeof(FootballPreset)])
         {
             string[] names = [.. type.GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly).Where(method => !method.IsSpecialName).Select(method => method.Name)];
             Assert.Equal(names.Length, names.Distinct().Count());
@@ -61,6 +61,14 @@ public sealed partial class GodotFolderTests
         string readme = Repository.Text(Addon + "/README.md");
         Assert.Contains("$Ball.Kick(27.0, Vector3(-0.1, 0.3, -1.0), -10.0, 55.0)", readme);
         Assert.Contains("4.1 or later", readme);
+
+        // A callable of GDScript must take as many arguments as the signal has.
+        foreach ((Type node, string signal) in ((Type, string)[])[(typeof(FootballBall), "Impact"), (typeof(FootballGoal), "Scored")])
+        {
+            string[] arguments = Regex.Match(readme, @$"\.{signal}\.connect\(func\(([^)]*)\)").Groups[1].Value.Split(", ");
+            Assert.Equal(node.GetNestedType(signal + "EventHandler")!.GetMethod("Invoke")!.GetParameters().Length, arguments.Length);
+        }
+
         Assert.Equal(4, typeof(FootballBall).GetMethod(nameof(FootballBall.Kick))!.GetParameters().Length);
     }
 
@@ -151,6 +159,9 @@ public sealed partial class GodotFolderTests
             Assert.Contains($"id=\"{used}\"", scene);
         }
 
+        // Before the first build Godot cannot load a C# plugin, and says so: the user switches it on.
+        Assert.DoesNotContain("[editor_plugins]", Repository.Text(Folder + "/project.godot"));
+        Assert.Contains("value=\"feed\"", Repository.Text(Folder + "/NuGet.config"));
         Assert.Contains("script=\"FootballPlugin.cs\"", Repository.Text(Addon + "/plugin.cfg"));
         Assert.Equal(Repository.Text("LICENSE"), Repository.Text(Addon + "/LICENSE.md"));
     }

@@ -15,7 +15,7 @@ namespace FootballPhysics.Package.Tests;
 [Collection(EngineTests.Statics)]
 public sealed class UnityEditorTests : IDisposable
 {
-    private static readonly string[] s_modern = ["UNITY_2021_3_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2023_1_OR_NEWER"];
+    private static readonly string[] s_modern = ["UNITY_2021_3_OR_NEWER", "UNITY_2022_1_OR_NEWER", "UNITY_2023_1_OR_NEWER", "UNITY_6000_0_OR_NEWER", "UNITY_6000_4_OR_NEWER"];
 
     public UnityEditorTests() => Dispose();
 

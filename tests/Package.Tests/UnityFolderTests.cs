@@ -38,7 +38,13 @@ public sealed partial class UnityFolderTests
         Assert.Equal("MIT", manifest.GetProperty("license").GetString());
         Assert.Equal(Repository.Text("LICENSE"), Repository.Text(Folder + "/LICENSE.md"));
         Assert.All(manifest.GetProperty("samples").EnumerateArray(), sample => Assert.True(Directory.Exists(Path.Combine(Full, sample.GetProperty("path").GetString()!))));
+        Assert.Equal(2, manifest.GetProperty("samples").GetArrayLength());
         Assert.True(File.Exists(Path.Combine(Full, "Documentation~", "index.md")));
+
+        // A project may have switched off any built-in module that nothing asks for.
+        Assert.Equal(
+            ["com.unity.modules.imgui", "com.unity.modules.physics"],
+            manifest.GetProperty("dependencies").EnumerateObject().Select(module => module.Name));
     }
 
     [Fact]
@@ -57,10 +63,12 @@ public sealed partial class UnityFolderTests
     [Fact]
     public void The_script_that_packs_says_where_the_assembly_goes()
     {
-        string script = Repository.Text("samples/Unity/build.sh");
+        Assert.Contains("samples/Unity/pack.cs", Repository.Text("samples/Unity/build.sh"));
+        string script = Repository.Text("samples/Unity/pack.cs");
         Assert.Contains("netstandard2.1", script);
-        Assert.Contains("$package/Plugins/", script);
+        Assert.Contains("\"Plugins\"", script);
         Assert.Contains(".tgz", script);
+        Assert.Contains("--branch", script);
     }
 
     [Fact]

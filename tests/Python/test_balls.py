@@ -237,5 +237,34 @@ class Environments(unittest.TestCase):
         self.assertEqual(-1, env.step(low)[1][0])
 
 
+class Air(unittest.TestCase):
+    def test_a_constant_drag_has_its_closed_form_and_rows_are_independent(self):
+        scene = fp.Scene({"air": {"density": 1.2}, "ball": {"radius": 0.11}, "forces": {"drag": "constant", "dragCoefficient": 0.25, "magnus": "none", "spinDecay": "none", "buoyancy": False}})
+        velocity = np.array([[0.0, 0.0, -20.0], [3.0, 4.0, 0.0], [0.0, 0.0, 0.0]])
+        force, torque = scene.air((0.0, 1.0, 0.0), velocity, (0.0, 40.0, 0.0))
+        speed = np.linalg.norm(velocity, axis=1, keepdims=True)
+        np.testing.assert_allclose(force, -0.5 * 1.2 * np.pi * 0.11**2 * 0.25 * speed * velocity, rtol=1e-12)
+        np.testing.assert_array_equal(torque, np.zeros((3, 3)))
+        one, _ = scene.air((0.0, 1.0, 0.0), velocity[1], (0.0, 40.0, 0.0))
+        np.testing.assert_array_equal(one, force[1])
+
+    def test_an_euler_step_is_the_step_of_the_library(self):
+        scene = fp.Scene({"solver": {"integrator": "euler"}, "forces": {"buoyancy": False}})
+        balls = fp.Balls(scene, 20)
+        draws = np.random.default_rng(5)
+        velocity, spin = draws.uniform(-20, 20, (20, 3)), draws.uniform(-50, 50, (20, 3))
+        balls.place(None, (0.0, 30.0, 0.0), velocity, spin)
+        force, torque = scene.air(balls.position, velocity, spin)
+        balls.step(0.001)
+        np.testing.assert_allclose(balls.velocity, velocity + 0.001 * (force / 0.43 + np.array([0.0, -9.81, 0.0])), atol=1e-9)
+        self.assertTrue((np.sum(torque * spin, axis=1) < 0).all())
+
+    def test_wrong_shapes_and_numbers_are_rejected(self):
+        with self.assertRaisesRegex(ValueError, "spin has shape"):
+            fp.Scene().air((0.0, 0.0, 0.0), np.zeros((2, 3)), np.zeros((3, 3)))
+        with self.assertRaisesRegex(ValueError, "velocity is "):
+            fp.Scene().air((0.0, 0.0, 0.0), (2000.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+
 if __name__ == "__main__":
     unittest.main()

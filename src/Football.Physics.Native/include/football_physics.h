@@ -357,6 +357,20 @@ FP_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
 FP_API fp_status fp_derivatives_run(const fp_scene* scene, fp_state* state, double dt, double seconds, int32_t stop_at, fp_derivatives* out, int32_t* ended);
 
+/* Computes the air's force and torque on many bodies that something else moves: drag, Magnus force, spin decay and wind, as in a flight of
+   the library. Gravity and buoyancy are not included. Ground and obstacles are ignored. Allocates nothing.
+   scene: The scene; its ball gives mass, radius and moment of inertia.
+   n: The number of bodies, 0 or more.
+   position: n rows x, y, z, m; components within +-1e6. Only a wind that varies by place depends on it.
+   velocity: n rows x, y, z, m/s; speed at most 1000.
+   spin: n rows x, y, z, rad/s; at most 10 000.
+   time: Time, s; 0 ... 1e12. Only a wind that varies in time depends on it.
+   air_distance: n distances flown through the air since the kick, m, for the knuckle force; null for 0.
+   force: Receives n rows x, y, z, N.
+   torque: Receives n rows x, y, z, N m; null if it is not wanted.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and nothing has been written. */
+FP_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, double* force, double* torque);
+
 #define FP_CHECK_ABI() fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event))
 
 #ifdef __cplusplus

@@ -42,6 +42,7 @@ run_many = _function("fp_run_many", _P, _P, _L, _D, _D, _I, _P)
 look_ahead = _function("fp_look_ahead", _P, _P, _D, _D, _P, _L, _P)
 aim = _function("fp_aim", _P, ctypes.c_char_p, _L, _P, _P, _P, _P)
 derivatives_run = _function("fp_derivatives_run", _P, _P, _D, _D, _I, _P, _P)
+air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P)
 snapshot_write = _function("fp_snapshot_write", _P, _P)
 snapshot_read = _function("fp_snapshot_read", _P, _P)
 

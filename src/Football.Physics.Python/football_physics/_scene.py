@@ -5,9 +5,10 @@ from __future__ import annotations
 import ctypes
 import json as _json
 import weakref
-from typing import Any, Mapping, Union
+from typing import Any, Mapping, Optional, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 
@@ -46,6 +47,29 @@ class Scene:
         for name in room.dtype.names or ():
             room[name] = event[name]
         return float(_native.added_energy(self.handle, room.ctypes.data))
+
+    def air(
+        self, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, time: float = 0.0, air_distance: Optional[ArrayLike] = None
+    ) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Computes the air's force, N, and torque, N m, on bodies that something else moves: two arrays with the shape of ``velocity``, (n, 3) or (3,).
+
+        It includes drag, Magnus force, spin decay, wind and knuckle force, as in a flight of the library. It does not include gravity and buoyancy, and ignores ground and obstacles.
+
+        position, velocity, spin: (n, 3), or (3,) for all bodies; m, m/s, rad/s, world frame.
+        air_distance: the distances flown through the air since the kick, (n,) or one number, m; only a knuckle force needs them.
+        """
+        rows = [np.asarray(values, np.float64) for values in (position, velocity, spin)]
+        shape = np.shape(velocity)
+        for name, values in zip(("position", "velocity", "spin"), rows):
+            if len(shape) not in (1, 2) or shape[-1] != 3 or values.shape not in (shape, (3,)):
+                raise ValueError(f"{name} has shape {values.shape}; allowed: the shape of velocity, which is (n, 3) or (3,); or (3,) for all bodies.")
+        n = 1 if len(shape) == 1 else shape[0]
+        full = [np.ascontiguousarray(np.broadcast_to(values, (n, 3))) for values in rows]
+        flown = None if air_distance is None else np.ascontiguousarray(np.broadcast_to(np.asarray(air_distance, np.float64), (n,)))
+        force, torque = np.empty(shape), np.empty(shape)
+        _native.check(_native.air_many(
+            self.handle, n, *(values.ctypes.data for values in full), time, None if flown is None else flown.ctypes.data, force.ctypes.data, torque.ctypes.data))
+        return force, torque
 
     def __reduce__(self) -> Any:
         return Scene, (self.json,)

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics;
 
 /// <summary>The effect of the air on the ball at one instant: a = Lift (ω × u) − Drag u + Acceleration, ω̇ = −Decay ω + SpinAcceleration.</summary>
@@ -23,4 +25,23 @@ internal struct AirFactors
 
     /// <summary>The angular acceleration by torques that are not along the spin, in rad/s². Zero unless <see cref="SceneAir.Varies"/> is true.</summary>
     public Vector3d SpinAcceleration;
+
+    /// <summary>The rates of velocity and spin under these factors and a constant acceleration.</summary>
+    /// <param name="spin">ω, rad/s.</param>
+    /// <param name="constant">The acceleration that acts in addition to the air, m/s².</param>
+    /// <param name="varies">True to add <see cref="Acceleration"/> and <see cref="SpinAcceleration"/>: <see cref="SceneAir.Varies"/>.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly MotionRates Rates(in Vector3d spin, in Vector3d constant, bool varies)
+    {
+        // a = L (ω × u) − D u + g,  ω̇ = −decay ω
+        Vector3d acceleration = (Lift * Vector3d.Cross(in spin, in AirVelocity)) - (Drag * AirVelocity) + constant;
+        Vector3d spinAcceleration = -Decay * spin;
+        if (varies)
+        {
+            acceleration += Acceleration;
+            spinAcceleration += SpinAcceleration;
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration, AirSpeed);
+    }
 }

@@ -28,6 +28,10 @@ internal static class Buoyancy
     public static double Acceleration(Scene scene) =>
         scene.Forces.Buoyancy ? DisplacedMass(scene.Ball, scene.Air) * scene.Gravity / scene.Ball.Mass : 0;
 
+    /// <summary>Returns the force on the ball, opposite to gravity in any direction, in N.</summary>
+    public static Vector3d Force(Scene scene) =>
+        scene.Forces.Buoyancy ? -DisplacedMass(scene.Ball, scene.Air) * scene.GravityVector : Vector3d.Zero;
+
     /// <summary>Returns the mass of the air that a ball displaces, 4/3 π r³ ρ, in kg.</summary>
     public static double DisplacedMass(BallProperties ball, Air air) => 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius * air.Density;
 }

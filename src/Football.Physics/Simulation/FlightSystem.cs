@@ -49,25 +49,14 @@ internal struct FlightSystem : IMotionSystem
         Vector3d u = at.Velocity - around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, MotionState.Airborne, at.AirDistance);
         around.Air.Evaluate(in ball, branch, out AirFactors air);
-        u = air.AirVelocity;
-
-        // a = L (ω × u) − D u + g, ω̇ = −decay ω.
-        Vector3d acceleration = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u) + around.Weight;
-        Vector3d spinAcceleration = -air.Decay * at.Spin;
-        if (around.Air.Varies)
+        MotionRates rates = air.Rates(in at.Spin, in around.Weight, around.Air.Varies);
+        if (Nets == 0)
         {
-            acceleration += air.Acceleration;
-            spinAcceleration += air.SpinAcceleration;
+            return rates;
         }
 
-        if (Nets != 0)
-        {
-            MotionRates nets = around.World.PushOfNets(Nets, NetSides, in at);
-            acceleration += nets.Acceleration;
-            spinAcceleration += nets.SpinAcceleration;
-        }
-
-        return new MotionRates(in acceleration, in spinAcceleration, air.AirSpeed);
+        MotionRates nets = around.World.PushOfNets(Nets, NetSides, in at);
+        return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }
 
     /// <summary>Returns the share of the spinning branch that keeps the ball on the surface <see cref="Branch"/>.</summary>

@@ -125,6 +125,9 @@ public static class ProjectSettings
     /// <summary>Where res:// is.</summary>
     public static string Root { get; set; } = "";
 
+    /// <summary>In the shim the default of the gravity alone.</summary>
+    public static Variant GetSetting(string name) => name == "physics/3d/default_gravity" ? 9.8 : throw new ArgumentException(name, nameof(name));
+
     public static string GlobalizePath(string path) => path.Replace("res://", Root, StringComparison.Ordinal);
 }
 

@@ -274,6 +274,14 @@ public class Resource : GodotObject
 {
 }
 
+public static class Time
+{
+    /// <summary>What <see cref="GetTicksMsec"/> returns.</summary>
+    public static ulong Ticks { get; set; }
+
+    public static ulong GetTicksMsec() => Ticks;
+}
+
 public static class Engine
 {
     public static int PhysicsTicksPerSecond { get; set; } = 60;

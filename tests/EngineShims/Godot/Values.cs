@@ -164,7 +164,7 @@ public readonly struct Variant
 
     public static implicit operator Variant(Rid value) => new(value);
 
-    public static implicit operator Variant(GodotObject value) => new(value);
+    public static implicit operator Variant(GodotObject? value) => new(value!);
 
     public static implicit operator Variant(Vector3[] value) => new(value);
 
@@ -179,6 +179,8 @@ public readonly struct Variant
     public Vector3 AsVector3() => (Vector3)Value;
 
     public string AsString() => (string)Value;
+
+    public double AsDouble() => (double)Value;
 }
 
 public struct Color

@@ -8,7 +8,12 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class TooltipAttribute : Attribute
+    public abstract class PropertyAttribute : Attribute
+    {
+    }
+
+    [AttributeUsage(AttributeTargets.Field)]
+    public class TooltipAttribute : PropertyAttribute
     {
         public TooltipAttribute(string tooltip) => this.tooltip = tooltip;
 
@@ -16,7 +21,7 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class HeaderAttribute : Attribute
+    public class HeaderAttribute : PropertyAttribute
     {
         public HeaderAttribute(string header) => this.header = header;
 
@@ -24,7 +29,7 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Field)]
-    public sealed class RangeAttribute : Attribute
+    public sealed class RangeAttribute : PropertyAttribute
     {
         public RangeAttribute(float min, float max)
         {

@@ -74,10 +74,10 @@ namespace UnityEngine
 
     public enum ForceMode
     {
-        Force,
-        Impulse,
-        VelocityChange,
-        Acceleration,
+        Force = 0,
+        Impulse = 1,
+        VelocityChange = 2,
+        Acceleration = 5,
     }
 
     public class Rigidbody : Component
@@ -88,9 +88,51 @@ namespace UnityEngine
 
         public float mass { get; set; } = 1f;
 
+        private Vector3 _push;
+        private Vector3 _turn;
+
         public Vector3 velocity { get; set; }
 
+        /// <summary>The name of the velocity from Unity 6 on.</summary>
+        public Vector3 linearVelocity { get => velocity; set => velocity = value; }
+
         public Vector3 angularVelocity { get; set; }
+
+        public float drag { get; set; }
+
+        public float angularDrag { get; set; } = 0.05f;
+
+        public float linearDamping { get => drag; set => drag = value; }
+
+        public float angularDamping { get => angularDrag; set => angularDrag = value; }
+
+        public float maxAngularVelocity { get; set; } = 7f;
+
+        /// <summary>What <see cref="IsSleeping"/> returns.</summary>
+        public bool Sleeps { get; set; }
+
+        public bool IsSleeping() => Sleeps;
+
+        /// <summary>In the shim accelerations alone.</summary>
+        public void AddForce(Vector3 force, ForceMode mode) => _push += Accelerating(force, mode);
+
+        /// <summary>In the shim accelerations alone.</summary>
+        public void AddTorque(Vector3 torque, ForceMode mode) => _turn += Accelerating(torque, mode);
+
+        /// <summary>A step of the engine without contacts: semi-implicit Euler, as PhysX does it.</summary>
+        public void Simulate(float step)
+        {
+            velocity = (velocity + ((_push + (useGravity ? Physics.gravity : Vector3.zero)) * step)) * Math.Max(0f, 1f - (step * drag));
+            angularVelocity = (angularVelocity + (_turn * step)) * Math.Max(0f, 1f - (step * angularDrag));
+            float rate = angularVelocity.magnitude;
+            angularVelocity *= rate > maxAngularVelocity ? maxAngularVelocity / rate : 1f;
+            transform.position += velocity * step;
+            _push = Vector3.zero;
+            _turn = Vector3.zero;
+        }
+
+        private static Vector3 Accelerating(Vector3 value, ForceMode mode) =>
+            mode == ForceMode.Acceleration ? value : throw new NotSupportedException("The shim adds accelerations alone.");
 
         public RigidbodyInterpolation interpolation { get; set; }
 

@@ -59,10 +59,15 @@ namespace UnityEngine
         public static T[] FindObjectsOfType<T>()
             where T : Component => GameObject.All.Where(item => item.activeInHierarchy).SelectMany(item => item.GetComponents<T>()).ToArray();
 
-        public static T? FindFirstObjectByType<T>()
+        public static T? FindAnyObjectByType<T>()
             where T : Component => FindObjectOfType<T>();
 
+        /// <summary>Obsolete from Unity 6000.4 on, as is the sort mode.</summary>
         public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode)
+            where T : Component => FindObjectsOfType<T>();
+
+        /// <summary>From Unity 6000.4 on.</summary>
+        public static T[] FindObjectsByType<T>()
             where T : Component => FindObjectsOfType<T>();
     }
 
@@ -286,8 +291,8 @@ namespace UnityEngine
         public T GetComponent<T>()
             where T : Component => TryGetComponent(out T? found) ? found : throw new InvalidOperationException("There is no " + typeof(T).Name + ".");
 
-        public IEnumerable<T> GetComponents<T>()
-            where T : Component => _components.OfType<T>();
+        public T[] GetComponents<T>()
+            where T : Component => _components.OfType<T>().ToArray();
 
         public T? GetComponentInChildren<T>()
             where T : Component

@@ -15,6 +15,8 @@ namespace UnityEngine
         private const int MostSteps = 200;
         private const float Touching = 1e-5f;
 
+        public static Vector3 gravity { get; set; } = new Vector3(0f, -9.81f, 0f);
+
         public static List<Collider> All { get; } = new List<Collider>();
 
         public static int SphereCastNonAlloc(

@@ -14,7 +14,7 @@ namespace UnityEngine
         public static double fixedTimeAsDouble { get; set; }
     }
 
-    public static class Mathf
+    public struct Mathf
     {
         public const float PI = (float)Math.PI;
         public const float Deg2Rad = (float)(Math.PI / 180.0);

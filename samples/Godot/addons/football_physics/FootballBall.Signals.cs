@@ -5,9 +5,9 @@ namespace FootballPhysics.GodotAddon;
 
 public partial class FootballBall
 {
-    /// <summary>The ball hit something: the ground, a post, a wall.</summary>
+    /// <summary>The ball hit something. The surface is its name: "ground", "left post", the name of a body; the node is the body or the goal, and null for anything else.</summary>
     [Signal]
-    public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time);
+    public delegate void ImpactEventHandler(Vector3 position, Vector3 velocityBefore, Vector3 velocity, Vector3 spin, double time, string surface, Node3D? node);
 
     /// <summary>The ball began to slide on a surface.</summary>
     [Signal]
@@ -52,7 +52,15 @@ public partial class FootballBall
         switch (happened.Kind)
         {
             case BallEventKind.Impact:
-                EmitSignal(SignalName.Impact, position, GodotFrame.ToGodot(happened.VelocityBefore), velocity, GodotFrame.SpinToGodot(happened.Spin), happened.Time);
+                EmitSignal(
+                    SignalName.Impact,
+                    position,
+                    GodotFrame.ToGodot(happened.VelocityBefore),
+                    velocity,
+                    GodotFrame.SpinToGodot(happened.Spin),
+                    happened.Time,
+                    _scene!.NameOf(in happened),
+                    _scene.NodeOf(in happened)!);
                 break;
             case BallEventKind.Slide:
                 EmitSignal(SignalName.Slide, position, velocity, happened.Time);

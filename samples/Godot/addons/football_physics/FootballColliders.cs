@@ -19,13 +19,21 @@ public sealed class FootballColliders : IEngineColliders
     /// <summary>The distance beyond the unsafe fraction of a cast at which contacts are queried, m.</summary>
     private const float Beyond = 1e-3f;
 
+    /// <summary>Up to this part of its radius from a surface the ball touches it.</summary>
+    private const float Skin = 1.01f;
+
+    /// <summary>Casts after the first one. Godot's cast is a bisection of 8 steps, up to 1/256 of its motion late; each cast between safe and unsafe divides that by 256.</summary>
+    private const int Refinements = 1;
+
     private readonly Dictionary<(ulong Body, int Owner), EngineCollider> _known = new();
     private readonly Dictionary<EngineCollider, CollisionObject3D> _bodies = new();
     private readonly PhysicsDirectSpaceState3D _space;
     private readonly bool _pushes;
+    private bool _warned;
     private readonly SphereShape3D _sphere = new();
     private readonly PhysicsShapeQueryParameters3D _query = new();
     private readonly Godot.Collections.Array<Rid> _excluded = new();
+    private readonly Godot.Collections.Array<Rid> _others = new();
 
     /// <summary>For a ball in a space.</summary>
     /// <param name="space">The space: GetWorld3D().DirectSpaceState, in _PhysicsProcess.</param>
@@ -63,44 +71,127 @@ public sealed class FootballColliders : IEngineColliders
         {
         }
 
-        while (_excluded.Count < MostBodies && cast.Distance > 0)
+        while (_excluded.Count < MostBodies && cast.Distance > 0 && TryCast(from, motion, _excluded, out Vector3 place))
         {
-            _query.Transform = new Transform3D(Basis.Identity, from);
-            _query.Motion = motion;
-            _query.Exclude = _excluded;
-            float fraction = _space.CastMotion(_query)[1];
-            if (fraction >= 1 || !TryRest(from + (motion * (fraction + (Beyond / (float)cast.Distance))), in cast, hits))
+            // A ball that only grazes a body may have left it so far beyond the cast's end.
+            if (!TryRest(place + (motion * (Beyond / (float)cast.Distance)), in cast, hits) && !TryRest(place, in cast, hits))
             {
                 break;
             }
         }
     }
 
-    private bool TryRest(Vector3 place, in SphereCast cast, EngineHits hits)
+    /// <summary>Finds the place at which the sphere first touches a body on its way; false if it touches none.</summary>
+    private bool TryCast(Vector3 from, Vector3 motion, Godot.Collections.Array<Rid> excluded, out Vector3 place)
+    {
+        place = from + motion;
+        for (int i = 0; i <= Refinements; i++)
+        {
+            _query.Transform = new Transform3D(Basis.Identity, from);
+            _query.Motion = motion;
+            _query.Exclude = excluded;
+            float[] fractions = _space.CastMotion(_query);
+            if (fractions.Length < 2)
+            {
+                // The space rejects queries, for instance while it is locked: nothing is found now, and the next step tries again.
+                if (!_warned)
+                {
+                    _warned = true;
+                    GD.PushWarning("Godot's space rejected a query of the football: it hits no bodies in this step. Step the ball in _PhysicsProcess.");
+                }
+
+                return false;
+            }
+
+            if (fractions[1] >= 1)
+            {
+                // In a refinement rounding alone may find nothing: then the end of its motion is the place.
+                return i > 0;
+            }
+
+            place = from + (motion * fractions[1]);
+            from += motion * fractions[0];
+            motion *= fractions[1] - fractions[0];
+        }
+
+        return true;
+    }
+
+    /// <summary>What the sphere touches where it is; empty for nothing.</summary>
+    private Godot.Collections.Dictionary RestAt(Vector3 place, Godot.Collections.Array<Rid> excluded)
     {
         _query.Transform = new Transform3D(Basis.Identity, place);
         _query.Motion = Vector3.Zero;
-        _query.Exclude = _excluded;
-        Godot.Collections.Dictionary rest = _space.GetRestInfo(_query);
+        _query.Exclude = excluded;
+        return _space.GetRestInfo(_query);
+    }
+
+    private bool TryRest(Vector3 place, in SphereCast cast, EngineHits hits)
+    {
+        Godot.Collections.Dictionary rest = RestAt(place, _excluded);
         if (rest.Count == 0)
         {
             return false;
         }
 
-        _excluded.Add(rest["rid"].AsRid());
+        Rid rid = rest["rid"].AsRid();
+        _excluded.Add(rid);
         ulong id = rest["collider_id"].AsUInt64();
-        Vector3 point = rest["point"].AsVector3();
 
-        // That of the body's surface there: v + ω × r.
-        Vector3 velocity = rest["linear_velocity"].AsVector3();
-        if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, point, velocity, hits))
+        // The velocity is that of the body's surface there: v + ω × r.
+        if (GodotObject.InstanceFromId(id) is not CollisionObject3D body || !AddShapes(id, body, rest["point"].AsVector3(), rest["linear_velocity"].AsVector3(), hits))
         {
+            rest = Exact(rid, rest, in cast);
             EngineCollider plane = Known(id, -1, (GodotObject.InstanceFromId(id) as Node)?.Name.ToString() ?? "body", null);
-            plane.TouchAt(GodotFrame.FromGodot(point), GodotFrame.FromGodot(rest["normal"].AsVector3()), GodotFrame.FromGodot(velocity));
+            plane.TouchAt(
+                GodotFrame.FromGodot(rest["point"].AsVector3()), GodotFrame.FromGodot(rest["normal"].AsVector3()), GodotFrame.FromGodot(rest["linear_velocity"].AsVector3()));
             hits.Add(plane);
         }
 
         return true;
+    }
+
+    /// <summary>Returns the contact of the ball itself with a body of another shape. The sphere of the cast is larger; if the ball does not reach the body, the contact of the sphere is returned.</summary>
+    /// <param name="rid">The body.</param>
+    /// <param name="rest">The contact of the sphere.</param>
+    /// <param name="cast">The cast.</param>
+    private Godot.Collections.Dictionary Exact(Rid rid, Godot.Collections.Dictionary rest, in SphereCast cast)
+    {
+        Vector3 from = GodotFrame.ToGodot(cast.From);
+        float radius = (float)cast.BallRadius;
+        if (!(cast.Distance > 0) || (from - rest["point"].AsVector3()).Dot(rest["normal"].AsVector3()) <= Skin * radius)
+        {
+            return rest;
+        }
+
+        Vector3 motion = GodotFrame.ToGodot((cast.Distance + cast.Radius) * cast.Direction);
+        Vector3 beyond = GodotFrame.ToGodot(Beyond * cast.Direction);
+        _others.Clear();
+        foreach (Rid other in _excluded)
+        {
+            if (other != rid)
+            {
+                _others.Add(other);
+            }
+        }
+
+        // Godot can leave bodies out, but not look for a single one: the others are left out one by one.
+        _sphere.Radius = radius;
+        while (_others.Count < MostBodies && TryCast(from, motion, _others, out Vector3 place))
+        {
+            Godot.Collections.Dictionary touched = RestAt(place + beyond, _others);
+            touched = touched.Count > 0 ? touched : RestAt(place, _others);
+            if (touched.Count == 0 || touched["rid"].AsRid() == rid)
+            {
+                rest = touched.Count > 0 ? touched : rest;
+                break;
+            }
+
+            _others.Add(touched["rid"].AsRid());
+        }
+
+        _sphere.Radius = (float)cast.Radius;
+        return rest;
     }
 
     /// <summary>Adds all enabled shapes of a body, if the library has all of them.</summary>

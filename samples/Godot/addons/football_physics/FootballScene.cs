@@ -76,6 +76,12 @@ internal sealed class FootballScene
         return goal >= 0 ? _goals[goal] : null;
     }
 
+    /// <summary>The name of the surface that an event reports: "ground", "left post", the name of a body.</summary>
+    public string NameOf(in BallEvent happened) => Stage.Game.NameOf(happened.ColliderIndex) ?? "";
+
+    /// <summary>The body or the goal that an event reports; null for anything else.</summary>
+    public Node3D? NodeOf(in BallEvent happened) => _colliders?.Of(Stage.ColliderOf(in happened)) is { } body ? body : GoalOf(in happened);
+
     /// <summary>Applies the impulse to the body that was hit, if it is a dynamic body.</summary>
     public void Push(in BallEvent happened)
     {

@@ -9,7 +9,7 @@ namespace FootballPhysics.Unity
         public static FootballBall Ball()
         {
 #if UNITY_2023_1_OR_NEWER
-            return Object.FindFirstObjectByType<FootballBall>();
+            return Object.FindAnyObjectByType<FootballBall>();
 #else
             return Object.FindObjectOfType<FootballBall>();
 #endif
@@ -18,7 +18,9 @@ namespace FootballPhysics.Unity
         /// <summary>All goals of the scene.</summary>
         public static FootballGoal[] Goals()
         {
-#if UNITY_2023_1_OR_NEWER
+#if UNITY_6000_4_OR_NEWER
+            return Object.FindObjectsByType<FootballGoal>();
+#elif UNITY_2023_1_OR_NEWER
             return Object.FindObjectsByType<FootballGoal>(FindObjectsSortMode.None);
 #else
             return Object.FindObjectsOfType<FootballGoal>();

@@ -15,12 +15,12 @@ namespace FootballPhysics.Unity.Tests
         [TearDown]
         public void CleanUp()
         {
-            foreach (FootballThing thing in Object.FindObjectsOfType<FootballThing>())
+            foreach (FootballThing thing in All<FootballThing>())
             {
                 Object.DestroyImmediate(thing.gameObject);
             }
 
-            foreach (FootballBall ball in Object.FindObjectsOfType<FootballBall>())
+            foreach (FootballBall ball in All<FootballBall>())
             {
                 Object.DestroyImmediate(ball.gameObject);
             }
@@ -96,6 +96,18 @@ namespace FootballPhysics.Unity.Tests
             var holder = new GameObject("Goal");
             holder.transform.position = new Vector3(0f, 0f, 20f);
             return holder.AddComponent<FootballGoal>();
+        }
+
+        private static T[] All<T>()
+            where T : Component
+        {
+#if UNITY_6000_4_OR_NEWER
+            return Object.FindObjectsByType<T>();
+#elif UNITY_2023_1_OR_NEWER
+            return Object.FindObjectsByType<T>(FindObjectsSortMode.None);
+#else
+            return Object.FindObjectsOfType<T>();
+#endif
         }
     }
 }

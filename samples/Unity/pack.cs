@@ -1,0 +1,139 @@
+#:property PublishAot=false
+#:property RestorePackagesWithLockFile=false
+#:property NoWarn=$(NoWarn);CS1591;CA1852
+
+// Builds the library and its part for engines for Unity, puts them into the package's Plugins and packs the package for the package manager. It needs the .NET SDK alone.
+//   dotnet run samples/Unity/pack.cs [DIR]                  the .tgz in DIR (default out)
+//   dotnet run samples/Unity/pack.cs --branch NAME          the built package as the only content of a git branch, for Unity's "Install package from git URL"
+// FOOTBALL_ADDRESS=https://… is the address of the repository's pages, for the links of the package manager; default the address of "origin".
+using System.Diagnostics;
+using System.Formats.Tar;
+using System.IO.Compression;
+using System.Text;
+using System.Text.RegularExpressions;
+
+string root = AppContext.GetData("EntryPointFileDirectoryPath") is string folder ? Path.GetFullPath(Path.Combine(folder, "../..")) : Environment.CurrentDirectory;
+string package = Path.Combine(root, "samples/Unity/com.football.physics");
+if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0] != "--branch") || (args.Length == 1 && args[0].StartsWith('-')))
+{
+    Console.Error.WriteLine("Usage: dotnet run samples/Unity/pack.cs [DIR | --branch NAME]");
+    return 2;
+}
+
+foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines"])
+{
+    Run("dotnet", ["build", "-c", "Release", "-f", "netstandard2.1", Path.Combine(root, "src", part), "-v", "q"]);
+    foreach (string kind in (string[])["dll", "xml"])
+    {
+        File.Copy(Path.Combine(root, "src", part, "bin/Release/netstandard2.1", $"{part}.{kind}"), Path.Combine(package, "Plugins", $"{part}.{kind}"), true);
+    }
+}
+
+string manifest = WithLinks(File.ReadAllText(Path.Combine(package, "package.json")));
+string version = Regex.Match(manifest, "\"version\": \"(.*)\"").Groups[1].Value;
+string[] files = [.. Directory.EnumerateFiles(package, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(package, file).Replace('\\', '/')).Order(StringComparer.Ordinal)];
+if (args is ["--branch", string branch])
+{
+    WriteBranch(branch);
+}
+else
+{
+    WriteTarball(Path.GetFullPath(args is [string directory] ? directory : Path.Combine(root, "out")));
+}
+
+return 0;
+
+// A tarball of the package manager has everything below "package/"; the same bytes for the same files.
+void WriteTarball(string directory)
+{
+    Directory.CreateDirectory(directory);
+    string path = Path.Combine(directory, $"com.football.physics-{version}.tgz");
+    using (var zipped = new GZipStream(File.Create(path), CompressionLevel.SmallestSize))
+    using (var tar = new TarWriter(zipped, TarEntryFormat.Pax))
+    {
+        foreach (string file in files)
+        {
+            using var content = new MemoryStream(Content(file));
+            tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, "package/" + file)
+            {
+                DataStream = content,
+                Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
+                ModificationTime = new DateTimeOffset(2026, 1, 1, 0, 0, 0, TimeSpan.Zero),
+            });
+        }
+    }
+
+    Console.WriteLine(path);
+}
+
+// The commit is made of the package alone, without the work tree or the index of the repository; no commit if the package is that of the branch already.
+void WriteBranch(string name)
+{
+    string reference = "refs/heads/" + name;
+    var tree = new StringBuilder();
+    foreach (string file in files)
+    {
+        tree.Append("100644 blob ").Append(Git(["hash-object", "-w", "--stdin"], Content(file))).Append('\t').Append(file).Append('\n');
+    }
+
+    // An index of its own; mktree takes one level only.
+    string index = Path.GetTempFileName();
+    File.Delete(index);
+    Environment.SetEnvironmentVariable("GIT_INDEX_FILE", index);
+    Git(["update-index", "--add", "--index-info"], Encoding.UTF8.GetBytes(tree.ToString()));
+    string written = Git(["write-tree"]);
+    File.Delete(index);
+    Environment.SetEnvironmentVariable("GIT_INDEX_FILE", null);
+    string before = Git(["for-each-ref", "--format=%(objectname)", reference]);
+    if (before.Length > 0 && Git(["rev-parse", before + "^{tree}"]) == written)
+    {
+        Console.WriteLine($"{name}: {before}, unchanged");
+        return;
+    }
+
+    string message = $"Package for Unity {version}\n\nBuilt from {Git(["rev-parse", "HEAD"])}.";
+    string commit = Git(["commit-tree", written, "-m", message, .. before.Length > 0 ? ["-p", before] : (string[])[]]);
+    Git(["update-ref", reference, commit]);
+    Console.WriteLine($"{name}: {commit}");
+}
+
+byte[] Content(string file) => file == "package.json" ? Encoding.UTF8.GetBytes(manifest) : File.ReadAllBytes(Path.Combine(package, file));
+
+// Links need an address; if the repository has none, the package manager opens the files in the package.
+string WithLinks(string text)
+{
+    string address = Environment.GetEnvironmentVariable("FOOTBALL_ADDRESS") ?? Git(["config", "--default", "", "--get", "remote.origin.url"]);
+    address = Regex.Replace(address, "^(?:ssh://)?git@([^:/]+)[:/](.+)$", "https://$1/$2");
+    Match parts = Regex.Match(address, "^(https?)://(?:[^@/]*@)?(.+?)(?:\\.git)?/?$");
+    if (!parts.Success)
+    {
+        return text;
+    }
+
+    // Without a name and password that a clone may have in its address.
+    string pages = $"{parts.Groups[1].Value}://{parts.Groups[2].Value}/blob/HEAD/samples/Unity/com.football.physics";
+    string links = $"  \"documentationUrl\": \"{pages}/Documentation~/index.md\",\n  \"changelogUrl\": \"{pages}/CHANGELOG.md\",\n  \"licensesUrl\": \"{pages}/LICENSE.md\",\n";
+    return text.Replace("  \"license\":", links + "  \"license\":");
+}
+
+string Git(string[] arguments, byte[]? input = null) => Run("git", ["-C", root, .. arguments], input);
+
+string Run(string program, string[] arguments, byte[]? input = null)
+{
+    var start = new ProcessStartInfo(program, arguments) { RedirectStandardInput = true, RedirectStandardOutput = true };
+    using Process process = Process.Start(start)!;
+    using (Stream to = process.StandardInput.BaseStream)
+    {
+        to.Write(input ?? []);
+    }
+
+    string output = process.StandardOutput.ReadToEnd().Trim();
+    process.WaitForExit();
+    if (process.ExitCode != 0)
+    {
+        Console.Error.WriteLine($"{program} {arguments[0]} failed.\n{output}");
+        Environment.Exit(1);
+    }
+
+    return output;
+}

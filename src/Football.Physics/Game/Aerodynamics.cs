@@ -1,0 +1,176 @@
+namespace FootballPhysics;
+
+/// <summary>The air's force and torque on a ball that something else moves: the rigid body of an engine, or your own integrator.</summary>
+/// <remarks>
+/// It applies the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces: the laws of a flight in <see cref="Simulator"/>.
+/// Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it.
+/// Ground, obstacles and nets are ignored. It is immutable, allocates nothing and may be used by several threads at once, if the wind and the custom forces of the scene may.
+/// </remarks>
+public sealed class Aerodynamics
+{
+    /// <summary>The greatest distance that a ball can have flown, m.</summary>
+    private const double FarthestFlown = 1e45;
+
+    private readonly double _mass;
+    private readonly double _inertia;
+    private readonly double _radiusSquared;
+    private readonly Vector3d _wind;
+    private readonly bool _jumps;
+    private readonly bool _varies;
+
+    // Not readonly: a call through a readonly field would copy the struct first.
+    private SceneAir _air;
+
+    /// <summary>Compiles the air of a scene.</summary>
+    /// <param name="scene">The scene, of which ball, air, gravity and forces count; default <see cref="FootballPhysics.Scene.Default"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
+    public Aerodynamics(Scene? scene = null)
+    {
+        Scene = scene ?? Scene.Default;
+        Scene.Validate();
+        _air = SceneAir.Of(Scene);
+        _mass = Scene.Ball.Mass;
+        _inertia = Scene.Ball.MomentOfInertia;
+        _radiusSquared = Scene.Ball.Radius * Scene.Ball.Radius;
+        _wind = Scene.Air.Wind;
+        _jumps = _air.Jumps;
+        _varies = _air.Varies;
+        Buoyancy = FootballPhysics.Buoyancy.Force(Scene);
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>The buoyancy of the ball, in N: constant, 0.066 N upwards for a football. Zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
+    public Vector3d Buoyancy { get; }
+
+    /// <summary>Computes the force and the torque on a ball at one instant.</summary>
+    /// <param name="position">Position of the centre, m; components within ±1e6. Only a wind that varies by place, and custom forces, depend on it.</param>
+    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
+    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
+    /// <param name="time">Time, s; 0 … 1e12. Only a wind that varies in time, and custom forces, depend on it.</param>
+    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m; 0 … 1e45. Only the knuckle force depends on it.</param>
+    /// <returns>The force, N, and the torque, N m, for the mass and the moment of inertia of the scene's ball.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
+    public ForceAndTorque Evaluate(Vector3d position, Vector3d velocity, Vector3d spin, double time = 0, double airDistance = 0)
+    {
+        Validate(in position, in velocity, in spin);
+        Check.Within("time", time, 0, Limits.Time);
+        Check.Within("airDistance", airDistance, 0, FarthestFlown);
+        return At(in position, in velocity, in spin, time, airDistance);
+    }
+
+    /// <summary>Computes the force and the torque on many balls at one instant. No ball affects another.</summary>
+    /// <param name="positions">Positions of the centres, m.</param>
+    /// <param name="velocities">As many velocities, m/s.</param>
+    /// <param name="spins">As many spins, rad/s.</param>
+    /// <param name="time">Time, s.</param>
+    /// <param name="loads">Receives as many forces and torques.</param>
+    /// <param name="airDistances">As many distances flown through the air, m; empty means 0 for all balls.</param>
+    /// <exception cref="ArgumentException">The spans do not have the same length.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it. Nothing has been written.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite. The loads of earlier balls have been written.</exception>
+    public void Evaluate(
+        ReadOnlySpan<Vector3d> positions,
+        ReadOnlySpan<Vector3d> velocities,
+        ReadOnlySpan<Vector3d> spins,
+        double time,
+        Span<ForceAndTorque> loads,
+        ReadOnlySpan<double> airDistances = default)
+    {
+        SameLength("velocities", velocities.Length, positions.Length);
+        SameLength("spins", spins.Length, positions.Length);
+        SameLength("loads", loads.Length, positions.Length);
+        if (!airDistances.IsEmpty)
+        {
+            SameLength("airDistances", airDistances.Length, positions.Length);
+        }
+
+        // All of the input is checked before anything is written.
+        Check.Within("time", time, 0, Limits.Time);
+        for (int i = 0; i < positions.Length; i++)
+        {
+            Validate(in positions[i], in velocities[i], in spins[i]);
+        }
+
+        for (int i = 0; i < airDistances.Length; i++)
+        {
+            Check.Within("airDistance", airDistances[i], 0, FarthestFlown);
+        }
+
+        for (int i = 0; i < positions.Length; i++)
+        {
+            loads[i] = At(in positions[i], in velocities[i], in spins[i], time, airDistances.IsEmpty ? 0 : airDistances[i]);
+        }
+    }
+
+    /// <summary>The velocity to give a rigid body at a kick, if its engine steps by the semi-implicit Euler method: the velocity half a step earlier.</summary>
+    /// <remarks>
+    /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without the correction a ball in vacuum lands short by the
+    /// way that it covers in one step. Use it once per kick.
+    /// </remarks>
+    /// <param name="position">Position of the centre, m.</param>
+    /// <param name="velocity">The velocity that the kick gives the ball, m/s.</param>
+    /// <param name="spin">The spin that the kick gives the ball, rad/s.</param>
+    /// <param name="step">Length of the engine's step, s; 0 … 1.</param>
+    /// <param name="gravity">The engine's gravitational acceleration, m/s².</param>
+    /// <param name="time">Time, s.</param>
+    /// <returns>v − ½ Δt (g + F/m), with the force F of the air at the kick.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    public Vector3d KickVelocity(Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0)
+    {
+        Check.Within("step", step, 0, 1);
+        Check.Size("gravity", gravity, Limits.Speed, "m/s²");
+        return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
+    }
+
+    /// <summary>Computes the force and the torque for the next step of an engine that steps by the semi-implicit Euler method, for a ball that was kicked with <see cref="KickVelocity"/>.</summary>
+    /// <remarks>
+    /// The velocity of such a body is half a step behind its position, so this method computes the air half a step ahead of that velocity. Both together make the steps of the
+    /// engine second-order accurate: 240 steps a second then miss the library's flight by millimetres at 30 m. It costs two evaluations.
+    /// </remarks>
+    /// <param name="position">Position of the centre, m.</param>
+    /// <param name="velocity">The velocity that the engine has for the body, m/s.</param>
+    /// <param name="spin">Spin, rad/s.</param>
+    /// <param name="step">Length of the engine's step, s; 0 … 1.</param>
+    /// <param name="gravity">The engine's gravitational acceleration, m/s².</param>
+    /// <param name="time">Time, s.</param>
+    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m.</param>
+    /// <returns>The force, N, and the torque, N m.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
+    /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
+    public ForceAndTorque EvaluateForStep(
+        Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0, double airDistance = 0)
+    {
+        Check.Within("step", step, 0, 1);
+        Check.Size("gravity", gravity, Limits.Speed, "m/s²");
+        Vector3d acceleration = gravity + (Evaluate(position, velocity, spin, time, airDistance).Force / _mass);
+        return At(in position, velocity + (0.5 * step * acceleration), in spin, time, airDistance);
+    }
+
+    private static void Validate(in Vector3d position, in Vector3d velocity, in Vector3d spin)
+    {
+        Check.Place("position", position);
+        Check.Size("velocity", velocity, Limits.Speed, "m/s");
+        Check.Size("spin", spin, Limits.Spin, "rad/s");
+    }
+
+    private static void SameLength(string name, int length, int expected)
+    {
+        if (length != expected)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{name} has {length} items; allowed: {expected}, the number of positions."), name);
+        }
+    }
+
+    private ForceAndTorque At(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, double airDistance)
+    {
+        Vector3d u = velocity - _wind;
+        DragBranch branch = _jumps ? DragJump.At(u.LengthSquared, _radiusSquared * spin.LengthSquared).Branch : DragBranch.Unknown;
+        var ball = new ForceContext(time, in position, in velocity, in u, in spin, MotionState.Airborne, airDistance);
+        _air.Evaluate(in ball, branch, out AirFactors factors);
+        MotionRates rates = factors.Rates(in spin, Vector3d.Zero, _varies);
+        return new ForceAndTorque(_mass * rates.Acceleration, _inertia * rates.SpinAcceleration);
+    }
+}
