@@ -35,7 +35,7 @@ public sealed partial class NameTests
         MarkdownDocument document = Markdown.Parse(Repository.Text(page), s_pipeline);
         HashSet<string> programs = [.. document.Descendants<CodeBlock>().SelectMany(block => Word().Matches(block.Lines.ToString()).Select(word => word.Value))];
         string[] unknown = [.. document.Descendants<CodeInline>().Select(code => code.Content).Where(code => !programs.Contains(code) && !Exists(code)).Distinct()];
-        Assert.True(unknown.Length == 0 || ProseTests.NotYetRewritten.Contains(page), $"{page} names members that do not exist: {string.Join(", ", unknown)}");
+        Assert.True(unknown.Length == 0, $"{page} names members that do not exist: {string.Join(", ", unknown)}");
     }
 
     [Theory]
