@@ -73,7 +73,7 @@ internal sealed partial class ApiReference
         {
             foreach (FieldInfo member in type.GetFields(BindingFlags.Public | BindingFlags.Static))
             {
-                lines.Add($"- `{member.Name}` = {Convert.ToInt64(member.GetRawConstantValue(), CultureInfo.InvariantCulture)}: {Text(Find($"F:{Key(type)}.{member.Name}")?.Element("summary"))}");
+                lines.Add($"- `{member.Name}` = {Convert.ToInt64(member.GetRawConstantValue(), CultureInfo.InvariantCulture)}: {Text(Find($"F:{Key(type)}.{member.Name}")?.Element("summary"))} {Text(Find($"F:{Key(type)}.{member.Name}")?.Element("remarks"))}".TrimEnd());
             }
         }
         else
@@ -304,7 +304,7 @@ internal sealed partial class ApiReference
                 XElement { Name.LocalName: "paramref" or "typeparamref" } named => $"`{named.Attribute("name")!.Value}`",
                 XElement { Name.LocalName: "c" } code => $"`{code.Value}`",
                 XElement { Name.LocalName: "inheritdoc" } => "",
-                XElement other => Text(other),
+                XElement other => $" {Text(other)} ",
                 _ => "",
             });
         }

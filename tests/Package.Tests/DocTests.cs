@@ -158,12 +158,25 @@ public sealed class DocTests
         if (block.Kind == "csharp unity")
         {
             var owner = new UnityEngine.GameObject();
-            owner.AddComponent<Unity.FootballBall>();
+            bool isRigidbody = block.Code.Contains("FootballAir", StringComparison.Ordinal);
+            if (isRigidbody)
+            {
+                owner.AddComponent<Unity.FootballAir>();
+            }
+            else
+            {
+                owner.AddComponent<Unity.FootballBall>();
+            }
+
             typeof(UnityEngine.GameObject).GetMethod(nameof(owner.AddComponent))!.MakeGenericMethod(type).Invoke(owner, null);
             for (int frame = 0; frame < 100; frame++)
             {
                 owner.Send("FixedUpdate");
                 owner.Send("Update");
+                if (isRigidbody)
+                {
+                    owner.GetComponent<UnityEngine.Rigidbody>().Simulate(0.02f);
+                }
             }
 
             Assert.NotEqual(0, owner.transform.position.z);

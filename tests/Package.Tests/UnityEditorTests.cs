@@ -147,7 +147,7 @@ public sealed class UnityEditorTests : IDisposable
         Assert.Equal(UnityFrame.ToUnity(window.Player.Pose.Position), Handles.Discs[0].Center);
         GUILayout.Clicked = "Validate";
         Tell(window, "OnGUI");
-        Assert.Contains("to the last bit", window.Said, StringComparison.Ordinal);
+        Assert.Contains("bit for bit", window.Said, StringComparison.Ordinal);
 
         // Another scene, and another file, are said.
         GUILayout.Clicked = "";

@@ -36,40 +36,37 @@ typedef enum {
     FP_INTERNAL = 6
 } fp_status;
 
-/* The motion of the ball, which decides which forces act. */
+/* The motion of the ball, which selects the forces that act. */
 typedef enum {
-    /* In the air, between bounces included. */
+    /* The ball is in the air, including between bounces. */
     FP_MOTION_AIRBORNE = 0,
-    /* On the ground, its contact point slipping. */
+    /* The ball is on the ground, and its contact point slips. */
     FP_MOTION_SLIDING = 1,
-    /* On the ground without slip. */
+    /* The ball is on the ground and rolls without slip. */
     FP_MOTION_ROLLING = 2,
-    /* At rest until the next kick; costs nothing. */
+    /* The ball is at rest until the next kick. A step then costs almost nothing. */
     FP_MOTION_STOPPED = 3,
-    /* Between things of which some move, and which leave it no room: it is not bounced, and not faster than they are. */
+    /* The ball is caught between moving objects that leave it no room. */
     FP_MOTION_SQUEEZED = 4
 } fp_motion;
 
-/* The kind of an event of the ball. At one instant an impact comes first, then what follows from it. */
+/* The kind of an event. Of several at one instant, an impact comes first, then its consequences. */
 typedef enum {
-    /* The ball hit the ground, or another thing. */
+    /* The ball hit the ground or an object. */
     FP_EVENT_IMPACT = 0,
-    /* After an impact the ball stayed down, slipping. */
+    /* The ball stayed down after an impact, and slips. */
     FP_EVENT_SLIDE = 1,
-    /* The slip ended, or the ball stayed down without any: pure rolling. */
+    /* The ball began to roll without slip. */
     FP_EVENT_ROLL = 2,
     /* The ball came to rest. */
     FP_EVENT_REST = 3,
-    /* The ball met a net. */
+    /* The ball hit a net. */
     FP_EVENT_NET = 4,
-    /* All of the ball is over the line of a goal, which is as wide as its posts: the centre has come through the mouth, the plane of the
-       posts' axes, between the posts and below the bar, has not gone back through it, and is now the radii of post and ball behind the
-       line's middle, wherever on that plane. Once for each goal, until the ball is kicked or placed. */
+    /* A goal: the entire ball passed the goal line. */
     FP_EVENT_GOAL = 5,
-    /* The ball left what carried it without an impact with it: over a crest, or lifted by a hit. */
+    /* The ball left the surface that supported it, without an impact: over a crest, or lifted by a hit. */
     FP_EVENT_LEAVE = 6,
-    /* Things that move leave the ball no room, and the thing is one of them: until the next such event, which has no thing, nothing bounces
-       it, and what it hits is not told one by one. The ball is then Pinned. */
+    /* Moving objects pinned the ball; the event names one of them. An event without an object ends this. */
     FP_EVENT_SQUEEZED = 7,
     /* The ball entered a Zone. */
     FP_EVENT_ENTER_ZONE = 8,
@@ -77,29 +74,29 @@ typedef enum {
     FP_EVENT_EXIT_ZONE = 9
 } fp_event_kind;
 
-/* The event that ends a run before its time is up. */
+/* The event that ends a run early. */
 typedef enum {
-    /* Nothing: the run goes on until its time. */
+    /* None: the run continues to its end time. */
     FP_STOP_TIME = 0,
-    /* The first impact with the ground, just after the impulse. */
+    /* The first impact, just after its impulse. */
     FP_STOP_IMPACT = 1,
-    /* The ball coming to rest. */
+    /* The moment when the ball comes to rest. */
     FP_STOP_REST = 2
 } fp_stop;
 
 /* The outcome of a search for a kick. */
 typedef enum {
-    /* The kick passes the target within the tolerance, and the point on the way, where there is one, within its own. */
+    /* The kick passes within tolerance of the target, and of the waypoint if there is one. */
     FP_AIM_HIT = 0,
-    /* No kick within the bounds does; the one returned comes closest, as far as the method can tell. */
+    /* No kick within the bounds hits; the result is the closest one that the method found. */
     FP_AIM_OUT_OF_REACH = 1,
-    /* The method ended at its bound, MaximumIterations, or a miss is too small for its own steps; the kick returned is the best it found. */
+    /* The search reached MaximumIterations, or a miss is too small for its own steps. */
     FP_AIM_NOT_CONVERGED = 2,
-    /* The request has no direction: the target is where the ball is. */
+    /* The request has no direction: the target is at the ball's position. */
     FP_AIM_DEGENERATE = 3,
-    /* The kick passes the target within the tolerance, but not the point on the way: the spins allowed do not bend it enough. */
+    /* The kick passes within tolerance of the target, but misses the waypoint: the allowed spins do not bend it enough. */
     FP_AIM_TARGET_ONLY = 4,
-    /* The kick returned would hit, but something of the scene is in its way: BlockedBy says what. */
+    /* The kick would hit, but an object blocks it; see BlockedBy. */
     FP_AIM_BLOCKED = 5
 } fp_aim_status;
 

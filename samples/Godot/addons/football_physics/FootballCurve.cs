@@ -9,7 +9,7 @@ using Godot;
 
 namespace FootballPhysics.GodotAddon;
 
-/// <summary>The drag coefficient of a preset from 0 to 40 m/s, up to 0.6: without spin, and grey with 60 rad/s; below it, where its numbers come from.</summary>
+/// <summary>The drag coefficient of a preset from 0 to 40 m/s, up to 0.6: without spin, and grey with 60 rad/s; below it the source of each number.</summary>
 [Tool]
 public partial class FootballCurve : Control
 {
@@ -27,7 +27,7 @@ public partial class FootballCurve : Control
     /// <summary>The preset.</summary>
     public FootballPreset? Preset { get; set; }
 
-    /// <summary>Where its numbers come from.</summary>
+    /// <summary>The source of each number.</summary>
     public string Notes => _notes.Text;
 
     /// <inheritdoc/>
@@ -85,7 +85,7 @@ public partial class FootballCurve : Control
         return points;
     }
 
-    /// <summary>The library's documentation of a preset; empty if it is not available.</summary>
+    /// <summary>The summary and the remarks of a preset; empty if it is not available.</summary>
     private static string Note(string type, string name)
     {
         string file = ProjectSettings.GlobalizePath(Documentation);
@@ -94,8 +94,9 @@ public partial class FootballCurve : Control
             return "";
         }
 
-        XElement? summary = XDocument.Load(file).Descendants("member").FirstOrDefault(member => (string?)member.Attribute("name") == $"P:FootballPhysics.{type}.{name}")?.Element("summary");
-        return summary is null ? "" : $"{name}: {string.Join(' ', summary.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries))}\n";
+        XElement? found = XDocument.Load(file).Descendants("member").FirstOrDefault(member => (string?)member.Attribute("name") == $"P:FootballPhysics.{type}.{name}");
+        string text = $"{found?.Element("summary")?.Value} {found?.Element("remarks")?.Value}";
+        return found is null ? "" : $"{name}: {string.Join(' ', text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries))}\n";
     }
 }
 #endif

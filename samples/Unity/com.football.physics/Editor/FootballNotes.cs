@@ -13,7 +13,7 @@ namespace FootballPhysics.Unity.Editor
 
         private static XDocument s_documentation;
 
-        /// <summary>The summary of a preset; empty if the documentation is not available.</summary>
+        /// <summary>The summary and the remarks of a preset; empty if the documentation is not available.</summary>
         /// <param name="type">The class that has it: "BallProperties", "Ground".</param>
         /// <param name="name">Its name.</param>
         public static string Of(string type, string name)
@@ -30,8 +30,10 @@ namespace FootballPhysics.Unity.Editor
             }
 
             string member = "P:FootballPhysics." + type + "." + name;
-            XElement summary = s_documentation.Descendants("member").FirstOrDefault(item => (string)item.Attribute("name") == member)?.Element("summary");
-            return summary == null ? "" : string.Join(" ", Text(summary).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries));
+            XElement found = s_documentation.Descendants("member").FirstOrDefault(item => (string)item.Attribute("name") == member);
+            return found == null ? "" : string.Join(" ", new[] { found.Element("summary"), found.Element("remarks") }
+                .Where(part => part != null)
+                .SelectMany(part => Text(part).Split(new[] { ' ', '\n', '\r', '\t' }, StringSplitOptions.RemoveEmptyEntries)));
         }
 
         /// <summary>The text, with the last part of each referenced name.</summary>
