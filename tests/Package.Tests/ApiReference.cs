@@ -16,6 +16,9 @@ internal sealed partial class ApiReference
     private readonly Dictionary<string, XElement> _documents;
     private readonly StringBuilder _page = new();
 
+    /// <summary>The anchor of each type, by its key.</summary>
+    private readonly Dictionary<string, string> _anchors = [];
+
     private ApiReference(Dictionary<string, XElement> documents) => _documents = documents;
 
     public static string Make(IReadOnlyList<Assembly> assemblies)
@@ -33,16 +36,20 @@ internal sealed partial class ApiReference
         (string Title, Type[] Types)[] groups = [.. ApiGroups.Titles.Select(title => (title, types.Where(type => ApiGroups.Of(type) == title).ToArray())).Where(group => group.Item2.Length > 0)];
         _page.Append("# API reference\n\nBy what one does with it. Made from the documentation in the code by `tests/regenerate.sh`; a test keeps it current.\n");
         var anchors = new Dictionary<string, int>();
+        foreach (Type type in groups.SelectMany(group => group.Types))
+        {
+            string anchor = Anchor(Name(type));
+            int before = anchors.GetValueOrDefault(anchor);
+            anchors[anchor] = before + 1;
+            _anchors[Key(type)] = anchor + (before > 0 ? $"-{before}" : "");
+        }
+
         foreach ((string title, Type[] members) in groups)
         {
             _page.Append(CultureInfo.InvariantCulture, $"\n**{title}**\n\n");
             foreach (Type type in members)
             {
-                string anchor = Anchor(Name(type));
-                int before = anchors.GetValueOrDefault(anchor);
-                anchors[anchor] = before + 1;
-                anchor += before > 0 ? $"-{before}" : "";
-                _page.Append(CultureInfo.InvariantCulture, $"- [{Name(type)}](#{anchor}): {Text(Document(type)?.Element("summary"))}\n");
+                _page.Append(CultureInfo.InvariantCulture, $"- [{Name(type)}](#{_anchors[Key(type)]}): {Text(Document(type)?.Element("summary"))}\n");
             }
         }
 
@@ -278,6 +285,14 @@ internal sealed partial class ApiReference
             : name;
     }
 
+    /// <summary>The name of a type or member, with a link if its type has a section.</summary>
+    private string Link(string cref)
+    {
+        string name = cref[(cref.IndexOf(':', StringComparison.Ordinal) + 1)..].Split('(')[0];
+        string type = cref[0] == 'T' ? name : name[..Math.Max(0, name.LastIndexOf('.'))];
+        return _anchors.TryGetValue(type, out string? anchor) ? $"[`{Short(cref)}`](#{anchor})" : $"`{Short(cref)}`";
+    }
+
     private static string Short(string cref)
     {
         string name = cref[(cref.IndexOf(':', StringComparison.Ordinal) + 1)..].Split('(')[0];
@@ -287,7 +302,7 @@ internal sealed partial class ApiReference
         return (member && parts[^1] != "#ctor" ? parts[^2] + "." + last : last).Split('`')[0];
     }
 
-    private static string Text(XElement? element)
+    private string Text(XElement? element)
     {
         if (element is null)
         {
@@ -300,7 +315,7 @@ internal sealed partial class ApiReference
             text.Append(node switch
             {
                 XText words => words.Value,
-                XElement { Name.LocalName: "see" or "seealso" } see => $"`{(see.Attribute("cref") is { } cref ? Short(cref.Value) : see.Attribute("langword")?.Value)}`",
+                XElement { Name.LocalName: "see" or "seealso" } see => see.Attribute("cref") is { } cref ? Link(cref.Value) : $"`{see.Attribute("langword")?.Value}`",
                 XElement { Name.LocalName: "paramref" or "typeparamref" } named => $"`{named.Attribute("name")!.Value}`",
                 XElement { Name.LocalName: "c" } code => $"`{code.Value}`",
                 XElement { Name.LocalName: "inheritdoc" } => "",
