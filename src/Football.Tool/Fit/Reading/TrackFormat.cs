@@ -8,7 +8,13 @@ internal sealed record TrackFormat
 {
     private static readonly Dictionary<string, double> s_lengths = new(StringComparer.OrdinalIgnoreCase)
     {
-        ["m"] = 1, ["cm"] = 0.01, ["mm"] = 0.001, ["km"] = 1000, ["ft"] = 0.3048, ["yd"] = 0.9144, ["in"] = 0.0254,
+        ["m"] = 1,
+        ["cm"] = 0.01,
+        ["mm"] = 0.001,
+        ["km"] = 1000,
+        ["ft"] = 0.3048,
+        ["yd"] = 0.9144,
+        ["in"] = 0.0254,
     };
 
     private static readonly Dictionary<string, double> s_times = new(StringComparer.OrdinalIgnoreCase) { ["s"] = 1, ["ms"] = 1e-3, ["us"] = 1e-6, ["ns"] = 1e-9, ["min"] = 60 };
