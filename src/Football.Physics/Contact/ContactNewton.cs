@@ -18,7 +18,7 @@ internal static class ContactNewton
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="resistance">Rolling and drilling resistance at one of them.</param>
+    /// <param name="resistance">Rolling and drilling resistance at one contact.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
@@ -111,7 +111,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Finds the contacts that have impulses or are about to get them. All others have none after the step either.</summary>
+    /// <summary>Finds the contacts that have impulses or are about to get them. All others have no impulse after the step either.</summary>
     /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {
