@@ -17,7 +17,7 @@ internal unsafe struct PushProjection
     /// <summary>The remaining push, m/s².</summary>
     public Vector3d Left;
 
-    /// <summary>True if three or more independent loads take all of it.</summary>
+    /// <summary>True if three or more independent loads take up the entire push.</summary>
     public bool TakesAll;
 
     /// <summary>Projects a push onto the directions that the contacts leave free, m/s².</summary>
@@ -81,7 +81,7 @@ internal unsafe struct PushProjection
     /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
 
-    /// <summary>True if a push leads into none of the contacts.</summary>
+    /// <summary>True if a push does not press the ball against any contact.</summary>
     private static bool IsLeft(Vector3d* normals, int count, in Vector3d push)
     {
         for (int i = 0; i < count; i++)
