@@ -42,7 +42,7 @@ internal readonly struct MovingShape
 
 /// <summary>Finds the first contact with a rotating shape by conservative advancement, as in <see cref="ContactSearch"/>.</summary>
 /// <remarks>
-/// The rate and the bend of the gap are bounded for the path in the rotating frame, where the shape is at rest.
+/// The rate and the second derivative of the gap are bounded for the path in the rotating frame, where the shape is at rest.
 /// </remarks>
 internal static class RotatingSearch
 {
