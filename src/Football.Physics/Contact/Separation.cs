@@ -75,7 +75,7 @@ internal readonly struct Separation
     /// <param name="goal">The goal.</param>
     public static Separation OfGoal(World world, SeparationKind what, int goal) => new(world, what, goal, 0, 0);
 
-    /// <summary>Returns its value, m, and its rate, m/s, at a position, velocity and time.</summary>
+    /// <summary>Returns the value, m, and the rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
     {
         switch (What)
