@@ -288,7 +288,7 @@ internal sealed class World
     public bool SharesAir { get; }
 
     /// <summary>True if the normal part of air and custom forces adds to the load.</summary>
-    /// <remarks>This is so if all air forces count, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
+    /// <remarks>This is so if all air forces act, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
     public bool AirLoads { get; }
 
     /// <summary>True if air forces act on a supported ball.</summary>
@@ -529,7 +529,7 @@ internal sealed class World
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>Returns the longest part of a step in which nets change the motion by a small share only, s.</summary>
+    /// <summary>Returns the longest part of a step in which nets change the motion by only a small share, s.</summary>
     /// <remarks>RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.</remarks>
     public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk)
     {
