@@ -28,7 +28,7 @@ internal abstract class AirLaws
     /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static AirLaws Of(Scene scene) => Of(scene, 1, 1);
 
-    /// <summary>Returns the laws of a scene, with factors on drag and Magnus force.</summary>
+    /// <summary>Returns the laws of a scene, with drag and Magnus force multiplied by factors.</summary>
     public static AirLaws Of(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
