@@ -177,7 +177,7 @@ public sealed class KinematicBody
                 Placement.Turn(in value.Orientation);
             }
 
-            // A motion read from a file lacks the speed of rotation of the shape.
+            // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
 
             _all.Update(this, in before);
