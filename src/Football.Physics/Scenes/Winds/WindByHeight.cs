@@ -44,7 +44,7 @@ public sealed class WindByHeight : IWind
             throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
         }
 
-        // Keep a direction that is a unit vector up to rounding, so that a saved wind loads bit-identical.
+        // Keep a direction that is a unit vector up to rounding, so that a saved wind is bit-identical when loaded.
         size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
 
         // Check the gusts here: a scene sees only an IWind and cannot.
