@@ -46,7 +46,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Hard, dry ground: guess.</summary>
-    /// <remarks>The rebound in the drop test is 1.01 m, the upper end for natural pitches.</remarks>
+    /// <remarks>In the drop test the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
     public static SurfaceMaterial HardGround { get; } = DryTurf with
     {
         NormalRestitution = 0.74,
@@ -57,7 +57,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Long grass: guess.</summary>
-    /// <remarks>The roll in FIFA's test is 3.5 m, near the historical limit of 3 m.</remarks>
+    /// <remarks>In FIFA's test the ball rolls 3.5 m, near the former lower limit of 3 m.</remarks>
     public static SurfaceMaterial LongGrass { get; } = DryTurf with
     {
         NormalRestitution = 0.5,
@@ -105,7 +105,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>The frame of a goal: steel or aluminium. Guess.</summary>
-    /// <remarks>Other authors assume 0.65 … 0.80 for e₆.</remarks>
+    /// <remarks>Other authors assume a restitution of 0.65 … 0.80 at 6 m/s.</remarks>
     public static SurfaceMaterial GoalFrame { get; } = DryTurf with
     {
         NormalRestitution = 0.8,
