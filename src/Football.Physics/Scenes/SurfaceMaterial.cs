@@ -42,7 +42,7 @@ public sealed partial record SurfaceMaterial
     public double RollingResistancePerSpeed { get; init; } = 0.003;
 
     /// <summary>The damping c_ω of the spin about the normal while the surface supports the ball, in N m s.</summary>
-    /// <remarks>0 … 1, and at most 1e5 1/s times the moment of inertia; default 0.</remarks>
+    /// <remarks>0 … 1, and at most the moment of inertia times 1e5/s; default 0.</remarks>
     public double SpinDamping { get; init; }
 
     /// <summary>The lever arm b of the drilling friction about the normal, in m. 0 … 1; default 0.02.</summary>
