@@ -25,7 +25,7 @@ public sealed record ForceSet
     public double MagnusCoefficient { get; init; } = 0.25;
 
     /// <summary>The coefficient k of the constant spin decay, T = −k ω, in N m s. Default 0.</summary>
-    /// <remarks>0 … 1, and at most 1e5 1/s times the moment of inertia.</remarks>
+    /// <remarks>0 … 1, and at most the moment of inertia times 1e5/s.</remarks>
     public double SpinDecayCoefficient { get; init; }
 
     /// <summary>The seed of the knuckle force, which makes a ball with little spin wobble. Default null: no such force.</summary>
