@@ -76,7 +76,7 @@ public sealed record Scene
     public static Scene Default => Measured;
 
     /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis.</summary>
-    /// <remarks>The thesis is the one that the library began with; its numbers are used as published.</remarks>
+    /// <remarks>The library was first built to implement this thesis. Its numbers are used as published.</remarks>
     public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
