@@ -93,7 +93,7 @@ public sealed record Goal
             HalfWidth = 0.5 * DepthAtBar,
         };
 
-        // The side nets are rectangles with the depth on the ground.
+        // The side nets are rectangles as deep as the net is on the ground.
         Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
         yield return Side("left net", middle - (side * Right), in back, top);
         yield return Side("right net", middle + (side * Right), in back, top);
