@@ -92,7 +92,7 @@ public sealed class Simulator
         BallState state = Flying(in position, in velocity, in spin, in orientation, time);
         Passages.PutInNets(_world, ref state);
 
-        // A surface supports the ball if it touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
+        // A surface supports the ball if the ball touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
         _stepper.Settle(ref state);
         state.GoalsEntered = Passages.GoalsEnteredAt(_world, state.Position);
         return state;
