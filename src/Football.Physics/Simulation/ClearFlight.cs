@@ -112,7 +112,7 @@ internal sealed class ClearFlight
             }
         }
 
-        // Use the time stored in the state. Bodies may change their motion, so the tube holds a separate result for them.
+        // Use the clear time stored in the state. Bodies may change their motion, so the tube holds a separate result for them.
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
         {
