@@ -54,7 +54,7 @@ internal sealed class BallTrial : PieceObserver
         simulator.Advance(ref End, duration, Log);
         HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
 
-        // Include a displacement at the end without a piece, such as one out of an overlap.
+        // Include a final displacement that no piece covers, such as a push out of an overlap.
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
@@ -182,7 +182,7 @@ internal sealed class BallTrial : PieceObserver
                     return time;
                 }
 
-                // The relative acceleration M bounds the bend of the gap, so no contact occurs before f + f' s − ½ M s² = 0.
+                // M bounds the relative acceleration and so the gap's second derivative: no contact occurs before f + f' s − ½ M s² = 0.
                 double room = Math.Max(0, gap);
                 double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
                 double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
