@@ -285,7 +285,7 @@ internal sealed class FlightPhase<TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
-        // Divide the fall for integrators that return from a hop faster than they left; otherwise bounces would grow.
+        // With some integrators, a ball would return from a hop faster than it left, and bounces would grow: divide the fall.
         return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 
