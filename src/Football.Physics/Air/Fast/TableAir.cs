@@ -156,7 +156,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In still air there is no force, and the decay is that at the lowest speed.
+        // In still air there is no force, and the spin decays as at the lowest speed.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;
