@@ -104,7 +104,7 @@ internal readonly struct DragJump
             {
                 path.Narrow(ref low, ref high, inside);
 
-                // The crossed surface is the one with the smaller function.
+                // The crossed surface is the one whose function has the smaller value.
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }
