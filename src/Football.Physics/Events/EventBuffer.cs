@@ -135,7 +135,7 @@ public sealed class EventBuffer
             return;
         }
 
-        // Keep the head, and move the tail up by one.
+        // Keep the head, drop the oldest event of the tail, and shift the rest of the tail one position forward.
         Array.Copy(_events, Count - TailCount + 1, _events, Count - TailCount, TailCount - 1);
         Count--;
         Dropped++;
