@@ -131,7 +131,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
     {
-        // Networked positions can be a quarter of a second old. A body that was not moved keeps its motion.
+        // Networked positions can be a quarter of a second old. A body that the game did not move continues as before.
         if (_earliest < time - Foresight || _latest > time + Foresight)
         {
             RefuseTime(time);
