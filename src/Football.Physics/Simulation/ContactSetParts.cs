@@ -91,7 +91,7 @@ internal sealed partial class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // The ball has no room if no impulses satisfy all contacts, or if they exceed its allowed speed. Only moving objects squeeze.
+            // The ball has no room if no impulses satisfy all contacts, or if the result is too fast. Only moving objects squeeze.
             if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
