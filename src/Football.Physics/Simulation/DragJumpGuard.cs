@@ -69,7 +69,7 @@ internal sealed class DragJumpGuard
             return true;
         }
 
-        // From the crossing, the other branch holds, or a sliding mode along the surface.
+        // After the crossing, use the other branch, or a sliding mode along the surface.
         next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
