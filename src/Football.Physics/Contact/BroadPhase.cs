@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>The broad phase: a tree of bounding boxes of stationary objects, built once.</summary>
 /// <remarks>
-/// It tests only boxes; the caller tests the objects inside. Nodes are in depth-first order, each with the index of the node after its
+/// It tests only boxes; the caller tests the objects inside. Nodes are in depth-first order; each stores the index of the node after its
 /// branch,
 /// so a walk needs no stack.
 /// </remarks>
@@ -64,7 +64,7 @@ internal sealed class BoundsTree
         return false;
     }
 
-    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if it reaches none before.</summary>
+    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if there is none before.</summary>
     public double FirstMet(in StraightWay way, double until)
     {
         int node = 0;
