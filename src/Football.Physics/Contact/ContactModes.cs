@@ -66,7 +66,7 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>Opens the contacts that the push does not lead into, if three contacts surround the ball in one plane.</summary>
+    /// <summary>Opens contacts that the push does not press against, if three contacts surround the ball in one plane.</summary>
     /// <remarks>An example is a ball between a player and a board on the ground. With all three active, the loads would not be
     /// determined.</remarks>
     [SkipLocalsInit]
