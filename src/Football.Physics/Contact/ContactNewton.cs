@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>A semi-smooth Newton step on the impulses of a contact set.</summary>
 /// <remarks>
-/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it takes the
+/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it applies the
 /// change with
 /// the least sum of squares. An example is a ball that grips both sides of a gutter.
 /// </remarks>
