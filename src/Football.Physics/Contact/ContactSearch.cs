@@ -295,7 +295,7 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
-        // M bounds the bend: the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
+        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
