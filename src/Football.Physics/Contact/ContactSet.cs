@@ -364,7 +364,7 @@ internal static class ContactSet
     }
 
     /// <summary>Sorts contacts in scene order, and bodies by their normals, because the order in which they were added or found must not
-    /// count.</summary>
+    /// matter.</summary>
     private static void Sort(World world, Span<Contact> set)
     {
         for (int i = 1; i < set.Length; i++)
