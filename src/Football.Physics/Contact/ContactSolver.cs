@@ -12,7 +12,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ContactSolver
 {
-    /// <summary>Maximum number of iterations. After that a set counts as unsolvable, such as two objects that close on the ball.</summary>
+    /// <summary>Maximum number of iterations. After that, the set counts as unsolvable, as with two objects that close on a ball.</summary>
     private const int MostRounds = 48;
 
     /// <summary>Number of iterations for a set that may be unsolvable.</summary>
