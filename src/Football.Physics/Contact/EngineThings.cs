@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Colliders found by an engine's sphere casts, as colliders of the world.</summary>
 /// <remarks>
-/// Each collider keeps a slot for a step; queries use those of the last cast. Slots follow the order of discovery and are meaningless
+/// Each collider keeps its slot for a step; queries use those of the last cast. Slots follow the order of discovery and are meaningless
 /// outside a step,
 /// so states and events identify an engine collider by its number (<see cref="EngineCollider.Number"/>), which does not depend on that
 /// order.
@@ -61,7 +61,7 @@ internal sealed class EngineThings
     /// <summary>The slots, filled as colliders are found. The first slot stays empty, for a collider that no longer exists.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
-    /// <summary>Upper bound of the speed of any part of them, m/s: as given by the engine, and of rotating ones found.</summary>
+    /// <summary>Upper bound of the speed of any part of a collider, m/s: the engine's value, or that of a rotating one found.</summary>
     public double GreatestSpeed
     {
         get
