@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The part of a push that frictionless contacts leave: up to two of them have a load, or three and more take all of it.</summary>
+/// <summary>The part of a push that frictionless contacts do not take up: at most two have a load, or three or more take it all.</summary>
 internal unsafe struct PushProjection
 {
     /// <summary>Two normals are independent if 1 − (n₁·n₂)² exceeds this, and three if |n₁·(n₂ × n₃)| does.</summary>
