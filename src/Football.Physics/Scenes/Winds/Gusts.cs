@@ -4,7 +4,7 @@ namespace FootballPhysics.Laws;
 /// <remarks>A pure function of seed, position and time.</remarks>
 public sealed record Gusts
 {
-    /// <summary>The seed: each value gives other gusts of the same strength. Default 0.</summary>
+    /// <summary>The seed: each value gives different gusts of the same strength. Default 0.</summary>
     public long Seed { get; init; }
 
     /// <summary>The standard deviation of the gusts along the wind, relative to the wind speed. 0 … 1; default 0.18.</summary>
