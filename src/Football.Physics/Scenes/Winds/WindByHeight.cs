@@ -5,7 +5,7 @@ namespace FootballPhysics.Laws;
 /// <summary>A wind that grows with the height above the ground, with or without gusts.</summary>
 /// <remarks>
 /// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀). It is a pure function of position, time and the seed of the gusts. Inside a stadium bowl it is only
-/// a rough default.
+/// a rough approximation.
 /// </remarks>
 public sealed class WindByHeight : IWind
 {
@@ -98,7 +98,7 @@ public sealed class WindByHeight : IWind
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {
-        // Below the ground the wind is that on it, because the logarithm is not defined there.
+        // Below the ground, use the wind at the ground, because the logarithm is not defined there.
         double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);
