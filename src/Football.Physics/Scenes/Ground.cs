@@ -14,7 +14,7 @@ public sealed record Ground
     public double? TangentialRestitutionZ { get; init; }
 
     /// <summary>The minimum upward speed after an impact that counts as a bounce, in m/s. Default 0.2.</summary>
-    /// <remarks>0.001 … 10. A slower ball stays down. 0.2 m/s is a hop of 2 mm (guess).</remarks>
+    /// <remarks>0.001 … 10. A slower ball stays down. A speed of 0.2 m/s gives a hop of 2 mm (guess).</remarks>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
     /// <summary>The kinetic energy below which a rolling ball comes to rest, in J. 1e-12 … 100; default 1e-4.</summary>
@@ -55,7 +55,7 @@ public sealed record Ground
         .Append(new KeyValuePair<string, Ground>("none", None))
         .ToDictionary(preset => preset.Key, preset => preset.Value);
 
-    /// <summary>Creates level ground of a material.</summary>
+    /// <summary>Creates level ground with a material.</summary>
     /// <param name="material">The material.</param>
     /// <exception cref="ArgumentNullException"><paramref name="material"/> is null.</exception>
     public static Ground Of(SurfaceMaterial material)
