@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes are those of Law 1.</summary>
-/// <remarks><see cref="BallEventKind.Goal"/> defines when a goal counts.</remarks>
+/// <remarks><see cref="BallEventKind.Goal"/> defines when a goal is scored.</remarks>
 public sealed record Goal
 {
     /// <summary>The centre of the goal line on the ground, in m; components within ±1e6.</summary>
