@@ -205,7 +205,7 @@ internal static unsafe class ContactModes
         system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
     }
 
-    /// <summary>Returns the direction that the active contacts leave free: across two normals; zero if a third contact blocks it.</summary>
+    /// <summary>Returns the direction that active contacts leave free, normal to both normals; zero if a third contact blocks it.</summary>
     private static Vector3d DirectionLeft(in ContactSystem system, out bool isLine)
     {
         Vector3d first = system.Contacts[system.Bearer].Normal;
