@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot: <see cref="ContactForces"/> in closed
+/// <summary>Loads and friction of a ball on stationary surfaces that confine it to a line a or spot: <see cref="ContactForces"/> in closed
 /// form.</summary>
 /// <remarks>
 /// It applies if no normal turns. The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer.
