@@ -147,7 +147,7 @@ internal readonly struct StraightWay
     /// <summary>The duration, in s.</summary>
     public double Duration { get; }
 
-    /// <summary>The margin, in m: everything within it counts as hit.</summary>
+    /// <summary>The margin, in m: the path counts as hitting everything within it.</summary>
     public double Around { get; }
 
     /// <summary>The midpoint, in m.</summary>
