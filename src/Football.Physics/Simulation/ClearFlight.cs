@@ -61,7 +61,7 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
 
-        // Keep the negative sign: states of earlier versions have it in their key.
+        // Keep the negative sign: the keys in states of earlier versions include it.
         key.Add(-weight);
         key.Add(_shareInPath);
         key.Add(in wind);
