@@ -10,7 +10,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal sealed partial class ContactSetParts
 {
-    /// <summary>Length of a part, s. A slip that ends within one displaces the ball by less than 1e-6 m.</summary>
+    /// <summary>Length of a part, s. A slip that ends within a part displaces the ball by less than 1e-6 m.</summary>
     private const double Part = 0.5e-3;
 
     /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
@@ -20,7 +20,7 @@ internal sealed partial class ContactSetParts
     private const double Slips = 1e-3;
 
     /// <summary>Maximum number of slide and roll events per step.</summary>
-    /// <remarks>A ball that alternately slips and grips would report one in every part.</remarks>
+    /// <remarks>A ball that alternately slips and grips would report an event in every part.</remarks>
     private const int MostNames = 2;
 
     /// <summary>A ball below this speed is at a standstill, m/s, and rad/s times its radius.</summary>
@@ -50,7 +50,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Takes the rest of a step, or the part up to an event, if several contacts are active.</summary>
-    /// <remarks>If one other contact is, it becomes the carrier.</remarks>
+    /// <remarks>If only one contact other than the carrier is active, it becomes the carrier.</remarks>
     /// <returns>False if only the carrier, or no contact, has a load.</returns>
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
@@ -182,7 +182,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Returns the length of equal parts for the rest of a step, s.</summary>
-    /// <remarks>If few parts are left, they are longer.</remarks>
+    /// <remarks>If only a few parts are left, each is longer.</remarks>
     private static double LengthOfPart(in StepRun run, double asked) =>
         run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
 
@@ -196,7 +196,7 @@ internal sealed partial class ContactSetParts
         Vector3d spinAcceleration = rates.SpinAcceleration;
         if (!_world.SharesAir)
         {
-            // Count only the share of the air that acts on one surface: none, or the part along the carrier.
+            // Include only the share of the air that acts on one surface: none, or the part along the carrier.
             Collider carrier = _world.CarrierOf(in s);
             var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
             SurfaceForces on = surface.ForcesOn(time, in at);
