@@ -66,7 +66,7 @@ internal sealed class FlightPhase<TIntegrator>
         // full vector.
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
-        // Take the longest piece that stability allows. If that is less than requested, later parts use the same length.
+        // Take the longest piece that stability allows. If it is shorter than requested, later parts use the same length.
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
