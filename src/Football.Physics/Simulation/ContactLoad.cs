@@ -43,7 +43,7 @@ internal sealed class ContactLoad
 
         if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
         {
-            // Most impacts are rejected here: bounds of the forces show that the ball flies, without evaluating the air.
+            // Most impacts are rejected here: bounds on the forces show, without evaluating the air, that the ball flies.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
             double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
@@ -130,7 +130,7 @@ internal sealed class ContactLoad
         return system.Grips(in on);
     }
 
-    /// <summary>Returns the load N/m if the ball followed the surface, m/s².</summary>
+    /// <summary>Returns the load N/m that the ball would have if it followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         // If the air does not add to the load, the load by weight suffices.
