@@ -126,7 +126,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d moving = rolls ? on.Rolling : system.SlipOf(in from, in on);
         double size = moving.Length;
 
-        // A roll that needs more traction than friction gives starts to slide.
+        // A rolling ball that needs more traction than friction provides starts to slide.
         if (rolls && !grips)
         {
             run.Slips++;
@@ -134,14 +134,14 @@ internal sealed class SurfacePhase<TIntegrator>
             return;
         }
 
-        // A slide without slip starts to roll if friction can hold it.
+        // A sliding ball without slip starts to roll if friction can hold it.
         if (!rolls && size < Slip.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
         }
 
-        // A roll may come to rest, or be pinned if rolling friction outweighs the push. From a standstill it moves along the push.
+        // A rolling ball may come to rest, or be pinned if rolling friction exceeds the push. From a standstill it moves along the push.
         if (rolls)
         {
             Vector3d drive = system.Drive(in on) - on.MaterialRate;
@@ -180,7 +180,7 @@ internal sealed class SurfacePhase<TIntegrator>
             moving = size < Slip.Rolling ? traction : moving;
         }
 
-        // Direction of the slip or the roll. Friction keeps it if a stage of the integrator passes zero.
+        // Direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 
