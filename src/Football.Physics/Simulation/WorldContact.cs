@@ -9,7 +9,7 @@ internal sealed class WorldContact
     /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
+    /// <summary>If a step resolves all contacts together more often than this, the ball counts as having no room.</summary>
     private const int MostUntold = 3;
 
     private readonly Surroundings _around;
@@ -110,7 +110,7 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        // In a crowded step only count slow impacts: a ball that trembles in a corner would cause many events.
+        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would cause many events.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
             run.Log.UnreportedImpacts++;
@@ -365,7 +365,7 @@ internal sealed class WorldContact
     /// <summary>Raises a ball that is below the surface of the ground vertically.</summary>
     public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
-    /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it, otherwise in the
+    /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it; otherwise in the
     /// air.</summary>
     public void Settle(ref BallState s)
     {
