@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>A straight tube along the ball's path that contains no body for some time.</summary>
 /// <remarks>
-/// No query is needed until the ball leaves it, or until bodies have strayed by its width from their expected positions. It is stored with
+/// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
 /// the bodies, not with the ball: it only saves queries.
 /// </remarks>
 internal sealed class BodyTube
