@@ -9,8 +9,8 @@ internal readonly struct StabilityLimit
     /// <summary>Maximum relative change of the motion by any force per piece.</summary>
     public const double LargestChange = 1.0;
 
-    /// <summary>A ball that would be back on the ground sooner than this stays down, s.</summary>
-    /// <remarks>It bounds the number of impacts under any gravity.</remarks>
+    /// <summary>A ball that would return to the ground sooner than this stays down, s.</summary>
+    /// <remarks>This bounds the number of impacts under any gravity.</remarks>
     public const double ShortestHop = 1e-6;
 
     /// <summary>Up to this restitution every ball comes to rest, with any integrator and step length.</summary>
@@ -193,7 +193,7 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.NoInlining)]
     private double PartOfHop(double h, double least, double up)
     {
-        // A hop below the shortest counts as staying down and needs no pieces.
+        // A hop shorter than the shortest counts as staying down and needs no pieces.
         double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
