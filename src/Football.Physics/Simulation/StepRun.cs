@@ -73,7 +73,7 @@ internal ref struct StepRun
     /// <summary>Number of parts shortened because a contact normal turns.</summary>
     public int Turns;
 
-    /// <summary>Number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
+    /// <summary>Number of checks of whether friction holds a ball at rest that rolling resistance does not hold.</summary>
     public int Grips;
 
     /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>
