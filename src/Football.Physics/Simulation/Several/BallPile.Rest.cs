@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <content>Rest of the pile.</content>
+/// <content>The rest state of the pile.</content>
 internal sealed partial class BallPile
 {
     /// <summary>Projects a ball onto stationary surfaces with a load: a gap left by the part would cause another impact.</summary>
