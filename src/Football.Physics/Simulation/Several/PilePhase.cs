@@ -67,7 +67,7 @@ internal sealed class PilePhase
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + custom forces. For a supported ball only the share of the air counts that acts on one surface.
+        // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on one surface.
         Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
         Vector3d acceleration = air.Acceleration + flow;
         if (carried && !_world.SharesAir)
