@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The path of a ball as if there were no other ball.</summary>
+/// <summary>The path of a ball as if it were alone.</summary>
 /// <remarks>It leads to the end of the step, or to the push of an object that another ball may reach.</remarks>
 internal sealed class BallTrial : PieceObserver
 {
