@@ -25,7 +25,7 @@ public sealed record Dials
 
     /// <summary>The water on the pitch and in the ball, beyond what the scene already includes. 0 … 1; default 0.</summary>
     /// <remarks>
-    /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, as on watered turf (measured).
+    /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, the effect of watering (measured).
     /// Impact friction falls by a third, to the lowest value in three matches (measured). Sliding friction falls by 45 % and
     /// <see cref="SurfaceMaterial.TorsionalPatchRadius"/> by a quarter (guess).
     /// </remarks>
