@@ -175,7 +175,7 @@ internal sealed class ClearFlight
 
     /// <summary>True if no body is near in the next step.</summary>
     /// <remarks>
-    /// Only that step counts, so that the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
+    /// Only that step is checked, so the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
     /// clear for some time.
     /// </remarks>
     private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)
