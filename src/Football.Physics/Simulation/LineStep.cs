@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>Whole steps of a ball that rolls or spins between stationary surfaces with no other object near: along a board, in a gutter, in
 /// a corner.</summary>
 /// <remarks>
-/// The surfaces leave the ball one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> takes the step, checks it for
+/// The surfaces leave one speed and one spin free (<see cref="LineForces"/>). <see cref="TryWhole"/> takes the step, checks it for
 /// events, and moves the ball. If an event is possible, it changes nothing, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step
 /// in pieces with the general law.
 /// </remarks>
