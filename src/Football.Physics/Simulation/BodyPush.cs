@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Handles bodies that the game has moved between two steps: a body put over the ball pushes it out, and a carrier that was taken
+/// <summary>Handles bodies that the game has moved between two steps: a body moved into the ball ejects it, and a carrier that was taken
 /// away releases it.</summary>
 /// <remarks>The velocity does not change: a body accelerates the ball only in an impact.</remarks>
 internal sealed class BodyPush
