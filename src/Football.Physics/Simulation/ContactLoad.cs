@@ -4,7 +4,7 @@ namespace FootballPhysics;
 /// supports it.</summary>
 internal sealed class ContactLoad
 {
-    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would be back within this, s.</summary>
+    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would return within this time, s.</summary>
     private const double ShortestPressedHop = 1e-3;
 
     /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
