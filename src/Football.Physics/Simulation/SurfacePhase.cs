@@ -13,7 +13,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Tolerance for the end time of a slide in closed form, s, for a step of 20 ms.</summary>
     /// <remarks>
-    /// The closed form is used if the push on the slip is constant to within it. For other steps the tolerance scales with the step length
+    /// The closed form requires a push on the slip that is this constant. For other steps the tolerance scales with the step length
     /// to the power of the integrator's order.
     /// </remarks>
     private const double SlideEnd = 1e-10;
@@ -33,7 +33,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Maximum number of times a ball in a net may lose its grip per step.</summary>
     /// <remarks>
-    /// A net that turns slack and taut makes the ball grip and slip in turn, ever faster. After this many times the ball grips for the rest
+    /// A net that goes slack and taut makes the ball grip and slip in turn, ever faster. After this many times, the ball grips for the rest
     /// of the step, which adds no energy.
     /// </remarks>
     private const int MostSlips = 2;
