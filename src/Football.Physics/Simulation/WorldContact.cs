@@ -247,7 +247,7 @@ internal sealed class WorldContact
         return again;
     }
 
-    /// <summary>Makes a surface the carrier without an impact: the ball touches it, is pressed on it, and does not close on it.</summary>
+    /// <summary>Makes a surface the carrier without an impact: the ball touches it, presses on it, and does not close on it.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
     /// <summary>Ends a slip: the ball rolls if friction can hold it.</summary>
