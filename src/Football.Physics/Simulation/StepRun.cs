@@ -18,7 +18,7 @@ internal ref struct StepRun
     /// <summary>Maximum number of force evaluations per step, of all kinds.</summary>
     private const long MostEvaluations = 1 << 15;
 
-    /// <summary>Evaluations reserved for one piece, including the search for its end. A piece only starts if this many are left.</summary>
+    /// <summary>Evaluations reserved for one piece, including the search for its end. A piece starts only if this many remain.</summary>
     private const long MostOfPiece = 1 << 12;
 
     /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
