@@ -82,7 +82,7 @@ public struct BallState : IFormattable
     /// <summary>The time until which the flight is known to hit nothing but level ground, in s; 0 if unknown.</summary>
     internal double ClearUntil;
 
-    /// <summary>An odd key: the scene for which <see cref="ClearUntil"/> holds. An even key: the balls that a ball in a pile touches.</summary>
+    /// <summary>An odd key identifies the scene for which <see cref="ClearUntil"/> holds; an even key, the balls touched in a pile.</summary>
     internal ulong ClearIn;
 
     /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step.</summary>
