@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>A ball of a cluster that is solved as one system, in one step of the integrator.</summary>
 internal struct ClusterBall
 {
-    /// <summary>The stepper of the ball on its own.</summary>
+    /// <summary>The stepper of the single ball.</summary>
     public PilePhase Pile;
 
     /// <summary>The world of the ball.</summary>
