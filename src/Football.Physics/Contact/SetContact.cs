@@ -109,7 +109,7 @@ internal struct SetContact
         Direction = -1.0 / Friction.Length * Friction;
     }
 
-    /// <summary>Turns the direction of a starting slip to that of its rate, m/s².</summary>
+    /// <summary>Turns a starting slip in the direction of its rate, m/s².</summary>
     /// <returns>True if the direction has changed.</returns>
     public bool TurnSlip(in Vector3d rate)
     {
