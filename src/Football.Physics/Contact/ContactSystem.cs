@@ -44,7 +44,7 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>
     public double SpinSign;
 
-    /// <summary>True if drilling friction holds the spin about the bearer's normal at that of the bearer.</summary>
+    /// <summary>True if drilling friction holds the spin about the bearer's normal equal to the bearer's spin.</summary>
     public bool HoldsSpin;
 
     /// <summary>The holding torque per moment of inertia, rad/s².</summary>
