@@ -177,7 +177,7 @@ internal static unsafe class ContactModes
         }
     }
 
-    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill that of the push.</summary>
+    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill of the push.</summary>
     /// <remarks>At a standstill, rolling resistance may hold the ball instead.</remarks>
     private static void Roll(ref ContactSystem system, in Motion at, in Vector3d free)
     {
@@ -235,7 +235,7 @@ internal static unsafe class ContactModes
 
         if (!isLine)
         {
-            // A single normal: the free direction is that of the velocity.
+            // With a single normal, the free direction is along the velocity.
             Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
             double speed = rolling.Length;
             return speed > 0 ? rolling / speed : Vector3d.Zero;
