@@ -127,7 +127,7 @@ internal sealed class World
     /// <remarks>Engine slots that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
-    /// <summary>True if an index is that of a net, a goal or a zone, and not of a collider.</summary>
+    /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
     /// <summary>The colliders that move.</summary>
@@ -308,7 +308,7 @@ internal sealed class World
     /// <summary>True if the contact normals, and not the indices, decide the order of two colliders.</summary>
     public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
 
-    /// <summary>True if an index is that of a collider.</summary>
+    /// <summary>True if an index belongs to a collider.</summary>
     public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
 
     /// <summary>Adds new slots of an engine's table as colliders.</summary>
