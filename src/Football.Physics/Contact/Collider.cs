@@ -384,7 +384,7 @@ internal readonly struct ContactMaterial
         return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
-    /// <summary>Returns the largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
+    /// <summary>Returns the largest restitution anywhere on a ground: in the slowest and most oblique impacts.</summary>
     public static double LargestOn(Ground ground, BallProperties ball)
     {
         double largest = new ContactMaterial(ground.Material, ball.Bounce).LargestRestitutionAt(0);
