@@ -69,7 +69,7 @@ internal static class RotatingSearch
         double speed = seen.FastestSpeed;
         double spin = shape.SpinRate;
 
-        // The gap closes at most at |w| plus the rotation speed: that of the ball about the pivot, or that of the shape if smaller.
+        // The gap closes at most at |w| plus the rotation speed: of the ball about the pivot, or of the shape if that is smaller.
         double around = spin * farthest;
         double closing = speed + Math.Min(around, shape.Swing);
 
