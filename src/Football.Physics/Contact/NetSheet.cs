@@ -50,7 +50,7 @@ internal sealed class NetSheet
         (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
         (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
 
-    /// <summary>True if another sheet has the same position and size, whatever its material.</summary>
+    /// <summary>True if another sheet has the same position and size, regardless of its material.</summary>
     public bool IsAt(NetSheet other) =>
         _center == other._center && Normal == other.Normal && _along == other._along && HalfLength == other.HalfLength && HalfWidth == other.HalfWidth;
 
