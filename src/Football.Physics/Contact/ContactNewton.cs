@@ -244,7 +244,7 @@ internal static class ContactNewton
 
             if (row.Turns > 0)
             {
-                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction counts.
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction matters.
                 int second = i + row.Other;
                 Span<double> other = motions.Slice(second * size, size);
                 double across = row.Turns * row.Across;
