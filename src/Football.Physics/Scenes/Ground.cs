@@ -9,7 +9,7 @@ public sealed record Ground
     /// <summary>The material. Default <see cref="SurfaceMaterial.MatchTurf"/>.</summary>
     public SurfaceMaterial Material { get; init; } = new();
 
-    /// <summary>The tangential restitution along z. Default null: that of the material, in all directions.</summary>
+    /// <summary>The tangential restitution along z. Default null: the material's value, in all directions.</summary>
     /// <remarks>−1 … 1. A different value is allowed only on level ground.</remarks>
     public double? TangentialRestitutionZ { get; init; }
 
