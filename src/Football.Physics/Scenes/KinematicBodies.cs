@@ -126,7 +126,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>Throws if a body was moved for a time too far from that of the step.</summary>
+    /// <summary>Throws if a body was moved for a time that is too far from the time of the step.</summary>
     /// <param name="time">The ball's time before the step, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
