@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes are those of Law 1.</summary>
+/// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes follow Law 1.</summary>
 /// <remarks><see cref="BallEventKind.Goal"/> defines when a goal is scored.</remarks>
 public sealed record Goal
 {
