@@ -165,7 +165,7 @@ internal sealed class ClearFlight
     {
         double ahead = steps * dt;
 
-        // The radius of the query is that of the ball plus the bend of the path.
+        // The radius of the query is the ball's radius plus the deviation of the path from a straight line.
         double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
