@@ -160,7 +160,7 @@ internal sealed class PilePhase
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
     }
 
-    /// <summary>Keeps a ball squeezed that a moving object still overlaps: projected onto it at once, the ball would enter another
+    /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another
     /// object.</summary>
     /// <remarks>It leaves the object at the speed allowed for a squeezed ball.</remarks>
     private void StaySqueezed(ref BallState s, int carrier, StepLog log)
