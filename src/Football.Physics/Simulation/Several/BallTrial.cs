@@ -78,7 +78,7 @@ internal sealed class BallTrial : PieceObserver
         return IsWhole;
     }
 
-    /// <summary>True if the path is that of a whole step.</summary>
+    /// <summary>True if the path covers a whole step.</summary>
     public bool IsWhole { get; set; }
 
     /// <summary>Sets a straight path of a ball in a pile.</summary>
@@ -157,7 +157,7 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="distance">Distance of the centres at contact, m.</param>
     /// <param name="from">Start of the search, s.</param>
     /// <param name="until">End of the search, s.</param>
-    /// <param name="atEnd">Whether a contact exactly at that time counts.</param>
+    /// <param name="atEnd">Whether to include a contact exactly at that time.</param>
     public double Meets(BallTrial other, double distance, double from, double until, bool atEnd)
     {
         int i = 0;
