@@ -23,7 +23,7 @@ internal struct ClusterBall
     public MotionRates Free;
     public MotionRates Rates;
 
-    /// <summary>The rates at the start and at the end, and those of the stages between.</summary>
+    /// <summary>The rates at the start, at the end, and at the stages between.</summary>
     public MotionRates First;
     public MotionRates Last;
     public MotionRates SecondRates;
