@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as that of a box.</summary>
+/// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as a face of a box.</summary>
 /// <remarks>Beyond the edge, another tile may support the ball.</remarks>
 internal static class FaceBorder
 {
