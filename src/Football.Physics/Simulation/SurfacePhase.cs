@@ -51,7 +51,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the
     /// step.</summary>
     /// <remarks>
-    /// Its direction then turns into the push almost at once; the ball moves less than 1e-8 m meanwhile in usual steps.
+    /// Its direction then turns to that of the push almost at once; in usual steps the ball moves less than 1e-8 m meanwhile.
     /// </remarks>
     private const double Creeping = 256;
 
