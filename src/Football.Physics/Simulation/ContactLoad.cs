@@ -32,7 +32,7 @@ internal sealed class ContactLoad
     /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // a_b·n ≤ −|a_b|/2: the weight presses the ball on surfaces up to 60° steep. For other forces the ball must be back within a
+        // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. For other forces the ball must be back within a
         // millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
