@@ -63,7 +63,7 @@ internal sealed class WorldContact
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         CoulombImpact.Apply(_world.Ball, in material, in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
 
-        // After quick successive hits by movers, limit the speed to that of the fastest mover: rapid hits must not add energy.
+        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
         if (hit.Moves)
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
