@@ -64,7 +64,7 @@ internal readonly struct StabilityLimit
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // Use the largest restitution, that of the slowest and most oblique impacts. Without weight there are no hops.
+        // Use the largest restitution, which the slowest and most oblique impacts have. Without weight there are no hops.
         double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
         // Without drag, a low-order integrator adds speed whenever it turns the velocity.
@@ -232,7 +232,7 @@ internal static class TurnLimit
     /// <summary>Maximum of the change across the direction times (λ h)⁴, m/s.</summary>
     private const double LargestOff = 2.5e-7;
 
-    /// <summary>A turn below this per piece counts as zero, rad.</summary>
+    /// <summary>A turn per piece below this counts as zero, rad.</summary>
     private const double Straight = 1e-7;
 
     /// <summary>Limits a piece in which friction is strong compared with a slow slip or roll.</summary>
