@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
 /// <remarks>
-/// Functions of the Reynolds number replace those of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
+/// Functions of the Reynolds number replace functions of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
 /// coefficient is data of this law as well: its functions become the constant 1, and its scale the coefficient or 0. Every mixture runs the same code.
 /// </remarks>
 internal struct MeasuredLaw : ITableLaw
