@@ -348,7 +348,7 @@ internal static class ContactSet
         return Math.Abs(gap) > Closed;
     }
 
-    /// <summary>Returns the index for a contact in the set: a new one, that of a contact it replaces, or −1 to drop it.</summary>
+    /// <summary>Returns the index for a contact in the set: a new index, the one of a contact to replace, or −1 to drop it.</summary>
     private static int PlaceOf(in Contact contact, Span<Contact> set, World world, int carrier)
     {
         for (int i = 0; i < set.Length; i++)
