@@ -133,7 +133,7 @@ internal sealed partial class ContactSetParts
             bool meets = at <= h;
             double length = meets ? at : h;
 
-            // A part cut short by an impact or a turning normal does not count as a part: the parts left must cover the rest of the step.
+            // A part cut short by an impact or a turning normal does not count as a part: the other parts must cover the rest.
             run.Parts += meets || turns ? 0 : 1;
             run.Turns += turns ? 1 : 0;
             double share = length / h;
