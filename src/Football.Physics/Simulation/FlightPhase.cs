@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Flight, piece by piece.</summary>
 /// <remarks>
-/// A piece is as long as stability allows. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
+/// A piece has the maximum stable length. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
 /// contact.
 /// </remarks>
 internal sealed class FlightPhase<TIntegrator>
