@@ -8,7 +8,7 @@ internal struct AirFactors
     /// <summary>u, the velocity relative to the air at the ball, in m/s.</summary>
     public Vector3d AirVelocity;
 
-    /// <summary>|u|, in m/s, if the air needs the distance flown; otherwise 0.</summary>
+    /// <summary>|u|, in m/s, if an air force depends on the distance flown; otherwise 0.</summary>
     public double AirSpeed;
 
     /// <summary>D, in 1/s.</summary>
@@ -26,7 +26,7 @@ internal struct AirFactors
     /// <summary>The angular acceleration by torques that are not along the spin, in rad/s². Zero unless <see cref="SceneAir.Varies"/> is true.</summary>
     public Vector3d SpinAcceleration;
 
-    /// <summary>The rates of velocity and spin under these factors and a constant acceleration.</summary>
+    /// <summary>The rates of velocity and spin for these factors and a constant acceleration.</summary>
     /// <param name="spin">ω, rad/s.</param>
     /// <param name="constant">The acceleration that acts in addition to the air, m/s².</param>
     /// <param name="varies">True to add <see cref="Acceleration"/> and <see cref="SpinAcceleration"/>: <see cref="SceneAir.Varies"/>.</param>

@@ -18,7 +18,7 @@ internal abstract class AirLaws
     /// <inheritdoc cref="SceneAir.Bound"/>
     public RateBound Bound { get; protected init; }
 
-    /// <summary>The maximum speed for <see cref="OrdinaryBound"/>, in m/s: twice that of any kick.</summary>
+    /// <summary>The maximum speed for <see cref="OrdinaryBound"/>, in m/s: twice the speed of any kick.</summary>
     public const double OrdinarySpeed = 100;
 
     /// <summary>The bound up to <see cref="OrdinarySpeed"/>. It is tighter than <see cref="Bound"/> if a coefficient grows with speed.</summary>
@@ -28,7 +28,7 @@ internal abstract class AirLaws
     /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
     public static AirLaws Of(Scene scene) => Of(scene, 1, 1);
 
-    /// <summary>Returns the laws of a scene, with factors on drag and Magnus force.</summary>
+    /// <summary>Returns the laws of a scene, with drag and Magnus force multiplied by factors.</summary>
     public static AirLaws Of(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;

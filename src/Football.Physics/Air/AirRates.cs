@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Evaluates the air for a spin vector, for all motions except plain flight.</summary>
 internal static class AirRates
 {
-    /// <summary>The spin, in rad/s, below which it counts as zero: its reciprocal would overflow.</summary>
+    /// <summary>A spin below this, in rad/s, counts as zero: its reciprocal would overflow.</summary>
     public const double NoSpin = 1e-100;
 
     /// <summary>Computes the factors of a = L (ω × u) − D u, ω̇ = −decay ω by the laws of drag, lift and spin decay.</summary>

@@ -26,7 +26,7 @@ internal readonly struct DragJump
         Spin = (SpinScale * surfaceSpeedSquared) - speedSquared;
     }
 
-    /// <summary>The smaller of both; positive if the law with spin holds.</summary>
+    /// <summary>The smaller of G and S; positive if the law with spin applies.</summary>
     public double Least => Speed < Spin ? Speed : Spin;
 
     /// <summary>True if the critical speed is nearer than the critical spin parameter.</summary>
@@ -75,7 +75,7 @@ internal readonly struct DragJump
             return !(to.Speed > 0 && to.Spin > 0 && speedAhead > 0 && spinAhead > 0);
         }
 
-        // Both must be positive at one instant: both at a later time, or one still and the other already.
+        // Both must be positive at one instant: both at a later time, or one before it falls and the other after it rises.
         bool speedLater = to.Speed > 0 || speedAhead > 0;
         bool spinLater = to.Spin > 0 || spinAhead > 0;
         return (speedLater && spinLater) || (spinLater && from.Speed > 0 && from.Spin <= 0) || (speedLater && from.Spin > 0 && from.Speed <= 0);
@@ -104,7 +104,7 @@ internal readonly struct DragJump
             {
                 path.Narrow(ref low, ref high, inside);
 
-                // The crossed surface is the one with the smaller function.
+                // The crossed surface is the one whose function has the smaller value.
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }

@@ -9,7 +9,7 @@ internal interface IFlightAir : IFlightLaws
     /// <summary>True if the drag coefficient jumps, so that a step is locked to a branch and ends where the branch ends.</summary>
     bool Jumps { get; }
 
-    /// <summary>Returns true if the fast form of the laws holds for a step from this state.</summary>
+    /// <summary>Returns true if the fast form of the laws is valid for a step from this state.</summary>
     /// <param name="speedSquared">|u|² at the start, m²/s².</param>
     /// <param name="spinRate">|ω| at the start, rad/s.</param>
     /// <param name="h">The length of the step, in s.</param>

@@ -19,7 +19,7 @@ internal readonly struct JumpPath
     /// <summary>Returns S at a fraction of the step.</summary>
     public double Spin(double at) => _spin.At(at);
 
-    /// <summary>Returns true if the law with spin holds at a fraction of the step.</summary>
+    /// <summary>Returns true if the law with spin applies at a fraction of the step.</summary>
     public bool IsInside(double at) => Speed(at) > 0 && Spin(at) > 0;
 
     /// <summary>Narrows an interval in which the branch changes down to the change.</summary>
@@ -32,12 +32,12 @@ internal readonly struct JumpPath
         Roots.Bisect(ref change, ref low, ref high, Halvings);
     }
 
-    /// <summary>Returns true if the law with spin holds for a while between two fractions at which it does not hold.</summary>
+    /// <summary>Returns true if the law with spin applies temporarily between two fractions at which it does not apply.</summary>
     /// <param name="low">The start of the search; not inside.</param>
     /// <param name="high">The end of the search; not inside. On return, a fraction that is inside.</param>
     public bool PassesThrough(double low, ref double high)
     {
-        // One function is positive at first, the other at last. If they overlap, the law with spin holds in between.
+        // One function is positive at first, the other at the end. If they overlap, the law with spin applies in between.
         bool spinRises = Speed(low) > 0 && Spin(high) > 0;
         if (!(spinRises || (Spin(low) > 0 && Speed(high) > 0)))
         {
@@ -56,7 +56,7 @@ internal readonly struct JumpPath
         return true;
     }
 
-    /// <summary>Condition: the law with spin has begun or ceased to hold.</summary>
+    /// <summary>Condition: the law with spin has begun or ceased to apply.</summary>
     private readonly struct Change : ICondition
     {
         private readonly JumpPath _path;
@@ -75,7 +75,7 @@ internal readonly struct JumpPath
         }
     }
 
-    /// <summary>Condition: the rising function is positive. The search ends if the other one still is.</summary>
+    /// <summary>Condition: the rising function is positive. The search ends if the other function is still positive.</summary>
     private readonly struct Visit : ICondition
     {
         private readonly JumpPath _path;

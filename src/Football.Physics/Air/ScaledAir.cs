@@ -9,8 +9,8 @@ public sealed class ScaledAir : IForce
 
     /// <summary>Creates a force that scales drag and lift when added to the scene's custom forces.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="drag">The factor on the drag; at least 0.</param>
-    /// <param name="lift">The factor on the Magnus force.</param>
+    /// <param name="drag">The factor by which the drag is multiplied; at least 0.</param>
+    /// <param name="lift">The factor by which the Magnus force is multiplied.</param>
     /// <exception cref="ArgumentNullException"><paramref name="scene"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public ScaledAir(Scene scene, double drag, double lift)
@@ -26,10 +26,10 @@ public sealed class ScaledAir : IForce
         Lift = lift;
     }
 
-    /// <summary>The factor on the drag.</summary>
+    /// <summary>The factor by which the drag is multiplied.</summary>
     public double Drag { get; }
 
-    /// <summary>The factor on the Magnus force.</summary>
+    /// <summary>The factor by which the Magnus force is multiplied.</summary>
     public double Lift { get; }
 
     /// <summary>The unscaled laws.</summary>

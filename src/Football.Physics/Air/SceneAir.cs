@@ -95,7 +95,7 @@ internal struct SceneAir : IFlightAir
     public readonly void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In a field, jumps are not located: use the branch of the current flow.
+        // In a wind field, jumps are not located: use the branch of the current flow.
         DragBranch here = _jumpsInField ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : region;
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
@@ -127,7 +127,7 @@ internal struct SceneAir : IFlightAir
         DragBranch here = _jumpsInField ? DragJump.At(u.LengthSquared, _radiusSquared * w.LengthSquared).Branch : branch;
         double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
 
-        // The knuckle force acts only in flight, and needs the distance flown.
+        // The knuckle force acts only in flight, and depends on the distance flown.
         if (_knuckle is not null && ball.Motion == MotionState.Airborne)
         {
             factors.AirSpeed = u.Length;

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>The broad phase: a tree of bounding boxes of stationary objects, built once.</summary>
 /// <remarks>
-/// It only tests boxes; the caller tests the objects inside. Nodes are in depth-first order, each with the index of the node after its
+/// It tests only boxes; the caller tests the objects inside. Nodes are in depth-first order; each stores the index of the node after its
 /// branch,
 /// so a walk needs no stack.
 /// </remarks>
@@ -34,7 +34,7 @@ internal sealed class BoundsTree
         }
     }
 
-    /// <summary>Advances to the next box that intersects a given one.</summary>
+    /// <summary>Advances to the next box that intersects the given box.</summary>
     /// <param name="box">The given box.</param>
     /// <param name="node">Position of the walk; 0 at the start.</param>
     /// <param name="item">Index of the box found.</param>
@@ -64,7 +64,7 @@ internal sealed class BoundsTree
         return false;
     }
 
-    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if it reaches none before.</summary>
+    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if there is none before.</summary>
     public double FirstMet(in StraightWay way, double until)
     {
         int node = 0;
@@ -72,7 +72,7 @@ internal sealed class BoundsTree
         {
             double met = way.Meets(in _bounds[node]);
 
-            // The path reaches this node too late or not at all, and so its entire branch.
+            // The path reaches this node, and so its entire branch, too late or not at all.
             if (!(met < until))
             {
                 node = _after[node];
@@ -86,8 +86,8 @@ internal sealed class BoundsTree
         return until;
     }
 
-    /// <summary>Builds the branch of some items, split at the median along the axis with the widest spread of centres.</summary>
-    /// <returns>The node after it.</returns>
+    /// <summary>Builds the branch for a range of items, split at the median along the axis with the widest spread of centres.</summary>
+    /// <returns>The node after the branch.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {
         // Bounds of all items, and bounds of their centres, which determine the split axis.
@@ -125,7 +125,7 @@ internal sealed class BoundsTree
     }
 }
 
-/// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded ones, the tree, and moving ones.</summary>
+/// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
 internal struct NearThings
 {
     private readonly World _world;
@@ -137,7 +137,7 @@ internal struct NearThings
     private int _moving;
     private int _engine;
 
-    /// <summary>Starts an enumeration. Engine colliders are those of the last cast.</summary>
+    /// <summary>Starts an enumeration, with the engine colliders that the last cast found.</summary>
     /// <param name="world">The world.</param>
     /// <param name="box">The box.</param>
     /// <param name="time">The time, s.</param>
@@ -217,7 +217,7 @@ internal struct NearThings
     }
 
     /// <summary>Advances to the next collider.</summary>
-    /// <param name="collider">Its index.</param>
+    /// <param name="collider">Index of the collider.</param>
     /// <returns>False at the end.</returns>
     public bool NextCollider(out int collider)
     {
@@ -233,7 +233,7 @@ internal struct NearThings
     }
 
     /// <summary>Advances to the next net or goal.</summary>
-    /// <param name="thing">Its index.</param>
+    /// <param name="thing">Index of the net or goal.</param>
     /// <returns>False at the end.</returns>
     public bool NextPassage(out int thing)
     {
@@ -252,7 +252,7 @@ internal struct NearThings
     }
 
     /// <summary>Advances to the next object.</summary>
-    /// <param name="thing">Its index: colliders first, then nets, then goals.</param>
+    /// <param name="thing">Index of the object: colliders first, then nets, then goals.</param>
     /// <returns>False at the end.</returns>
     public bool Next(out int thing)
     {

@@ -15,7 +15,7 @@ internal sealed class Collider
     private readonly ISurfacePattern? _pattern;
     private readonly ContactMaterial[] _patches = [];
 
-    /// <summary>The ball's factor on every restitution.</summary>
+    /// <summary>The factor by which the ball scales every restitution.</summary>
     private readonly double _bounce = 1;
 
     public Collider(string name, IShape shape, in ContactMaterial material)
@@ -72,7 +72,7 @@ internal sealed class Collider
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
 
-    /// <summary>Its layer; −1 for none: the ground, goal frames, and engine slots, whose colliders are filtered when they are
+    /// <summary>Its layer; −1 for the ground, goal frames and engine slots. Engine colliders are filtered when they are
     /// found.</summary>
     public int Layer { get; init; } = -1;
 
@@ -89,17 +89,17 @@ internal sealed class Collider
     public Vector3d Spin => Motion.Spin;
 
     /// <summary>True if the shape itself rotates within a step: bodies and engine colliders.</summary>
-    /// <remarks>The spin of an obstacle moves only its surface. The same holds for a spin that leaves the shape unchanged.</remarks>
+    /// <remarks>The spin of an obstacle moves only its surface, as does any spin that leaves the shape unchanged.</remarks>
     public bool Rotates => Motion.Rotates;
 
     /// <summary>True if it has no velocity and no spin in this step, so that a ball may rest on it.</summary>
     public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
 
     /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
-    /// <remarks>The gap to the ball changes at the ball's velocity relative to this one.</remarks>
+    /// <remarks>The rate of the gap follows from the ball's velocity relative to the shape.</remarks>
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
 
-    /// <summary>Returns V_p, the velocity of its material continued to a point, m/s.</summary>
+    /// <summary>Returns V_p, the velocity of its material extrapolated to a point, m/s.</summary>
     public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
 
     /// <summary>Returns the position of a point that moves along with its material, after a time, m.</summary>
@@ -123,16 +123,16 @@ internal sealed class Collider
     /// <summary>True if its shape has flat faces with borders, such as a box.</summary>
     public bool HasFaces => _shape is BoxShape;
 
-    /// <summary>The greatest speed of any part of it, m/s. For an unbounded shape, only its velocity counts.</summary>
+    /// <summary>The greatest speed of any part of it, m/s. For an unbounded shape, this is the speed of V alone.</summary>
     public double GreatestSpeed => Motion.GreatestSpeed;
 
-    /// <summary>Mass behind its surface, kg; infinite if the ball does not move it.</summary>
+    /// <summary>Effective mass at its surface, kg; infinite if the ball cannot move it.</summary>
     public double Mass { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>True if the ball moves it.</summary>
+    /// <summary>True if the ball can move it.</summary>
     public bool GivesWay => Mass < double.PositiveInfinity;
 
-    /// <summary>The motion that the scene gives it; default for objects that the game or an engine moves.</summary>
+    /// <summary>The motion that the scene defines for it; default for objects that the game or an engine moves.</summary>
     public ref readonly RigidMotion Given => ref _motion;
 
     /// <summary>True if the game or an engine moves it.</summary>
@@ -145,7 +145,7 @@ internal sealed class Collider
     public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
 
     /// <summary>Its plane if it is a stationary plane; otherwise null.</summary>
-    /// <remarks>The distance of a path from it is a single cubic.</remarks>
+    /// <remarks>The distance of a path from the plane is a single cubic.</remarks>
     public PlaneShape? StandingPlane => Moves ? null : _plane;
 
     /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
@@ -239,7 +239,7 @@ internal sealed class Collider
     /// <summary>Returns distance, normal and curvature at a point in the object's own frame.</summary>
     public ShapePoint At(in Vector3d position) => _shape.At(in position);
 
-    /// <summary>Returns the shape and its motion from a time on, for many queries within a piece.</summary>
+    /// <summary>Returns the shape and its motion from a given time on, for repeated queries within a piece.</summary>
     public MovingShape From(double time) => new(_shape, in Motion, time);
 
     /// <summary>Transforms a path to the object's own frame.</summary>
@@ -265,10 +265,10 @@ internal sealed class Collider
 /// <summary>The contact constants of a surface: the pitch or any other object.</summary>
 internal readonly struct ContactMaterial
 {
-    /// <summary>Approach speed for which a speed-dependent restitution is given, m/s: that of the test rigs.</summary>
+    /// <summary>Approach speed at which a speed-dependent restitution is specified, m/s: the speed in the test rigs.</summary>
     private const double RigSpeed = 6.0;
 
-    /// <summary>C: at this ratio of tangential to approach speed, half of the rise is reached (measured on impacts of one match: 2.5 …
+    /// <summary>C: the ratio of tangential to approach speed at which half of the rise is reached (measured in one match: 2.5 …
     /// 3.5).</summary>
     private const double HalfRise = 2.8;
 
@@ -318,7 +318,7 @@ internal readonly struct ContactMaterial
         : this(ground.Material, bounce) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
 
     /// <param name="surface">The surface.</param>
-    /// <param name="bounce">The ball's factor on its restitution.</param>
+    /// <param name="bounce">The factor by which the ball scales its restitution.</param>
     public ContactMaterial(SurfaceMaterial surface, double bounce = 1)
     {
         PerRestitutionSpeed = 1.0 / surface.RestitutionSpeedScale;
@@ -358,7 +358,7 @@ internal readonly struct ContactMaterial
     /// <summary>e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²).</summary>
     /// <remarks>
     /// An oblique impact has a higher e.
-    /// At most 1, except for a bumper, whose e does not rise.
+    /// e is at most 1, except for a bumper, whose e does not rise.
     /// </remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
@@ -384,7 +384,7 @@ internal readonly struct ContactMaterial
         return e + (RestitutionRise * Math.Max(0, 1.0 - e));
     }
 
-    /// <summary>Returns the largest restitution anywhere on a ground: that of the slowest and most oblique impacts.</summary>
+    /// <summary>Returns the largest restitution anywhere on a ground: in the slowest and most oblique impacts.</summary>
     public static double LargestOn(Ground ground, BallProperties ball)
     {
         double largest = new ContactMaterial(ground.Material, ball.Bounce).LargestRestitutionAt(0);
@@ -400,11 +400,11 @@ internal readonly struct ContactMaterial
     /// <remarks>It exceeds 1000 m/s only if the approach did.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>
-    /// <param name="share">The share of the restitution that counts.</param>
+    /// <param name="share">The share of the restitution to apply.</param>
     public double Bumped(double approach, double restitution, double share) =>
         Math.Min(share * Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
 
-    /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), at most 1, or at most that of a bumper.</summary>
+    /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), limited to 1, or to the higher bound of a bumper.</summary>
     private double RestitutionHeadOn(double approach)
     {
         double x = approach * PerRestitutionSpeed;

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Solves the loads and friction forces of a contact set with locked modes.</summary>
 /// <remarks>
-/// It is one linear system, with one unknown per load and two per sticking contact. One sticking contact is eliminated in closed form:
+/// The forces solve one linear system, with one unknown per load and two per sticking contact. One sticking contact is eliminated in closed form:
 /// its load keeps the ball at the surface, and its friction is −α/(1+α) of the slip rate that it prevents.
 /// One equation remains per slipping contact, and three per further sticking contact.
 /// </remarks>
@@ -95,7 +95,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref w, rows, size);
         }
 
-        // Compute the response of the eliminated contact to the free motion, and to a unit of every other force.
+        // Compute the response of the eliminated contact to the free motion, and to a unit of each other force.
         ForceRow own = default;
         if (stuck >= 0)
         {
@@ -192,7 +192,7 @@ internal static unsafe class ContactForces
         return largest;
     }
 
-    /// <summary>Chooses the smallest forces of two sticking contacts, or the nearest to them inside both friction cones.</summary>
+    /// <summary>Chooses the smallest forces of two sticking contacts, or the nearest forces inside both friction cones.</summary>
     [SkipLocalsInit]
     private static void Brace(ForceRow* rows, double* x, double* z, int size, in ForceRow own, in SetContact first, in SetContact second, int row)
     {
@@ -232,7 +232,7 @@ internal static unsafe class ContactForces
     }
 
     /// <summary>Solves all forces at once, without elimination.</summary>
-    /// <remarks>If the solution is not unique, it takes the one with the least sum of squares.</remarks>
+    /// <remarks>If the solution is not unique, it takes the solution with the least sum of squares.</remarks>
     [SkipLocalsInit]
     private static void SolveAll(ref ContactSystem system, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration)
     {
@@ -371,7 +371,7 @@ internal static unsafe class ContactForces
     }
 
     /// <summary>Sets the unknowns of an active contact: its load, and its friction if it sticks.</summary>
-    /// <returns>Their number.</returns>
+    /// <returns>The number of unknowns.</returns>
     private static int SetRows(in ContactSystem system, int index, in Vector3d spin, ForceRow* rows)
     {
         ref readonly SetContact contact = ref system.Contacts[index];

@@ -25,7 +25,7 @@ internal static unsafe class ContactModes
     /// <param name="sticking">A slip below this counts as zero, m/s.</param>
     /// <param name="carrier">The carrier of the ball, which most likely still has the greatest load.</param>
     /// <param name="evaluations">Counts the evaluations.</param>
-    /// <returns>False if none were found.</returns>
+    /// <returns>False if no consistent modes were found.</returns>
     public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, int carrier, ref int evaluations)
     {
         int likely = -1;
@@ -44,7 +44,7 @@ internal static unsafe class ContactModes
         Forget(ref system);
         if (likely >= 0)
         {
-            // At a standstill the load is not known yet, so search for the bearer.
+            // Start with the carrier as the bearer (the contact that resists rolling). At a standstill, search for the bearer instead.
             system.Bearer = likely;
             Roll(ref system, in at, default);
             system.Pinned = false;
@@ -66,7 +66,7 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>Opens the contacts that the push does not lead into, if three contacts surround the ball in one plane.</summary>
+    /// <summary>Opens contacts that the push does not press against, if three contacts surround the ball in one plane.</summary>
     /// <remarks>An example is a ball between a player and a board on the ground. With all three active, the loads would not be
     /// determined.</remarks>
     [SkipLocalsInit]
@@ -138,8 +138,8 @@ internal static unsafe class ContactModes
 
     /// <summary>Solves the forces with the current modes; the bearer and the direction of the roll follow from the loads.</summary>
     /// <remarks>
-    /// Rolling resistance may reduce the load of its contact so much that another contact has the greater load, whichever is the bearer.
-    /// Then both count as equal, and the first one is the bearer.
+    /// Rolling resistance may reduce the bearer's load so much that the other contact has the greater load, whichever is the bearer.
+    /// The two loads are then treated as equal, and the first contact is the bearer.
     /// </remarks>
     private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
@@ -177,7 +177,7 @@ internal static unsafe class ContactModes
         }
     }
 
-    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill that of the push.</summary>
+    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill of the push.</summary>
     /// <remarks>At a standstill, rolling resistance may hold the ball instead.</remarks>
     private static void Roll(ref ContactSystem system, in Motion at, in Vector3d free)
     {
@@ -205,7 +205,7 @@ internal static unsafe class ContactModes
         system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
     }
 
-    /// <summary>Returns the direction that the active contacts leave free: across two normals; zero if a third contact blocks it.</summary>
+    /// <summary>Returns the direction that active contacts leave free, normal to both normals; zero if a third contact blocks it.</summary>
     private static Vector3d DirectionLeft(in ContactSystem system, out bool isLine)
     {
         Vector3d first = system.Contacts[system.Bearer].Normal;
@@ -235,7 +235,7 @@ internal static unsafe class ContactModes
 
         if (!isLine)
         {
-            // A single normal: the free direction is that of the velocity.
+            // With a single normal, the free direction is along the velocity.
             Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
             double speed = rolling.Length;
             return speed > 0 ? rolling / speed : Vector3d.Zero;
@@ -314,7 +314,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // The contact that exceeds its friction cone most starts to slip: at zero slip, against the friction that it would need.
+        // Let the contact that exceeds its friction cone most slip. If its slip is zero, it slips against the friction needed.
         double most = 0;
         for (int i = 0; i < system.Count; i++)
         {
@@ -328,7 +328,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Drilling friction cannot hold the spin, so it starts against the holding torque.
+            // Drilling friction cannot hold the spin, so the spin starts against the holding torque.
             system.HoldsSpin = false;
             system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
             return true;
@@ -336,7 +336,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
         {
-            // Rolling resistance cannot hold the ball either, so it starts to roll against the holding force.
+            // Rolling resistance cannot hold the ball either, so the ball starts to roll against the holding force.
             system.Pinned = false;
             system.Along = system.Held > 0 ? -system.Along : system.Along;
             return true;
@@ -365,7 +365,7 @@ internal static unsafe class ContactModes
             : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
     }
 
-    /// <summary>Returns the part of a push that frictionless contacts leave.</summary>
+    /// <summary>Returns the part of a push that frictionless contacts do not take up.</summary>
     private static PushProjection Project(in ContactSystem system, in Vector3d push)
     {
         Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
@@ -399,7 +399,7 @@ internal static unsafe class ContactModes
     }
 
     /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>
-    /// <remarks>None may move relative to the carrier (contacts.md, Rest).</remarks>
+    /// <remarks>No contact may move relative to the carrier (contacts.md, Rest).</remarks>
     /// <param name="around">The scene.</param>
     /// <param name="set">The contacts.</param>
     /// <param name="s">The ball.</param>

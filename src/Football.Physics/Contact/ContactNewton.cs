@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>A semi-smooth Newton step on the impulses of a contact set.</summary>
 /// <remarks>
-/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it takes the
+/// With the modes (load, grip, slip) fixed, the impulses are the solution of one linear system. If they are undetermined, it applies the
 /// change with
 /// the least sum of squares. An example is a ball that grips both sides of a gutter.
 /// </remarks>
@@ -18,7 +18,7 @@ internal static class ContactNewton
     /// <param name="set">The contacts.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="duration">The time, s.</param>
-    /// <param name="resistance">Rolling and drilling resistance at one of them.</param>
+    /// <param name="resistance">Rolling and drilling resistance at one contact.</param>
     /// <param name="v">Velocity, m/s.</param>
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
@@ -111,7 +111,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Finds the contacts that have impulses or are about to get them. All others have none after the step either.</summary>
+    /// <summary>Finds the contacts that have impulses or are about to get them. All others have no impulse after the step either.</summary>
     /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {
@@ -244,7 +244,7 @@ internal static class ContactNewton
 
             if (row.Turns > 0)
             {
-                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction counts.
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction matters.
                 int second = i + row.Other;
                 Span<double> other = motions.Slice(second * size, size);
                 double across = row.Turns * row.Across;

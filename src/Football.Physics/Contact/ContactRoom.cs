@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>Memory for contact sets that exceed the caller's stack memory.</summary>
 /// <remarks>
 /// Stationary surfaces are never dropped from a set, however many a ball touches. The memory is kept, so a later step with as many contacts
-/// allocates nothing. Each set in use at the same time needs its own. Threads that share a simulator each have their own.
+/// allocates nothing. Sets in use at the same time need separate memory. Threads that share a simulator each have their own.
 /// </remarks>
 internal sealed class ContactRoom
 {

@@ -65,7 +65,7 @@ internal static unsafe class ContactRows
     /// <param name="b">b; replaced by x.</param>
     /// <param name="y">y; replaced by z.</param>
     /// <param name="size">Number of unknowns.</param>
-    /// <returns>False if more than this is undetermined: b and y are then unchanged, and G is overwritten.</returns>
+    /// <returns>False if more than this one force is undetermined: b and y are then unchanged, and G is overwritten.</returns>
     [SkipLocalsInit]
     public static bool SolveBraced(double* g, double* b, double* y, int size)
     {

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Finds the first contact along a path.</summary>
 /// <remarks>
-/// It follows every gap by conservative advancement: a gap f with the rate f' and a bend of at most M stays open until
+/// It tracks each gap by conservative advancement: a gap f with rate f' and second derivative of at most M stays open until
 /// f + f' s − ½ M s² is zero. Near a contact this is Newton's method, which never oversteps the contact.
 /// </remarks>
 internal readonly struct ContactSearch
@@ -16,7 +16,7 @@ internal readonly struct ContactSearch
     /// <summary>A separating speed below this counts as zero, m/s: 5e-12 m in a microsecond.</summary>
     public const double Leaving = 5e-6;
 
-    /// <summary>The bend of the gap to a concave surface is bounded up to this gap, as a share of the radius.</summary>
+    /// <summary>The second derivative of the gap to a concave surface is bounded only up to this gap, as a share of the radius.</summary>
     internal const double NearHollow = 0.1;
 
     /// <summary>Upper bound of the projection onto the carrier after a piece, m.</summary>
@@ -25,7 +25,7 @@ internal readonly struct ContactSearch
     /// <summary>Minimum step of a search, as a share of the path.</summary>
     private const double ShortestShare = 1e-7;
 
-    /// <summary>Minimum duration of a piece, s. A shorter one has contacts only at its start.</summary>
+    /// <summary>Minimum duration of a piece, s. A shorter piece has contacts only at its start.</summary>
     private const double ShortestStep = 1e-300;
 
     private readonly World _world;
@@ -90,7 +90,7 @@ internal readonly struct ContactSearch
             bool seam = false;
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
-            // For simultaneous contacts, take the first collider of the scene, whatever the order of the walk.
+            // For simultaneous contacts, take the first collider of the scene, regardless of the order of the walk.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
@@ -158,7 +158,7 @@ internal readonly struct ContactSearch
                 at = EntersMouth(in gap, until);
             }
 
-            // For simultaneous passages, take the first net or goal of the scene, whatever the order of the walk.
+            // For simultaneous passages, take the first net or goal of the scene, regardless of the order of the walk.
             if (at < best || (at == best && thing < bestThing))
             {
                 best = at;
@@ -167,7 +167,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // A net stretches with the ball in it, so check for leaving it at any position.
+        // A net stretches with the ball in it, so its bounds are of no use: always test whether the ball leaves it.
         for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
@@ -179,7 +179,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // In the mouth of a goal, check for passing the line and for leaving, at any position.
+        // For a ball in the mouth of a goal, always test whether it passes the line or leaves through the mouth.
         for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
@@ -295,7 +295,7 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
-        // M bounds the bend: the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
+        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
         double speed = path.FastestSpeed;
         double hollow = collider.HollowCurvature;
         double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
@@ -445,7 +445,7 @@ internal readonly struct ContactSearch
             Vector3d velocity = _path.VelocityAt(t);
             Vector3d place = net.PlaceInFrame(in at);
 
-            // The ball comes from the side on which it is when it reaches the slab.
+            // The ball enters from the side of the sheet that it is on when it reaches the slab.
             side = place.Z < 0 ? -1.0 : 1.0;
             double step = 0;
             Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
@@ -463,7 +463,7 @@ internal readonly struct ContactSearch
         }
     }
 
-    /// <summary>Computes how long one condition of a net stays unmet. The longest such time is safe for all conditions.</summary>
+    /// <summary>Computes for how long one condition of a net remains unmet. The longest such time is safe for all conditions.</summary>
     private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step, ref Separation gap)
     {
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);

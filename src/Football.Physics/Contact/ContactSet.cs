@@ -19,13 +19,13 @@ internal static class ContactSet
     /// <summary>Maximum number of iterations that project a ball onto its contacts.</summary>
     private const int MostRounds = 64;
 
-    /// <summary>Maximum number of Newton iterations onto two contacts.</summary>
+    /// <summary>Maximum number of Newton iterations that project a ball onto two contacts.</summary>
     private const int MostNewton = 4;
 
     /// <summary>Search radius for objects that a ball may be pushed into when it is pushed out of another, m.</summary>
     private const double Beside = 0.01;
 
-    /// <summary>A contact with this share of the greatest load bears about as much.</summary>
+    /// <summary>A carrier with at least this share of the greatest load stays the carrier.</summary>
     public const double AboutAsMuch = 0.5;
 
     /// <summary>A gap below this counts as closed, m.</summary>
@@ -48,7 +48,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is stationary now does not come back.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is now stationary does not return.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
@@ -196,7 +196,7 @@ internal static class ContactSet
         int heaviest = -1;
         for (int i = 0; i < set.Length; i++)
         {
-            // If two loads are equal to within rounding, the first contact counts.
+            // If two loads are equal to within rounding, take the first contact.
             heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + SetContact.SameLoad)) ? i : heaviest;
         }
 
@@ -339,7 +339,7 @@ internal static class ContactSet
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
-        // A loaded contact holds the ball on its surface with zero normal speed; the others only keep it out. Close remaining gaps if
+        // A loaded contact holds the ball on its surface with zero normal speed; the others only keep the ball out. Close remaining gaps if
         // possible.
         s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
@@ -348,7 +348,7 @@ internal static class ContactSet
         return Math.Abs(gap) > Closed;
     }
 
-    /// <summary>Returns the index for a contact in the set: a new one, that of a contact it replaces, or −1 to drop it.</summary>
+    /// <summary>Returns the index for a contact in the set: a new index, the one of a contact to replace, or −1 to drop it.</summary>
     private static int PlaceOf(in Contact contact, Span<Contact> set, World world, int carrier)
     {
         for (int i = 0; i < set.Length; i++)
@@ -364,7 +364,7 @@ internal static class ContactSet
     }
 
     /// <summary>Sorts contacts in scene order, and bodies by their normals, because the order in which they were added or found must not
-    /// count.</summary>
+    /// matter.</summary>
     private static void Sort(World world, Span<Contact> set)
     {
         for (int i = 1; i < set.Length; i++)
@@ -390,7 +390,7 @@ internal struct Contact
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
-    /// <summary>True if the collider moves. The ball may then overlap it if it cannot get out of its path.</summary>
+    /// <summary>True if the collider moves. The ball may then overlap the collider if it cannot get out of the way.</summary>
     public readonly bool Moves;
 
     /// <summary>True if the surface is flat there.</summary>

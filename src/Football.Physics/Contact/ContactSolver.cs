@@ -12,7 +12,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ContactSolver
 {
-    /// <summary>Maximum number of iterations. After that a set counts as unsolvable, such as two objects that close on the ball.</summary>
+    /// <summary>Maximum number of iterations. After that, the set counts as unsolvable, as with two objects that close on a ball.</summary>
     private const int MostRounds = 48;
 
     /// <summary>Number of iterations for a set that may be unsolvable.</summary>
@@ -21,7 +21,7 @@ internal static class ContactSolver
     /// <summary>Relative change of impulses and speeds below which the solver has converged.</summary>
     private const double Settled = 1e-13;
 
-    /// <summary>The same for impulses that only locate the evaluation at the end of a part.</summary>
+    /// <summary>The same tolerance for impulses that only locate the evaluation at the end of a part.</summary>
     public const double Foreseen = 1e-8;
 
     /// <summary>Tolerance that suffices after the last iteration, or if Newton's method gains little or fails twice.</summary>

@@ -41,10 +41,10 @@ internal unsafe struct ContactSystem : IMotionSystem
     /// <summary>The air speed there, m/s.</summary>
     public double AirSpeed;
 
-    /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps it.</summary>
+    /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>
     public double SpinSign;
 
-    /// <summary>True if drilling friction holds the spin about the bearer's normal at that of the bearer.</summary>
+    /// <summary>True if drilling friction holds the spin about the bearer's normal equal to the bearer's spin.</summary>
     public bool HoldsSpin;
 
     /// <summary>The holding torque per moment of inertia, rad/s².</summary>
@@ -83,7 +83,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
 
-        // a_air = L (ω × u) − D u; the ground's settings determine how much of it counts.
+        // a_air = L (ω × u) − D u; the ground's settings determine how much of it acts.
         Vector3d push = air.Acceleration;
         if (World.AirActs)
         {

@@ -2,10 +2,10 @@ namespace FootballPhysics;
 
 /// <summary>An impact by Coulomb's law: normal restitution, and a tangential impulse that grips, or slips if friction cannot hold
 /// it.</summary>
-/// <remarks>Without a friction limit, these are the thesis' four coefficients of restitution (2.16 to 2.18).</remarks>
+/// <remarks>Without a friction limit, these are the four coefficients of restitution in the thesis (2.16 to 2.18).</remarks>
 internal static class CoulombImpact
 {
-    /// <summary>Number of bisections: locates the share of a restitution to a billionth.</summary>
+    /// <summary>Number of bisections that locate the share of a restitution to a billionth.</summary>
     private const int Halvings = 30;
 
     /// <summary>Computes velocity and spin just after an impact with an immovable object.</summary>

@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>The engine colliders that the ball has pushed since the engine placed them, with their saved motions.</summary>
 internal sealed class EnginePushes
 {
-    /// <summary>The memories for saved motions: of a look-ahead, of a step of a group, of a trial, and before and after a push.</summary>
+    /// <summary>The buffers for saved motions: for a look-ahead, a group's step and a trial, and before and after a push.</summary>
     public const int OfLook = 0;
     public const int OfStep = 1;
     public const int OfTry = 2;

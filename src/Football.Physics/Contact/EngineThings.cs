@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Colliders found by an engine's sphere casts, as colliders of the world.</summary>
 /// <remarks>
-/// Each collider keeps a slot for a step; queries use those of the last cast. Slots follow the order of discovery and are meaningless
+/// Each collider keeps its slot for a step; queries use those of the last cast. Slots follow the order of discovery and are meaningless
 /// outside a step,
 /// so states and events identify an engine collider by its number (<see cref="EngineCollider.Number"/>), which does not depend on that
 /// order.
@@ -61,7 +61,7 @@ internal sealed class EngineThings
     /// <summary>The slots, filled as colliders are found. The first slot stays empty, for a collider that no longer exists.</summary>
     public IReadOnlyList<Collider> Colliders => _colliders;
 
-    /// <summary>Upper bound of the speed of any part of them, m/s: as given by the engine, and of rotating ones found.</summary>
+    /// <summary>Upper bound of the speed of any part of a collider, m/s: the engine's value, or that of a rotating one found.</summary>
     public double GreatestSpeed
     {
         get
@@ -79,7 +79,7 @@ internal sealed class EngineThings
     /// <summary>Number of colliders found by the last cast.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Returns the world index of a collider found.</summary>
+    /// <summary>Returns the world index of a found collider.</summary>
     public int Found(int index) => _found[index];
 
     /// <summary>True if a collider of the world is an engine collider.</summary>
@@ -137,7 +137,7 @@ internal sealed class EngineThings
     public int NumberOf(long collider) =>
         collider >= _first && collider < _world.Colliders.Length && Has((int)collider) ? _world.Colliders[(int)collider].Engine?.Number ?? EngineCollider.FirstNumber : -1;
 
-    /// <summary>Returns the collider with a number nearest to a ball; null if there is none.</summary>
+    /// <summary>Returns the collider with a given number that is nearest to a ball; null if there is none.</summary>
     /// <remarks>It searches the last step, then the last known collider with this number.</remarks>
     public EngineCollider? Of(int number, in Vector3d position, double time) =>
         Nearest(number, in position, time, -1) is >= 0 and int place ? _colliders[place].Engine : _known.TryGetValue(number, out EngineCollider? known) ? known : null;
@@ -148,7 +148,7 @@ internal sealed class EngineThings
     /// <summary>Converts a slot to a world index: nets and goals come between the initial slots and those added later.</summary>
     private int IndexOf(int place) => _first + place + (place > Room ? _passages : 0);
 
-    /// <summary>Returns the slot of the collider with a number whose surface is nearest to a ball.</summary>
+    /// <summary>Returns the slot of the collider that has a given number and whose surface is nearest to a ball.</summary>
     /// <remarks>Several colliders may share a name and a number.</remarks>
     /// <param name="number">The number.</param>
     /// <param name="position">Position of the ball, m.</param>
@@ -178,7 +178,7 @@ internal sealed class EngineThings
     /// <summary>Saves the pushes so far in one of the memories of <see cref="EnginePushes"/>.</summary>
     public void KeepPushes(int memory) => Pushes.Keep(memory);
 
-    /// <summary>Restores them.</summary>
+    /// <summary>Restores the saved pushes.</summary>
     public void PutPushesBack(int memory)
     {
         Pushes.PutBack(memory);
@@ -199,7 +199,7 @@ internal sealed class EngineThings
         Vector3d to = from + (way.Duration * way.Velocity);
         Look(in from, in to, way.Around, way.Time, way.Duration);
 
-        // The cast finds colliders near the path. Whether the path reaches one is tested against its moving box.
+        // The cast finds colliders near the path. The moving box of each collider decides whether the path reaches it.
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _world.Colliders[_found[i]];
@@ -219,7 +219,7 @@ internal sealed class EngineThings
         _around = around + Beside;
         _isKnown = true;
 
-        // The engine's colliders have their positions at one time, and may have moved when the ball passes. Expand the cast by that motion.
+        // The engine reports positions at one time, and colliders may have moved when the ball passes. Expand the cast by that motion.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
@@ -240,7 +240,7 @@ internal sealed class EngineThings
             Array.Resize(ref _found, _hits.Count);
         }
 
-        // An engine may return all its colliders. One outside the box of the cast is optional in its answer, so skip it.
+        // An engine may return all its colliders. Skip those outside the box of the cast, which it need not return.
         Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
@@ -350,7 +350,7 @@ internal sealed class EngineThings
         }
     }
 
-    /// <summary>Records the collider of a number.</summary>
+    /// <summary>Records which collider has a number.</summary>
     private void Know(EngineCollider collider)
     {
         // An engine may create new colliders without end, so clear the cache when it is full. Colliders in use are found again.

@@ -54,7 +54,7 @@ internal static class Flush
                 continue;
             }
 
-            // Flush: touched, with the same normal, and the ball closes no faster than the normals differ, |u| |n₁ × n₂|.
+            // Flush: a touched surface with the same normal, and a closing speed within the difference of the normals, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
@@ -73,7 +73,7 @@ internal static class Flush
             double explained = (speed * sine) + ContactSearch.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
             if (closing <= explained && (carries || closingOnOther <= ContactSearch.Approaching))
             {
-                // Advance past the edge, r sin θ along the surface, and until coinciding convex surfaces can separate: ½ |u|² t²/r.
+                // The longer of two times: past the edge (r sin θ), and until coinciding convex surfaces separate (½ |u|² t²/r).
                 double apart = carries && sine <= Coincident ? Math.Sqrt(2.0 * Parted * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }

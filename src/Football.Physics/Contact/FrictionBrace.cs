@@ -8,7 +8,7 @@ internal static unsafe class FrictionBrace
     /// <summary>Forces are moved this far inside a friction cone, as a share of the square.</summary>
     private const double Inside = 1.0 - 1e-9;
 
-    /// <summary>Returns the share λ of the change z that moves the forces x into both cones; 0 if they are inside, or if none
+    /// <summary>Returns the share λ of the change z that moves the forces x into both cones; 0 if they are inside, or if no λ
     /// does.</summary>
     /// <param name="x">Load and friction of the first contact, along its two directions.</param>
     /// <param name="z">The change of these forces.</param>

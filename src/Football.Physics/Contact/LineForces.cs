@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Loads and friction of a ball on stationary surfaces that leave it a line a, or its spot: <see cref="ContactForces"/> in closed
+/// <summary>Loads and friction of a ball on stationary surfaces that confine it to a line a or spot: <see cref="ContactForces"/> in closed
 /// form.</summary>
 /// <remarks>
 /// It applies if no normal turns. The ball has the velocity x a and the spin x e + ψ n, with n the normal of the bearer.
@@ -9,7 +9,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal unsafe struct LineForces
 {
-    /// <summary>Two normals leave a line if |n₁ × n₂| exceeds this.</summary>
+    /// <summary>Two normals define a line if |n₁ × n₂| exceeds this.</summary>
     public const double Independent = 1e-6;
 
     /// <summary>Value of a margin that no condition uses.</summary>
@@ -53,7 +53,7 @@ internal unsafe struct LineForces
     /// <param name="bearer">The contact that sticks.</param>
     /// <param name="other">The other contact.</param>
     /// <param name="ball">The ball.</param>
-    /// <returns>False if the normals leave no line.</returns>
+    /// <returns>False if the normals define no line.</returns>
     public bool Prepare(in Touched bearer, in Touched other, BallProperties ball)
     {
         Vector3d along = Vector3d.Cross(in bearer.Normal, in other.Normal);

@@ -50,7 +50,7 @@ internal sealed class NetSheet
         (HalfLength * Math.Abs(_along.Y)) + (HalfWidth * Math.Abs(_across.Y)),
         (HalfLength * Math.Abs(_along.Z)) + (HalfWidth * Math.Abs(_across.Z)));
 
-    /// <summary>True if another sheet has the same position and size, whatever its material.</summary>
+    /// <summary>True if another sheet has the same position and size, regardless of its material.</summary>
     public bool IsAt(NetSheet other) =>
         _center == other._center && Normal == other.Normal && _along == other._along && HalfLength == other.HalfLength && HalfWidth == other.HalfWidth;
 
@@ -74,8 +74,8 @@ internal sealed class NetSheet
     /// <summary>b δ̈, 1/s.</summary>
     public double TensionRate(in Vector3d acceleration, double side) => _damping * DepthRate(in acceleration, side);
 
-    /// <summary>Upper bound of the distance from its centre of a ball that entered at a given speed, m.</summary>
-    /// <remarks>All of the ball's energy is then in the net, in every direction. Infinite without stiffness.</remarks>
+    /// <summary>Upper bound of the distance from the net's centre to a ball that entered at a given speed, m.</summary>
+    /// <remarks>At this distance the net holds all of the ball's energy, in any direction. Infinite without stiffness.</remarks>
     public double FarthestIn(double speed) => HalfLength + HalfWidth + (2.0 * _radius) + (speed / Math.Sqrt(_stiffness));
 
     /// <summary>Returns how fast the net changes the motion at a depth, 1/s.</summary>
@@ -105,7 +105,7 @@ internal sealed class NetSheet
         return h * h * Math.Max(pull * pulls * pulls, drag * drags * drags) / 46080.0;
     }
 
-    /// <summary>Returns the force on a ball in it: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
+    /// <summary>Returns the force on a ball in the net: F/m = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t, T/I = −k_ω δ ω.</summary>
     public MotionRates Push(in Motion at, double side)
     {
         double depth = Math.Max(0, Depth(in at.Position, side));

@@ -65,7 +65,7 @@ internal static class Passages
         }
     }
 
-    /// <summary>Transfers nets and goals of a ball to another scene: it keeps those in both scenes, and is placed in new ones.</summary>
+    /// <summary>Transfers nets and goals of a ball to another scene: it keeps those in both scenes; new ones treat it as placed.</summary>
     /// <param name="old">The old world.</param>
     /// <param name="world">The new world.</param>
     /// <param name="before">The ball in the old world.</param>

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The part of a push that frictionless contacts leave: up to two of them have a load, or three and more take all of it.</summary>
+/// <summary>The part of a push that frictionless contacts do not take up: at most two have a load, or three or more take it all.</summary>
 internal unsafe struct PushProjection
 {
     /// <summary>Two normals are independent if 1 − (n₁·n₂)² exceeds this, and three if |n₁·(n₂ × n₃)| does.</summary>
@@ -17,7 +17,7 @@ internal unsafe struct PushProjection
     /// <summary>The remaining push, m/s².</summary>
     public Vector3d Left;
 
-    /// <summary>True if three or more independent loads take all of it.</summary>
+    /// <summary>True if three or more independent loads take up the entire push.</summary>
     public bool TakesAll;
 
     /// <summary>Projects a push onto the directions that the contacts leave free, m/s².</summary>
@@ -81,7 +81,7 @@ internal unsafe struct PushProjection
     /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
 
-    /// <summary>True if a push leads into none of the contacts.</summary>
+    /// <summary>True if a push does not press the ball against any contact.</summary>
     private static bool IsLeft(Vector3d* normals, int count, in Vector3d push)
     {
         for (int i = 0; i < count; i++)

@@ -42,7 +42,7 @@ internal readonly struct MovingShape
 
 /// <summary>Finds the first contact with a rotating shape by conservative advancement, as in <see cref="ContactSearch"/>.</summary>
 /// <remarks>
-/// The rate and the bend of the gap are bounded for the path in the rotating frame, where the shape is at rest.
+/// The rate and the second derivative of the gap are bounded for the path in the rotating frame, where the shape is at rest.
 /// </remarks>
 internal static class RotatingSearch
 {
@@ -69,7 +69,7 @@ internal static class RotatingSearch
         double speed = seen.FastestSpeed;
         double spin = shape.SpinRate;
 
-        // The gap closes at most at |w| plus the rotation speed: that of the ball about the pivot, or that of the shape if smaller.
+        // The gap closes at most at |w| plus the rotation speed: of the ball about the pivot, or of the shape if that is smaller.
         double around = spin * farthest;
         double closing = speed + Math.Min(around, shape.Swing);
 

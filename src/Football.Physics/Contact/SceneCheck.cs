@@ -9,7 +9,7 @@ internal static class SceneCheck
     /// error.</summary>
     private const double Touching = 1e-6;
 
-    /// <summary>Maximum speed of a ball in a net, m/s: more than from the highest fall.</summary>
+    /// <summary>Maximum speed of a ball in a net, m/s: more than the highest fall gives.</summary>
     private const double FastestInNets = 1e4;
 
     /// <summary>Maximum distance behind the line of a ball that entered a goal without passing the line, m.</summary>

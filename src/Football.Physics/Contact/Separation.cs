@@ -31,7 +31,7 @@ internal readonly struct Separation
     /// <summary>σ of the net that the ball enters.</summary>
     public double Side => _side;
 
-    /// <summary>Bend of the gap for a path with unit bend: at the edge of a net, both the position and the depth count.</summary>
+    /// <summary>Second derivative of the gap for unit acceleration: at the edge of a net, position and depth both contribute.</summary>
     public double Bends => _deepest >= 0 ? 2.0 : 1.0;
 
     /// <summary>The distance between the ball and a collider.</summary>
@@ -42,7 +42,7 @@ internal readonly struct Separation
 
     /// <summary>The distance until the ball is in a net, across its plane or beyond its edge.</summary>
     /// <remarks>
-    /// A net extends beyond its edge by the depth of the ball in another net. A ball that presses out of one net is thus caught by the next
+    /// A net extends beyond its edge by the depth of the ball in another net. A ball pushed out of one net is thus caught by the next
     /// one if they are joined.
     /// </remarks>
     /// <param name="world">The world.</param>
@@ -58,7 +58,7 @@ internal readonly struct Separation
     /// <summary>The depth in a net.</summary>
     public static Separation OfLeavingNet(World world, int net, double side) => new(world, SeparationKind.NetLeft, net, 2, side);
 
-    /// <summary>The distance until a ball in a net is off its edge: beyond it by its radius and its greatest depth in any net.</summary>
+    /// <summary>The distance until a ball is off the edge of its net, by its radius plus its greatest depth in any net.</summary>
     /// <remarks>A ball held by one net rolls over its edge, but a ball held by two does not slip through where they are joined.</remarks>
     /// <param name="world">The world.</param>
     /// <param name="net">The net.</param>
@@ -75,7 +75,7 @@ internal readonly struct Separation
     /// <param name="goal">The goal.</param>
     public static Separation OfGoal(World world, SeparationKind what, int goal) => new(world, what, goal, 0, 0);
 
-    /// <summary>Returns its value, m, and its rate, m/s, at a position, velocity and time.</summary>
+    /// <summary>Returns the value, m, and the rate, m/s, at a position, velocity and time.</summary>
     public void Evaluate(in Vector3d position, in Vector3d velocity, double time, out double value, out double rate)
     {
         switch (What)

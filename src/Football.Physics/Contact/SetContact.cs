@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>One contact of a contact set at the level of forces: its mode, its material, and its last load and friction.</summary>
 internal struct SetContact
 {
-    /// <summary>Two loads are equal if they differ by less than this share; the first contact then counts.</summary>
+    /// <summary>Two loads are equal if they differ by less than this share; the first contact then has priority.</summary>
     public const double SameLoad = 1e-9;
 
     /// <summary>Relative tolerance of the friction cone.</summary>
@@ -26,7 +26,7 @@ internal struct SetContact
     /// <summary>True if its normal and its velocity are constant throughout a piece.</summary>
     public bool IsFixed;
 
-    /// <summary>ŝ, the direction of the slip at the start of the piece. Friction keeps it if a stage passes zero.</summary>
+    /// <summary>ŝ, the direction of the slip at the start of the piece. Friction keeps this direction if a stage passes zero.</summary>
     public Vector3d Direction;
 
     /// <summary>n, towards the ball, and two directions along the surface.</summary>
@@ -109,7 +109,7 @@ internal struct SetContact
         Direction = -1.0 / Friction.Length * Friction;
     }
 
-    /// <summary>Turns the direction of a starting slip to that of its rate, m/s².</summary>
+    /// <summary>Turns a starting slip in the direction of its rate, m/s².</summary>
     /// <returns>True if the direction has changed.</returns>
     public bool TurnSlip(in Vector3d rate)
     {

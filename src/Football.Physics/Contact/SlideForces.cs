@@ -12,7 +12,7 @@ internal struct SlideForces
     /// <summary>a.</summary>
     public Vector3d Along;
 
-    /// <summary>Directions of the slips at the start. Friction keeps them if a stage passes zero.</summary>
+    /// <summary>Directions of the slips at the start. Friction keeps these directions if a stage passes zero.</summary>
     public Vector3d FirstDirection;
     public Vector3d SecondDirection;
 
@@ -35,7 +35,7 @@ internal struct SlideForces
     private double _drilling;
 
     /// <summary>Prepares two surfaces.</summary>
-    /// <returns>False if their normals leave no line.</returns>
+    /// <returns>False if their normals define no line.</returns>
     public bool Prepare(in Touched first, in Touched second, BallProperties ball)
     {
         Vector3d along = Vector3d.Cross(in first.Normal, in second.Normal);
@@ -101,7 +101,7 @@ internal struct SlideForces
     }
 
     /// <summary>Computes the loads: N₁ + p N₂ = −A·n₁ and q N₁ + N₂ = −A·n₂.</summary>
-    /// <remarks>p and q are the cosine of the normals, minus the share of the other surface's friction that adds to the load.</remarks>
+    /// <remarks>p and q are the cosine of the angle between the normals, minus the share of the other surface's friction in the load.</remarks>
     /// <param name="push">Acceleration without contacts, m/s².</param>
     /// <param name="firstSlip">ŝ₁.</param>
     /// <param name="secondSlip">ŝ₂.</param>

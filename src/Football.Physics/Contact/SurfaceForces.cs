@@ -47,10 +47,10 @@ internal struct SurfaceForces
     public Vector3d Torque;
 
     /// <summary>Deceleration of the spin by the air, rad/s².</summary>
-    /// <remarks>For a ball without spin, the limit that acts against a starting spin.</remarks>
+    /// <remarks>For a ball without spin, this is the limit that acts against a starting spin.</remarks>
     public double Braking;
 
-    /// <summary>True if the ball has a spin in the laws of the air.</summary>
+    /// <summary>True if the laws of the air treat the ball as spinning.</summary>
     public bool Spins;
 
     /// <summary>N/m, not negative, m/s².</summary>

@@ -7,7 +7,7 @@ namespace FootballPhysics;
 /// Symbols: n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p the velocities of the carrier's material at
 /// the
 /// contact point and at the ball's centre, A the rate of V_c, a_t the tangential acceleration by all forces except friction.
-/// Load: N/m = max(0, −(a_b − A_s)·n − qᵀHq), minus the normal part of the air's acceleration if it counts.
+/// Load: N/m = max(0, −(a_b − A_s)·n − qᵀHq), minus the normal part of the air's acceleration if it acts.
 /// Sliding: v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques.
 /// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
 /// The normal part of v̇ keeps the ball on the surface.
@@ -28,7 +28,7 @@ internal struct SurfaceSystem : IMotionSystem
     public bool Rolls;
 
     /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
-    /// <remarks>Friction keeps it if a stage passes zero.</remarks>
+    /// <remarks>Friction keeps this direction if a stage passes zero.</remarks>
     public Vector3d Direction;
 
     /// <summary>True if friction keeps <see cref="Direction"/> for the entire piece.</summary>
@@ -52,7 +52,7 @@ internal struct SurfaceSystem : IMotionSystem
     /// <remarks>A ball does not come to rest on a carrier that accelerates faster than rolling friction can take it along.</remarks>
     public Vector3d CarrierGain;
 
-    /// <summary>Sign of its spin about the normal, relative to the carrier. Drilling friction keeps it.</summary>
+    /// <summary>Sign of the ball's spin about the normal, relative to the carrier. Drilling friction keeps this sign.</summary>
     public double SpinSign;
 
     /// <summary>The spin at the start of the piece, rad/s.</summary>
@@ -141,7 +141,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // A net's force counts in full along the surface; across it, only the part that presses the ball on.
+        // A net's force acts in full along the surface; along the normal, only the part that presses the ball onto it acts.
         double pressing = 0;
         if (Nets != 0)
         {
@@ -151,7 +151,7 @@ internal struct SurfaceSystem : IMotionSystem
             on.Torque += nets.SpinAcceleration;
         }
 
-        // Forces that count in flight but not on a surface also keep the ball on it, without friction. Otherwise it would leave and return
+        // Forces that act in flight but not on a surface also hold the ball on it, without friction. Otherwise it would leave and return
         // at once.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
@@ -217,7 +217,7 @@ internal struct SurfaceSystem : IMotionSystem
     /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>
     /// <remarks>
     /// It is α/(1+α) of the push along the surface, minus the acceleration of the surface, and minus the part that the air's torque turns
-    /// on its own if that counts.
+    /// on its own, if that torque acts.
     /// </remarks>
     public readonly Vector3d Traction(in SurfaceForces on)
     {

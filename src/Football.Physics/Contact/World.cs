@@ -127,7 +127,7 @@ internal sealed class World
     /// <remarks>Engine slots that were added later come after them.</remarks>
     public int FirstPassage { get; }
 
-    /// <summary>True if an index is that of a net, a goal or a zone, and not of a collider.</summary>
+    /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
     /// <summary>The colliders that move.</summary>
@@ -288,7 +288,7 @@ internal sealed class World
     public bool SharesAir { get; }
 
     /// <summary>True if the normal part of air and custom forces adds to the load.</summary>
-    /// <remarks>This is so if all air forces count, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
+    /// <remarks>This is so if all air forces act, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
     public bool AirLoads { get; }
 
     /// <summary>True if air forces act on a supported ball.</summary>
@@ -308,7 +308,7 @@ internal sealed class World
     /// <summary>True if the contact normals, and not the indices, decide the order of two colliders.</summary>
     public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
 
-    /// <summary>True if an index is that of a collider.</summary>
+    /// <summary>True if an index belongs to a collider.</summary>
     public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
 
     /// <summary>Adds new slots of an engine's table as colliders.</summary>
@@ -529,7 +529,7 @@ internal sealed class World
         return new MotionRates(in acceleration, in spinAcceleration);
     }
 
-    /// <summary>Returns the longest part of a step in which nets change the motion by a small share only, s.</summary>
+    /// <summary>Returns the longest part of a step in which nets change the motion by only a small share, s.</summary>
     /// <remarks>RK4's error in a part of c/λ is |ȧ| c⁴/(120 λ²) in the time 1/λ.</remarks>
     public double LongestPartInNets(ulong nets, ulong sides, in Motion at, double jerk)
     {

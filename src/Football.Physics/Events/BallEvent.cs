@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>An event within a step, with its exact time and position.</summary>
 /// <remarks>
-/// The velocity of an impact is that right after the impulse, even if the ball then stays down and loses its normal part. A rest reports the velocity and
+/// For an impact, the velocity is taken right after the impulse, even if the ball then stays down and loses its normal part. A rest reports the velocity and
 /// spin at which the ball came to rest.
 /// </remarks>
 public readonly struct BallEvent : IFormattable
@@ -52,7 +52,7 @@ public readonly struct BallEvent : IFormattable
 
     /// <summary>The index of the object that was hit, or passed, or that supports the ball; −1 if there is none.</summary>
     /// <remarks>
-    /// 0 is the ground. Then follow the obstacles in order, the posts and crossbars of the goals, the bodies, all nets, the goals and the zones. An engine collider
+    /// 0 is the ground, followed by the obstacles in order, the posts and crossbars of the goals, the bodies, all nets, the goals and the zones. An engine collider
     /// has a much larger number, a hash of its name. The simulator returns the name of an index.
     /// </remarks>
     public int ColliderIndex { get; internal init; }
@@ -98,7 +98,7 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>The speed of the ball along the normal just before the event, in m/s.</summary>
-    /// <remarks>Scale the volume of a bounce by it. It ignores the velocity of the object.</remarks>
+    /// <remarks>Use it to scale the volume of a bounce sound. It ignores the velocity of the object.</remarks>
     public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
     /// <summary>The speed of the ball's centre that the event removed, in m/s.</summary>

@@ -5,14 +5,14 @@ namespace FootballPhysics;
 /// <summary>A buffer of events in the order of their times. A step writes it; read it after the step.</summary>
 /// <remarks>
 /// It grows up to <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it, and keeps its memory. If more events happen, it keeps the first
-/// and the last ones, and <see cref="Dropped"/> counts the rest.
+/// and the most recent ones, and <see cref="Dropped"/> counts the rest.
 /// </remarks>
 public sealed class EventBuffer
 {
     /// <summary>The default of <see cref="MaximumCount"/>.</summary>
     public const int DefaultMost = 1_024;
 
-    /// <summary>The number of last events that a full buffer keeps.</summary>
+    /// <summary>The number of most recent events that a full buffer keeps.</summary>
     public const int TailCount = 16;
 
     private BallEvent[] _events;
@@ -119,7 +119,7 @@ public sealed class EventBuffer
     /// <summary>Undoes additions, back to an earlier count. Tail events dropped since then are lost.</summary>
     internal void TakeBack(int count, long missed, long impacts)
     {
-        // If events were dropped since, the tail has moved, and only the events before it are unchanged.
+        // If events have been dropped since then, the tail has moved, and only the events before it are unchanged.
         Count = Dropped == missed ? count : Math.Min(count, MaximumCount - TailCount);
         Dropped = missed + (count - Count);
         Impacts = impacts;
@@ -135,7 +135,7 @@ public sealed class EventBuffer
             return;
         }
 
-        // Keep the head, and move the tail up by one.
+        // Keep the head, drop the oldest event of the tail, and shift the rest of the tail one position forward.
         Array.Copy(_events, Count - TailCount + 1, _events, Count - TailCount, TailCount - 1);
         Count--;
         Dropped++;

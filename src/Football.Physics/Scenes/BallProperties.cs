@@ -22,11 +22,11 @@ public sealed record BallProperties
     /// <remarks>0.1 … 1; default 2/3, a thin shell (derived; layered balls ±0.03, guess).</remarks>
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
-    /// <summary>The factor on the restitution of every surface: a soft ball has less than 1.</summary>
+    /// <summary>The factor that scales the restitution of every surface; below 1 for a soft ball.</summary>
     /// <remarks>0 … 1.2; default 1. The product is at most 1, except on a bumper.</remarks>
     public double Bounce { get; init; } = 1;
 
-    /// <summary>The drag coefficient without spin; only <see cref="AerodynamicModel.Measured"/> uses it.</summary>
+    /// <summary>The drag curve without spin; only <see cref="AerodynamicModel.Measured"/> uses it.</summary>
     /// <remarks>Default <see cref="DragCurve.Modern"/>.</remarks>
     public DragCurve DragCurve { get; init; } = DragCurve.Modern with { };
 
@@ -40,9 +40,9 @@ public sealed record BallProperties
     /// <remarks>Obstacles, bodies, engine colliders and zones of these layers do not exist for this ball: a thrower's own hands, for example.</remarks>
     public uint Ignores { get; init; }
 
-    /// <summary>The default: a present-day match ball, as it flies in a match.</summary>
+    /// <summary>The default: a present-day match ball in match play.</summary>
     /// <remarks>
-    /// The drag curve is that of roughness 0.86, measured on one match. It also fits the flights of a second match better than wind-tunnel curves do.
+    /// The drag curve has roughness 0.86, measured in one match. It also fits the flights of a second match better than wind-tunnel curves do.
     /// Knuckle force 1.5 N (guess).
     /// </remarks>
     public static BallProperties Modern { get; } = new();
@@ -92,7 +92,7 @@ public sealed record BallProperties
     /// <summary>Adidas Trionda (2026), in a wind tunnel.</summary>
     /// <remarks>
     /// Measured (University of Tsukuba, as reported): the crisis is at 27 mph (12.1 m/s), earlier than for Al Rihla, Telstar 18 and Brazuca. Roughness 0.35
-    /// is derived from that. Drag at high speed is reported to be higher: C_D above the crisis is 10 % higher, guess.
+    /// is derived from that. Drag at high speed is reported to be higher: C_D above the crisis is 10 % higher (guess).
     /// </remarks>
     public static BallProperties Trionda { get; } = new()
     {

@@ -10,7 +10,7 @@ public sealed record BodyKind
     /// <summary>The material of the surface.</summary>
     public required SurfaceMaterial Surface { get; init; }
 
-    /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move it.</summary>
+    /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move the body.</summary>
     public double Mass { get; init; } = double.PositiveInfinity;
 
     /// <summary>A boot and lower leg, centred on the middle of the foot: 28 cm long, 1.9 kg.</summary>
@@ -45,7 +45,7 @@ public sealed record BodyKind
     };
 
     /// <summary>A corner flag on a sprung base, about the centre of its base: 1.5 m tall (Law 1), 3 cm thick.</summary>
-    /// <remarks>The effective mass at the height of the ball is 0.8 kg, guess.</remarks>
+    /// <remarks>The effective mass at the height of the ball is 0.8 kg (guess).</remarks>
     public static BodyKind CornerFlag { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, 0.015, 0), new Vector3d(0, 1.485, 0), 0.015),

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>The condition of ball and pitch in a designer's words: pressure, wetness, wear, mud.</summary>
-/// <remarks>Each dial changes numbers of a scene by a formula. A dial at its default changes nothing.</remarks>
+/// <remarks>Each dial changes numbers of a scene by a formula. A dial at its default value changes nothing.</remarks>
 public sealed record Dials
 {
     /// <summary>The pressure at which FIFA tests balls, in bar: a drop from 2 m on concrete rebounds to 1.35 m.</summary>
@@ -19,14 +19,14 @@ public sealed record Dials
     /// <summary>The gauge pressure of the ball, in bar.</summary>
     /// <remarks>
     /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). It scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The stiffness of a thin
-    /// shell grows with p, so its deformation and its loss fall as 1/√p (derived). It also changes the mass by that of the air inside at 20 °C (law).
+    /// shell grows with p, so its deformation and its loss fall as 1/√p (derived). It also changes the ball's mass, by the air inside at 20 °C (law).
     /// </remarks>
     public double Pressure { get; init; } = UsualPressure;
 
-    /// <summary>The water on the pitch and in the ball, in addition to that of the scene. 0 … 1; default 0.</summary>
+    /// <summary>The water on the pitch and in the ball, beyond what the scene already includes. 0 … 1; default 0.</summary>
     /// <remarks>
-    /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, as from dry to watered turf (measured).
-    /// Impact friction falls by a third, to the lowest of three matches (measured). Sliding friction falls by 45 % and
+    /// At 1 the ball is 10 % heavier, the maximum in FIFA's water test (measured). The ground's restitution falls by 8.4 %, the effect of watering (measured).
+    /// Impact friction falls by a third, to the lowest value in three matches (measured). Sliding friction falls by 45 % and
     /// <see cref="SurfaceMaterial.TorsionalPatchRadius"/> by a quarter (guess).
     /// </remarks>
     public double Wetness { get; init; }
@@ -40,7 +40,7 @@ public sealed record Dials
 
     /// <summary>The mud on the pitch and the ball. 0 … 1; default 0.</summary>
     /// <remarks>
-    /// At 1 the ball is 5 % heavier. The ground's restitution falls by 60 %, its rise η to 0 and sliding friction by 40 %; c₀ grows by 0.12. All guess.
+    /// At 1 the ball is 5 % heavier. The ground's restitution falls by 60 %, its rise η to 0 and sliding friction by 40 %; c₀ grows by 0.12. All are guesses.
     /// </remarks>
     public double Mud { get; init; }
 

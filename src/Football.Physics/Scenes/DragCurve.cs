@@ -4,7 +4,7 @@ namespace FootballPhysics.Laws;
 /// <remarks>
 /// Re = 2r|u|/ν. C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ).
 /// <para>The formula and its rows are those of Kiratidis and Leinweber (arXiv:1710.02784). Their wind-tunnel speeds are converted to Reynolds numbers
-/// with their viscosity, 1.51393e-5 m²/s, and diameter, 0.22 m. Measured up to Re 5.1e5 (35 m/s), extrapolated beyond.</para>
+/// with the viscosity of that study, 1.51393e-5 m²/s, and its diameter, 0.22 m. Measured up to Re 5.1e5 (35 m/s), extrapolated beyond.</para>
 /// </remarks>
 public sealed record DragCurve
 {
@@ -58,7 +58,7 @@ public sealed record DragCurve
     /// <summary>Brazuca: crisis at 12.92 m/s (measured: Kiratidis and Leinweber).</summary>
     public static DragCurve Brazuca { get; } = OfTunnelSpeeds(0.4740, 12.92, 1.000, 0.1657, 0.2112, 14.61);
 
-    /// <summary>A present-day ball as it flies in a match: roughness 0.86, crisis at Re 95 000 (6.5 m/s at sea level).</summary>
+    /// <summary>A present-day ball in match play: roughness 0.86, crisis at Re 95 000 (6.5 m/s at sea level).</summary>
     /// <remarks>
     /// Measured on the flights of one minute of a match in 2024, at 2 600 m. A second minute gives 85 000 … 110 000. The measurement cannot separate the effects
     /// of the ball, its spin and the air in the stadium.
@@ -98,8 +98,8 @@ public sealed record DragCurve
     /// <remarks>
     /// The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
     /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
-    /// <para>The balls of the wind tunnel have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
-    /// <see cref="Modern"/>, the flights of one match set the curve.
+    /// <para>The wind-tunnel balls have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
+    /// <see cref="Modern"/>, the curve is fitted to the flights of one match.
     /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). So do deeper seams, texture and wear (measured: the crisis
     /// moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a guess.</para>
     /// </remarks>
@@ -131,7 +131,7 @@ public sealed record DragCurve
         Check.AtLeast("ball.dragCurve.riseTo", RiseTo, RiseFrom + Width);
     }
 
-    /// <summary>Creates a curve from a row of the fit, given in m/s of the tunnel's wind.</summary>
+    /// <summary>Creates a curve from a row of the fit, which is given in wind speeds of the tunnel, m/s.</summary>
     private static DragCurve OfTunnelSpeeds(
         double subcritical, double criticalSpeed, double width, double supercritical, double risen, double riseFrom) => new()
         {

@@ -59,7 +59,7 @@ public sealed class EngineCollider
     /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move the collider.</summary>
     /// <remarks>
     /// With a finite mass, an impact changes the velocity by the impulse until <see cref="IEngineColliders.Time"/> advances. From then on the engine's own position
-    /// and velocity count, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
+    /// and velocity are used, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The mass is not above 0.</exception>
     public double Mass
@@ -160,7 +160,7 @@ public sealed class EngineCollider
     /// <summary>The engine's time of the last push; NaN if there was none.</summary>
     internal double PushedAt => _pushedAt;
 
-    /// <summary>The motion and the pushes so far.</summary>
+    /// <summary>The motion, and the pushes received so far.</summary>
     internal EnginePush PushSoFar
     {
         get => new() { Motion = Placement.Motion, Pushed = _pushed, Gone = _gone, At = _pushedAt, IsAsPlaced = _isAsPlaced };

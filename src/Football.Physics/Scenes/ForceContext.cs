@@ -30,7 +30,7 @@ public readonly struct ForceContext
     /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>The velocity relative to the air, u = v − W, in m/s. Aerodynamic laws use it.</summary>
+    /// <summary>The velocity relative to the air, u = v − W, in m/s. The aerodynamic laws use this velocity.</summary>
     public Vector3d AirVelocity { get; }
 
     /// <summary>The angular velocity, in rad/s.</summary>

@@ -6,7 +6,7 @@ public enum ForceLaw
     /// <summary>The force does not act, and costs nothing.</summary>
     None = 0,
 
-    /// <summary>The coefficient is constant; the <see cref="ForceSet"/> contains it.</summary>
+    /// <summary>The coefficient is constant; its value is in <see cref="ForceSet"/>.</summary>
     Constant = 1,
 
     /// <summary>The coefficient follows a fit to measurements.</summary>

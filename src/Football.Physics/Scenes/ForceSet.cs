@@ -25,11 +25,11 @@ public sealed record ForceSet
     public double MagnusCoefficient { get; init; } = 0.25;
 
     /// <summary>The coefficient k of the constant spin decay, T = −k ω, in N m s. Default 0.</summary>
-    /// <remarks>0 … 1, and at most 1e5 1/s times the moment of inertia.</remarks>
+    /// <remarks>0 … 1, and at most the moment of inertia times 1e5/s.</remarks>
     public double SpinDecayCoefficient { get; init; }
 
-    /// <summary>The seed of the knuckle force, which makes a ball with little spin wobble. Default null: no such force.</summary>
-    /// <remarks>Each seed gives another wobble. The force acts only in flight, under any law, and restarts with each kick.</remarks>
+    /// <summary>The seed of the knuckle force, which makes a ball with little spin wobble. Default null: no knuckle force.</summary>
+    /// <remarks>Each seed gives a different wobble. The force acts only in flight, under any law, and restarts with each kick.</remarks>
     public long? KnuckleSeed { get; init; }
 
     /// <summary>The custom forces, added in this order. Default: none.</summary>
@@ -38,7 +38,7 @@ public sealed record ForceSet
     /// <summary>No air: only gravity acts in flight.</summary>
     public static ForceSet None { get; } = new() { Buoyancy = false, Drag = ForceLaw.None, Magnus = ForceLaw.None, SpinDecay = ForceLaw.None };
 
-    /// <summary>Constant coefficients: the laws of the air with the lowest cost.</summary>
+    /// <summary>Constant coefficients: the cheapest laws of the air.</summary>
     public static ForceSet Constant { get; } = new() { Drag = ForceLaw.Constant, Magnus = ForceLaw.Constant, SpinDecay = ForceLaw.Constant };
 
     /// <summary>All forces by the laws of the thesis, as published.</summary>

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes are those of Law 1.</summary>
-/// <remarks><see cref="BallEventKind.Goal"/> defines when a goal counts.</remarks>
+/// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes follow Law 1.</summary>
+/// <remarks><see cref="BallEventKind.Goal"/> defines when a goal is scored.</remarks>
 public sealed record Goal
 {
     /// <summary>The centre of the goal line on the ground, in m; components within ±1e6.</summary>
@@ -93,7 +93,7 @@ public sealed record Goal
             HalfWidth = 0.5 * DepthAtBar,
         };
 
-        // The side nets are rectangles with the depth on the ground.
+        // The side nets are rectangles as deep as the net is on the ground.
         Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
         yield return Side("left net", middle - (side * Right), in back, top);
         yield return Side("right net", middle + (side * Right), in back, top);

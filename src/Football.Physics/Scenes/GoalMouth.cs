@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>The definition of a goal, shared by the event and by every query that predicts goals.</summary>
 /// <remarks>
 /// The mouth is the plane of the posts' axes, between the posts and below the crossbar. A goal counts if the ball's centre passes through the mouth and then
-/// the line, R + r behind it, without coming back through the mouth. So the entire ball is over a line as wide as the posts.
+/// the line, R + r behind it, without coming back through the mouth. At that point, the entire ball is over a line as wide as the posts.
 /// </remarks>
 internal readonly struct GoalMouth
 {
@@ -71,7 +71,7 @@ internal readonly struct GoalMouth
     }
 
     /// <summary>True if a ball that is placed or kicked at a position counts as having come through the mouth.</summary>
-    /// <remarks>It must be in the opening, between mouth and line. A ball that is already over the line must come out first.</remarks>
+    /// <remarks>It must be in the opening, between mouth and line. A ball that is already over the line must leave the goal first.</remarks>
     public bool IsEntered(in Vector3d position, double radius) =>
         BeforeMouth(in position) <= 0 && BeforeLine(in position, radius) > Reached && IsOpen(in position);
 

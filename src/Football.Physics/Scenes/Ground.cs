@@ -9,12 +9,12 @@ public sealed record Ground
     /// <summary>The material. Default <see cref="SurfaceMaterial.MatchTurf"/>.</summary>
     public SurfaceMaterial Material { get; init; } = new();
 
-    /// <summary>The tangential restitution along z. Default null: that of the material, in all directions.</summary>
+    /// <summary>The tangential restitution along z. Default null: the material's value, in all directions.</summary>
     /// <remarks>−1 … 1. A different value is allowed only on level ground.</remarks>
     public double? TangentialRestitutionZ { get; init; }
 
     /// <summary>The minimum upward speed after an impact that counts as a bounce, in m/s. Default 0.2.</summary>
-    /// <remarks>0.001 … 10. A slower ball stays down. 0.2 m/s is a hop of 2 mm (guess).</remarks>
+    /// <remarks>0.001 … 10. A slower ball stays down. A speed of 0.2 m/s gives a hop of 2 mm (guess).</remarks>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
     /// <summary>The kinetic energy below which a rolling ball comes to rest, in J. 1e-12 … 100; default 1e-4.</summary>
@@ -55,7 +55,7 @@ public sealed record Ground
         .Append(new KeyValuePair<string, Ground>("none", None))
         .ToDictionary(preset => preset.Key, preset => preset.Value);
 
-    /// <summary>Creates level ground of a material.</summary>
+    /// <summary>Creates level ground with a material.</summary>
     /// <param name="material">The material.</param>
     /// <exception cref="ArgumentNullException"><paramref name="material"/> is null.</exception>
     public static Ground Of(SurfaceMaterial material)

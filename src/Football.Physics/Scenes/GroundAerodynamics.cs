@@ -9,7 +9,7 @@ public enum GroundAerodynamics
     /// <summary>Neither force acts (the text of the thesis). Spin decay still acts.</summary>
     None = 1,
 
-    /// <summary>The full force and torque of the air act.</summary>
+    /// <summary>The full forces and torques of the air act.</summary>
     /// <remarks>The part along the normal loads or lifts the ball. On a rolling ball, the part along the ground and the torque change velocity and spin together.</remarks>
     Full = 2,
 }

@@ -17,7 +17,7 @@ public interface IEngineColliders
     double MaximumSpeed { get; }
 
     /// <summary>Adds every collider that a moving sphere touches, including those at its start.</summary>
-    /// <remarks>Colliders that are too far away do no harm.</remarks>
+    /// <remarks>You may also add colliders that the sphere does not touch.</remarks>
     /// <param name="cast">The sphere and its line of motion.</param>
     /// <param name="hits">The list of hits to add to.</param>
     void Cast(in SphereCast cast, EngineHits hits);

@@ -4,7 +4,7 @@ namespace FootballPhysics.Laws;
 /// <remarks>
 /// The result must be finite and a smooth function of the input alone. The simulator calls it several times per step, at times between frames. If the
 /// result is not finite, the step throws, names the type of the force, and leaves the ball unchanged.
-/// <para>On the ground the vertical part of the force is dropped, as for drag and Magnus force. While the ball rolls, only the torque about the vertical counts.
+/// <para>On the ground the vertical part of the force is dropped, as for drag and Magnus force. While the ball rolls, only the torque about the vertical acts.
 /// A ball with custom forces is integrated with the full spin vector, which costs slightly more.</para>
 /// </remarks>
 public interface IForce

@@ -8,12 +8,12 @@ public interface ISurfacePattern
     IReadOnlyList<SurfaceMaterial> Surfaces { get; }
 
     /// <summary>The width of the narrowest part of the pattern, in m; above 0.</summary>
-    /// <remarks>A ball on the ground checks the pattern at least every half of this distance.</remarks>
+    /// <remarks>For a ball on the ground, the simulator checks the pattern at least once per half of this distance.</remarks>
     double MinimumWidth { get; }
 
     /// <summary>Returns the material at a point of the ground.</summary>
     /// <param name="x">The x coordinate, in m.</param>
     /// <param name="z">The z coordinate, in m.</param>
-    /// <returns>An index into <see cref="Surfaces"/>; any other number stands for the ground's own material.</returns>
+    /// <returns>An index into <see cref="Surfaces"/>; any other number means the ground's own material.</returns>
     int At(double x, double z);
 }

@@ -126,12 +126,12 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         }
     }
 
-    /// <summary>Throws if a body was moved for a time too far from that of the step.</summary>
+    /// <summary>Throws if a body was moved for a time that is too far from the time of the step.</summary>
     /// <param name="time">The ball's time before the step, in s.</param>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
     {
-        // Networked positions can be a quarter of a second old. A body that was not moved keeps its motion.
+        // Networked positions can be a quarter of a second old. A body that the game did not move continues as before.
         if (_earliest < time - Foresight || _latest > time + Foresight)
         {
             RefuseTime(time);
@@ -184,7 +184,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <summary>Records that the game moved a body for the next step.</summary>
     internal void Told(KinematicBody body, double time)
     {
-        // A look-ahead restores the bodies afterwards, so its moves do not count.
+        // A look-ahead restores the bodies afterwards, so ignore its moves.
         if (_lookAhead)
         {
             return;
@@ -195,7 +195,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         body.ToldAt = _steps;
     }
 
-    /// <summary>Records that the game withdrew a body: this has no time, and holds from the next step on.</summary>
+    /// <summary>Records that the game withdrew a body, which takes effect with the next step.</summary>
     internal void Told(KinematicBody body) => body.ToldAt = _lookAhead ? body.ToldAt : _steps;
 
     /// <summary>True if the game has moved a body since the last step.</summary>
@@ -262,7 +262,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <param name="again">True if the body was moved before at this time, so that both jumps may add up.</param>
     internal void Moved(double jump, double time, bool again)
     {
-        // Different bodies moved at one time: only the largest jump counts.
+        // If several bodies moved at one time, use only the largest jump.
         bool sameTick = time == _tick;
         _before += sameTick ? 0 : _inTick;
         _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);

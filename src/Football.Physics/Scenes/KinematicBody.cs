@@ -67,7 +67,7 @@ public sealed class KinematicBody
 
     /// <summary>Takes the body out of play from the next step on: the ball no longer collides with it.</summary>
     /// <remarks>
-    /// Use it for a substitute who is not on yet, a player who was sent off, or a cone that comes later. A ball on top of it falls. The body keeps its
+    /// Use it for a substitute who is not on yet, a player who was sent off, or a cone that you need later. A ball on top of it falls. The body keeps its
     /// position, without velocity and spin, until <see cref="MoveTo(Vector3d, Vector3d, double)"/> brings it back.
     /// <para>Rollbacks, recordings and look-aheads store whether a body is in play. A withdrawn body adds no measurable cost to a step. Does not allocate.</para>
     /// </remarks>
@@ -79,7 +79,7 @@ public sealed class KinematicBody
         motion.Spin = Vector3d.Zero;
         motion.IsWithdrawn = true;
 
-        // A body that disappears has not strayed: no cached search can miss a hit.
+        // A body that disappears cannot cause a hit that a cached search would miss.
         _all.Update(this, in before);
         _all.Told(this);
     }
@@ -177,14 +177,14 @@ public sealed class KinematicBody
                 Placement.Turn(in value.Orientation);
             }
 
-            // A motion read from a file lacks the speed of rotation of the shape.
+            // A motion read from a file does not include Swing, so compute it.
             motion.Rotate(Shape);
 
             _all.Update(this, in before);
         }
     }
 
-    /// <summary>The number of checked steps at the time of the last move.</summary>
+    /// <summary>The number of steps checked before the last move.</summary>
     internal long ToldAt { get; set; } = -1;
 
     /// <summary>Returns a bounding box at a time.</summary>

@@ -7,7 +7,7 @@ public static class Layers
     /// <summary>The highest layer.</summary>
     public const int Highest = 31;
 
-    /// <summary>Returns a set of layers: bit k stands for layer k.</summary>
+    /// <summary>Returns a set of layers: bit k represents layer k.</summary>
     /// <param name="layers">The layers, 0 … 31.</param>
     /// <exception cref="ArgumentNullException"><paramref name="layers"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A layer is out of range.</exception>

@@ -125,7 +125,7 @@ internal readonly struct StraightWay
     /// <param name="velocity">The velocity, in m/s.</param>
     /// <param name="time">The start time, in s.</param>
     /// <param name="duration">The duration, in s.</param>
-    /// <param name="around">The margin, in m: everything within it counts as hit.</param>
+    /// <param name="around">The margin, in m: the path counts as hitting everything within it.</param>
     public StraightWay(in Vector3d from, in Vector3d velocity, double time, double duration, double around)
     {
         From = from;
@@ -147,7 +147,7 @@ internal readonly struct StraightWay
     /// <summary>The duration, in s.</summary>
     public double Duration { get; }
 
-    /// <summary>The margin, in m: everything within it counts as hit.</summary>
+    /// <summary>The margin, in m: the path counts as hitting everything within it.</summary>
     public double Around { get; }
 
     /// <summary>The midpoint, in m.</summary>

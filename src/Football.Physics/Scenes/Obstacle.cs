@@ -7,7 +7,7 @@ public sealed record Obstacle
     /// <summary>The name used in events and messages. Default "obstacle".</summary>
     public string Name { get; init; } = "obstacle";
 
-    /// <summary>The shape, positioned as at time 0.</summary>
+    /// <summary>The shape, at its position at time 0.</summary>
     public required IShape Shape { get; init; }
 
     /// <summary>The material. Default <see cref="SurfaceMaterial.GoalFrame"/>.</summary>

@@ -40,7 +40,7 @@ internal sealed class ObstacleMotions
     /// <summary>The number of obstacles with a finite mass.</summary>
     public int Count => _movable.Length;
 
-    /// <summary>A counter that changes whenever one of them is pushed or moved.</summary>
+    /// <summary>A counter that changes whenever one of these obstacles is pushed or moved.</summary>
     public long Version { get; private set; }
 
     /// <summary>Returns the placement of an obstacle; null if its mass is infinite.</summary>
@@ -54,7 +54,7 @@ internal sealed class ObstacleMotions
         Version++;
     }
 
-    /// <summary>Copies the motions of all.</summary>
+    /// <summary>Copies all motions.</summary>
     public void Read(Span<RigidMotion> into)
     {
         for (int i = 0; i < _movable.Length; i++)
@@ -66,7 +66,7 @@ internal sealed class ObstacleMotions
     /// <summary>Returns a bounding box of the obstacle with the given movable index at a time.</summary>
     public Bounds3d BoundsAt(int movable, double time) => _placements[_movable[movable]]!.BoundsAt(time);
 
-    /// <summary>Restores the motions of all.</summary>
+    /// <summary>Restores all motions.</summary>
     public void Write(Span<RigidMotion> from)
     {
         for (int i = 0; i < _movable.Length; i++)
@@ -92,7 +92,7 @@ internal sealed class ObstacleMotions
         }
     }
 
-    /// <summary>Saves the motions of all for <see cref="PutBack"/>.</summary>
+    /// <summary>Saves all motions for <see cref="PutBack"/>.</summary>
     public void Keep() => Read(_kept);
 
     /// <summary>Restores the motions that <see cref="Keep"/> saved.</summary>

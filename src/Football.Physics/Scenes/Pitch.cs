@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>A pitch by Law 1: its size, its two goals, and boards around it.</summary>
-/// <remarks>The origin is the centre of the pitch. The goals stand at −z and +z.</remarks>
+/// <remarks>The origin is the centre of the pitch. The goals are at −z and +z.</remarks>
 public sealed record Pitch
 {
     /// <summary>The distance between the goal lines, in m; above 0. Default 105.</summary>

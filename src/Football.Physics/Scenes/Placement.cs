@@ -65,7 +65,7 @@ internal sealed class Placement
 
     private Bounds3d Swept(double time, double duration)
     {
-        // A point moves at most Swing × time, and never farther from the pivot than it is.
+        // A point moves at most Swing × time, and never farther from the pivot than it already is.
         double longest = Math.Max(Math.Abs(time - Motion.Time), Math.Abs(time + duration - Motion.Time));
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;
@@ -74,7 +74,7 @@ internal sealed class Placement
             : Bounds3d.Around(Motion.Pivot + ((time - Motion.Time) * Motion.Velocity), reach, reach, reach);
     }
 
-    /// <summary>Returns a bound of the distance from the origin: that of the farthest possible corner.</summary>
+    /// <summary>Returns a bound on the distance from the origin: the distance of the farthest possible corner.</summary>
     private static double ReachOf(in Bounds3d own) =>
         new Vector3d(Math.Max(-own.Min.X, own.Max.X), Math.Max(-own.Min.Y, own.Max.Y), Math.Max(-own.Min.Z, own.Max.Z)).Length;
 }

@@ -35,7 +35,7 @@ internal struct RigidMotion
     /// <summary>True if the shape rotates within a step.</summary>
     public readonly bool Rotates => Swing > 0;
 
-    /// <summary>The greatest speed of any part, in m/s. For an unbounded shape, the speed of its velocity alone.</summary>
+    /// <summary>The greatest speed of any part, in m/s. For an unbounded shape, this is the speed without the rotation.</summary>
     public readonly double GreatestSpeed => Velocity.Length + (double.IsInfinity(Swing) ? 0 : Swing);
 
     /// <summary>True if another motion is bit-identical, apart from its time.</summary>
@@ -55,7 +55,7 @@ internal struct RigidMotion
         Velocity = velocity;
     }
 
-    /// <summary>Advances the position and orientation to another time of the same motion.</summary>
+    /// <summary>Advances the position and orientation to another time, with the same motion.</summary>
     public void GoTo(double time)
     {
         Vector3d gone = (time - Time) * Velocity;

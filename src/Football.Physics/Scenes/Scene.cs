@@ -76,7 +76,7 @@ public sealed record Scene
     public static Scene Default => Measured;
 
     /// <summary>A football over turf in still air at sea level, by the laws and numbers of the thesis.</summary>
-    /// <remarks>The thesis is the one that the library began with; its numbers are used as published.</remarks>
+    /// <remarks>The library was first built to implement this thesis. Its numbers are used as published.</remarks>
     public static Scene Published => s_published ??= new() { Forces = ForceSet.Published, Ground = Ground.PublishedTurf };
 
     /// <summary>The published scene without air: no buoyancy, drag, Magnus force or spin decay.</summary>
@@ -112,7 +112,7 @@ public sealed record Scene
         Check.Member("goals", Goals);
         Check.Member("zones", Zones);
 
-        // First each part alone, then limits that depend on several parts: least mass (air), damping and hollows (ball).
+        // Check each part alone, then the limits that depend on several parts: minimum mass (air), damping and hollows (ball).
         Ball.Validate();
         Air.Validate();
         Check.Within("gravity", Gravity, 0, 1000);
@@ -168,7 +168,7 @@ public sealed record Scene
 
     private void ValidateShape(in Vector3d normal)
     {
-        // x and z are no axes of a slope, so a slope has one value for all directions.
+        // x and z are not axes of a slope, so a slope has one value for all directions.
         if (!Ground.IsLevel && Ground.TangentialRestitutionZ is { } z && z != Ground.Material.TangentialRestitution)
         {
             throw Check.Refusal(
@@ -213,7 +213,7 @@ public sealed record Scene
 
         Bodies?.Validate(Ball);
 
-        // Nets of goals count too: all share the 64 bits of a state.
+        // Include the nets of goals: all nets share the 64 bits of a state.
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The numbers of a scene, each with name, unit, meaning, evidence of its default, range and access.</summary>
+/// <summary>The numbers of a scene, each with its name, unit, meaning, range, access, and the evidence for its default.</summary>
 /// <remarks>Validation, reading and writing of JSON, the scene hash and the tables in the docs use these lists.</remarks>
 internal static class SceneFields
 {
@@ -24,7 +24,7 @@ internal static class SceneFields
     /// <summary>The numbers of the ground's material, without the tangential restitution: the ground has one along x and one along z.</summary>
     public static NumberField<SurfaceMaterial>[] GroundMaterial { get; } = [.. Material.Where(field => field.Name != "tangentialRestitution")];
 
-    /// <summary>The numbers of the ground besides its material, height and shape.</summary>
+    /// <summary>The numbers of the ground other than its material, height and shape.</summary>
     public static NumberField<Ground>[] Ground { get; } =
     [
         new("minimumBounceSpeed", "m/s", "slowest speed off the ground that is a bounce", "guess", 0.001, 10, g => g.MinimumBounceSpeed, (g, v) => g with { MinimumBounceSpeed = v }),
@@ -77,7 +77,7 @@ internal static class SceneFields
         new("spinDecayCoefficient", "N m s", "spin damping of the constant law", "published", 0, 1, f => f.SpinDecayCoefficient, (f, v) => f with { SpinDecayCoefficient = v }),
     ];
 
-    /// <summary>The forces of a net.</summary>
+    /// <summary>The force coefficients of a net.</summary>
     public static NumberField<Net>[] Net { get; } =
     [
         new("stiffness", "N/m", "stiffness", "guess", 0, 1e5, n => n.Stiffness, (n, v) => n with { Stiffness = v }),

@@ -45,8 +45,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.015,
     };
 
-    /// <summary>Hard, dry ground: guess.</summary>
-    /// <remarks>The rebound in the drop test is 1.01 m, the upper end for natural pitches.</remarks>
+    /// <summary>Hard, dry ground (guess).</summary>
+    /// <remarks>In the drop test the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
     public static SurfaceMaterial HardGround { get; } = DryTurf with
     {
         NormalRestitution = 0.74,
@@ -56,8 +56,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.012,
     };
 
-    /// <summary>Long grass: guess.</summary>
-    /// <remarks>The roll in FIFA's test is 3.5 m, near the historical limit of 3 m.</remarks>
+    /// <summary>Long grass (guess).</summary>
+    /// <remarks>In FIFA's test the ball rolls 3.5 m, near the former lower limit of 3 m.</remarks>
     public static SurfaceMaterial LongGrass { get; } = DryTurf with
     {
         NormalRestitution = 0.5,
@@ -69,7 +69,7 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.03,
     };
 
-    /// <summary>An indoor court: guess.</summary>
+    /// <summary>An indoor court (guess).</summary>
     public static SurfaceMaterial Indoor { get; } = DryTurf with
     {
         NormalRestitution = 0.77,
@@ -92,7 +92,7 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.005,
     };
 
-    /// <summary>Snow: guess.</summary>
+    /// <summary>Snow (guess).</summary>
     public static SurfaceMaterial Snow { get; } = DryTurf with
     {
         NormalRestitution = 0.25,
@@ -104,8 +104,8 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0.03,
     };
 
-    /// <summary>The frame of a goal: steel or aluminium. Guess.</summary>
-    /// <remarks>Other authors assume 0.65 … 0.80 for e₆.</remarks>
+    /// <summary>The frame of a goal: steel or aluminium (guess).</summary>
+    /// <remarks>Other authors assume a restitution of 0.65 … 0.80 at 6 m/s.</remarks>
     public static SurfaceMaterial GoalFrame { get; } = DryTurf with
     {
         NormalRestitution = 0.8,
@@ -117,29 +117,29 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0,
     };
 
-    /// <summary>Wooden boards around a pitch. Guess: stiffer than a plastic panel, softer than concrete.</summary>
+    /// <summary>Wooden boards around a pitch (guess): stiffer than a plastic panel, softer than concrete.</summary>
     public static SurfaceMaterial Wood { get; } = GoalFrame with { NormalRestitution = 0.65, ImpactFriction = 0.4, SlidingFriction = 0.4, RollingResistance = 0.02, TorsionalPatchRadius = 0.005 };
 
-    /// <summary>Advertising boards: thin, flexible panels. Guess.</summary>
+    /// <summary>Advertising boards: thin, flexible panels (guess).</summary>
     public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingResistance = 0.03, TorsionalPatchRadius = 0.005 };
 
-    /// <summary>A boot or a leg: leather on a limb that yields. Guess.</summary>
+    /// <summary>A boot or a leg: leather on a limb that yields (guess).</summary>
     /// <remarks>In measured kicks, e is 0.4 … 0.7 with the mass of the foot included.</remarks>
     public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, TorsionalPatchRadius = 0.01 };
 
-    /// <summary>A head. Guess.</summary>
+    /// <summary>A head (guess).</summary>
     public static SurfaceMaterial Head { get; } = Boot with { NormalRestitution = 0.45 };
 
-    /// <summary>A goalkeeper's glove: soft, with much grip. Guess.</summary>
+    /// <summary>A goalkeeper's glove: soft, with a strong grip (guess).</summary>
     public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingResistance = 0.1 };
 
     /// <summary>A second ball, for collisions between two balls. Guess: no measurement was found.</summary>
     /// <remarks>Two air-filled shells rebound from each other about as one shell does from a floor.</remarks>
     public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
 
-    /// <summary>The turf of the published profile: a constant restitution, and no limit of the friction in an impact.</summary>
+    /// <summary>The turf of the published profile: a constant restitution, and no limit on the friction in an impact.</summary>
     /// <remarks>
-    /// Restitution 0.6, sliding friction 0.5, rolling friction 0.05; all numbers as published. <see cref="Ground.PublishedTurf"/> adds the published air on the ground.
+    /// Restitution 0.6, sliding friction 0.5, rolling friction 0.05; all as published. <see cref="Ground.PublishedTurf"/> also restricts the air forces on the ground.
     /// </remarks>
     public static SurfaceMaterial PublishedTurf { get; } = new()
     {
@@ -156,13 +156,13 @@ public sealed partial record SurfaceMaterial
         TorsionalPatchRadius = 0,
     };
 
-    /// <summary>Wet turf with the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>Wet turf with the laws of <see cref="PublishedTurf"/> (guess).</summary>
     public static SurfaceMaterial PublishedWetTurf { get; } = PublishedTurf with { NormalRestitution = 0.5, SlidingFriction = 0.25, RollingResistance = 0.035 };
 
-    /// <summary>A hard, smooth court with the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>A hard, smooth court with the laws of <see cref="PublishedTurf"/> (guess).</summary>
     public static SurfaceMaterial PublishedCourt { get; } = PublishedTurf with { NormalRestitution = 0.75, SlidingFriction = 0.6, RollingResistance = 0.015 };
 
-    /// <summary>Sand with the laws of <see cref="PublishedTurf"/>: guess.</summary>
+    /// <summary>Sand with the laws of <see cref="PublishedTurf"/> (guess).</summary>
     public static SurfaceMaterial PublishedSand { get; } = PublishedTurf with
     {
         NormalRestitution = 0.15,
@@ -171,7 +171,7 @@ public sealed partial record SurfaceMaterial
         RollingResistance = 0.3,
     };
 
-    /// <summary>The frame of a goal in the published profile: restitution 0.7 at every speed. Guess.</summary>
+    /// <summary>The frame of a goal in the published profile: restitution 0.7 at every speed (guess).</summary>
     public static SurfaceMaterial PublishedGoalFrame { get; } = GoalFrame with
     {
         NormalRestitution = 0.7,

@@ -15,7 +15,7 @@ public sealed partial record SurfaceMaterial
     public double NormalRestitution { get; init; } = 0.67;
 
     /// <summary>The approach speed V_e above which the restitution falls, in m/s: e ∝ 1/√(1 + (v_n/V_e)²).</summary>
-    /// <remarks>Above 0; default 20. Infinite: the restitution is the same at every speed.</remarks>
+    /// <remarks>Above 0; default 20. If infinite, the restitution is the same at every speed.</remarks>
     public double RestitutionSpeedScale { get; init; } = 20;
 
     /// <summary>The rise η of the restitution for oblique impacts. 0 … 1; default 0.45.</summary>
@@ -29,7 +29,7 @@ public sealed partial record SurfaceMaterial
     public double SpinRestitution { get; init; } = 1;
 
     /// <summary>The coefficient of friction in an impact, μ_i. At least 0; default 0.42.</summary>
-    /// <remarks>The tangential impulse is at most μ_i times the normal impulse. Infinite: no limit.</remarks>
+    /// <remarks>The tangential impulse is at most μ_i times the normal impulse. If infinite, there is no limit.</remarks>
     public double ImpactFriction { get; init; } = 0.42;
 
     /// <summary>The coefficient of sliding friction μ_s. 0 … 10; default 0.45.</summary>
@@ -42,7 +42,7 @@ public sealed partial record SurfaceMaterial
     public double RollingResistancePerSpeed { get; init; } = 0.003;
 
     /// <summary>The damping c_ω of the spin about the normal while the surface supports the ball, in N m s.</summary>
-    /// <remarks>0 … 1, and at most 1e5 1/s times the moment of inertia; default 0.</remarks>
+    /// <remarks>0 … 1, and at most the moment of inertia times 1e5/s; default 0.</remarks>
     public double SpinDamping { get; init; }
 
     /// <summary>The lever arm b of the drilling friction about the normal, in m. 0 … 1; default 0.02.</summary>

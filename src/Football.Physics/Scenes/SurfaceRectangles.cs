@@ -5,7 +5,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
 {
     private readonly Rectangle[] _rectangles;
 
-    /// <summary>Creates a pattern from rectangles. If several overlap, the last one counts.</summary>
+    /// <summary>Creates a pattern from rectangles. If several overlap, the last one applies.</summary>
     /// <param name="rectangles">The corners on the ground, in m, and the material between them. Components are within ±1e6; x and z of Max are above those of Min; y is ignored.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 internal static class SwingOf
 {
     /// <summary>The distance from the axis below which a point counts as fixed, in m.</summary>
-    /// <remarks>It is a thousandth of the gap that counts as contact.</remarks>
+    /// <remarks>It is a thousandth of the largest gap that counts as contact.</remarks>
     private const double OnAxis = 1e-13;
 
     /// <summary>Returns the greatest speed of any part of a rotating shape, in m/s.</summary>

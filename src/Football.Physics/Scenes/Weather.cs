@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The weather, from which the density and viscosity of the air follow.</summary>
+/// <summary>The weather, which determines the density and viscosity of the air.</summary>
 /// <remarks>Within 0.05 % of CIPM-2007 in its range of validity.</remarks>
 public sealed record Weather
 {
@@ -34,7 +34,7 @@ public sealed record Weather
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Air ToAir()
     {
-        // The formulas below hold in these ranges.
+        // The formulas below are valid in these ranges.
         Check.Within("air.weather.temperature", Temperature, -60, 60);
         Check.Within("air.weather.humidity", Humidity, 0, 1);
         Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);

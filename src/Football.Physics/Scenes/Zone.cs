@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>A region that reports when the ball enters or leaves it: a penalty area, a touchline, a trigger.</summary>
 /// <remarks>
 /// The events are <see cref="BallEventKind.EnterZone"/> and <see cref="BallEventKind.ExitZone"/>. A zone never changes the path. Only the position of the ball
-/// decides whether it is in a zone. So a ball that you place in a zone does not report that it enters, but it reports when it leaves.
+/// decides whether it is in a zone. If you place a ball in a zone, no enter event is reported, but the later exit is.
 /// </remarks>
 public sealed record Zone
 {
@@ -19,7 +19,7 @@ public sealed record Zone
     /// <summary>The part of the ball that must be in the shape. Default <see cref="ZonePart.Ball"/>.</summary>
     public ZonePart Of { get; init; } = ZonePart.Ball;
 
-    /// <summary>The layer; a ball that ignores this layer reports nothing. 0 … 31; default 0.</summary>
+    /// <summary>The layer; a ball that ignores this layer causes no zone events. 0 … 31; default 0.</summary>
     public int Layer { get; init; }
 
     /// <summary>Returns true if a ball is in the zone.</summary>

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 /// <remarks>
 /// The settings that <see cref="SolverSettings.For"/> and <c>BatchSettings.For</c> choose meet it for footballers' shots: a football at up
 /// to 40 m/s
-/// and 80 rad/s, in any wind, with any of the published laws. A ball of a quarter of the mass curves more, and custom forces are not
+/// and 80 rad/s, in any wind, with any of the published laws. A ball with a quarter of the mass curves more, and custom forces are not
 /// covered.
 /// </remarks>
 public enum Accuracy

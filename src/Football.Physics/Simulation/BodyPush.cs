@@ -1,8 +1,8 @@
 namespace FootballPhysics;
 
-/// <summary>Handles bodies that the game has moved between two steps: a body put over the ball pushes it out, and a carrier that was taken
+/// <summary>Handles bodies that the game has moved between two steps: a body moved into the ball ejects it, and a carrier that was taken
 /// away releases it.</summary>
-/// <remarks>The velocity does not change: a body only accelerates the ball by an impact.</remarks>
+/// <remarks>The velocity does not change: a body accelerates the ball only in an impact.</remarks>
 internal sealed class BodyPush
 {
     /// <summary>Maximum number of pushes from one body to the next.</summary>
@@ -147,7 +147,7 @@ internal sealed class BodyPush
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 
-        // A body exactly above the ball leaves no direction, so push the ball forward, which is an arbitrary choice.
+        // A body exactly above the ball gives no direction, so push the ball forward, which is an arbitrary choice.
         return share > 1e-12 ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
     }
 

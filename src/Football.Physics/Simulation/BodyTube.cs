@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>A straight tube along the ball's path that contains no body for some time.</summary>
 /// <remarks>
-/// No query is needed until the ball leaves it, or until bodies have strayed by its width from their expected positions. It is stored with
+/// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
 /// the bodies, not with the ball: it only saves queries.
 /// </remarks>
 internal sealed class BodyTube
@@ -47,7 +47,7 @@ internal sealed class BodyTube
             return false;
         }
 
-        // The offset at the start, plus the drift of the velocity until the end. The bend within the step is included in the tube's radius.
+        // The offset at the start, plus the drift of the velocity until the end. The tube's radius includes the bend within the step.
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));

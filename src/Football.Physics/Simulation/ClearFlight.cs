@@ -61,7 +61,7 @@ internal sealed class ClearFlight
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
 
-        // Keep the negative sign: states of earlier versions have it in their key.
+        // Keep the negative sign: the keys in states of earlier versions include it.
         key.Add(-weight);
         key.Add(_shareInPath);
         key.Add(in wind);
@@ -112,7 +112,7 @@ internal sealed class ClearFlight
             }
         }
 
-        // Use the time stored in the state. Bodies may change their motion, so the tube holds a separate result for them.
+        // Use the clear time stored in the state. Bodies may change their motion, so the tube holds a separate result for them.
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
         {
@@ -165,7 +165,7 @@ internal sealed class ClearFlight
     {
         double ahead = steps * dt;
 
-        // The radius of the query is that of the ball plus the bend of the path.
+        // The radius of the query is the ball's radius plus the deviation of the path from a straight line.
         double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
@@ -175,7 +175,7 @@ internal sealed class ClearFlight
 
     /// <summary>True if no body is near in the next step.</summary>
     /// <remarks>
-    /// Only that step counts, so that the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
+    /// Only that step is checked, so the result does not depend on earlier queries. If it is clear, this also searches a tube that stays
     /// clear for some time.
     /// </remarks>
     private bool IsFreeOfBodies(in BallState s, double dt, double steps, in Push push)

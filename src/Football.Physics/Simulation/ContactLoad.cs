@@ -4,7 +4,7 @@ namespace FootballPhysics;
 /// supports it.</summary>
 internal sealed class ContactLoad
 {
-    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would be back within this, s.</summary>
+    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would return within this time, s.</summary>
     private const double ShortestPressedHop = 1e-3;
 
     /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
@@ -32,7 +32,7 @@ internal sealed class ContactLoad
     /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // a_b·n ≤ −|a_b|/2: the weight presses the ball on surfaces up to 60° steep. For other forces the ball must be back within a
+        // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. For other forces the ball must be back within a
         // millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
@@ -43,7 +43,7 @@ internal sealed class ContactLoad
 
         if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
         {
-            // Most impacts are rejected here: bounds of the forces show that the ball flies, without evaluating the air.
+            // Most impacts are rejected here: bounds on the forces show, without evaluating the air, that the ball flies.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
             double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
@@ -130,7 +130,7 @@ internal sealed class ContactLoad
         return system.Grips(in on);
     }
 
-    /// <summary>Returns the load N/m if the ball followed the surface, m/s².</summary>
+    /// <summary>Returns the load N/m that the ball would have if it followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
         // If the air does not add to the load, the load by weight suffices.

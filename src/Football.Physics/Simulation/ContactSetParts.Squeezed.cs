@@ -98,7 +98,7 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>Stops a ball that stationary contacts hold in place: it keeps no speed that the forces of one part explain.</summary>
+    /// <summary>Stops a ball that stationary contacts hold in place: it loses any speed that the forces of one part explain.</summary>
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
         if ((s.Position - from).Length > Still || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)

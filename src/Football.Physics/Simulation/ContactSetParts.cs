@@ -10,7 +10,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal sealed partial class ContactSetParts
 {
-    /// <summary>Length of a part, s. A slip that ends within one displaces the ball by less than 1e-6 m.</summary>
+    /// <summary>Length of a part, s. A slip that ends within a part displaces the ball by less than 1e-6 m.</summary>
     private const double Part = 0.5e-3;
 
     /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
@@ -20,7 +20,7 @@ internal sealed partial class ContactSetParts
     private const double Slips = 1e-3;
 
     /// <summary>Maximum number of slide and roll events per step.</summary>
-    /// <remarks>A ball that alternately slips and grips would report one in every part.</remarks>
+    /// <remarks>A ball that alternately slips and grips would report an event in every part.</remarks>
     private const int MostNames = 2;
 
     /// <summary>A ball below this speed is at a standstill, m/s, and rad/s times its radius.</summary>
@@ -50,7 +50,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Takes the rest of a step, or the part up to an event, if several contacts are active.</summary>
-    /// <remarks>If one other contact is, it becomes the carrier.</remarks>
+    /// <remarks>If only one contact other than the carrier is active, it becomes the carrier.</remarks>
     /// <returns>False if only the carrier, or no contact, has a load.</returns>
     [SkipLocalsInit]
     public bool Take(ref BallState s, ref StepRun run)
@@ -91,7 +91,7 @@ internal sealed partial class ContactSetParts
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // The ball has no room if no impulses satisfy all contacts, or if they exceed its allowed speed. Only moving objects squeeze.
+            // The ball has no room if no impulses satisfy all contacts, or if the result is too fast. Only moving objects squeeze.
             if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
@@ -133,7 +133,7 @@ internal sealed partial class ContactSetParts
             bool meets = at <= h;
             double length = meets ? at : h;
 
-            // A part cut short by an impact or a turning normal does not count as a part: the parts left must cover the rest of the step.
+            // A part cut short by an impact or a turning normal does not count as a part: the other parts must cover the rest.
             run.Parts += meets || turns ? 0 : 1;
             run.Turns += turns ? 1 : 0;
             double share = length / h;
@@ -182,7 +182,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Returns the length of equal parts for the rest of a step, s.</summary>
-    /// <remarks>If few parts are left, they are longer.</remarks>
+    /// <remarks>If only a few parts are left, each is longer.</remarks>
     private static double LengthOfPart(in StepRun run, double asked) =>
         run.Left / Math.Max(1.0, Math.Min(MostParts - run.Parts, Math.Ceiling(run.Left / asked)));
 
@@ -196,7 +196,7 @@ internal sealed partial class ContactSetParts
         Vector3d spinAcceleration = rates.SpinAcceleration;
         if (!_world.SharesAir)
         {
-            // Count only the share of the air that acts on one surface: none, or the part along the carrier.
+            // Include only the share of the air that acts on one surface: none, or the part along the carrier.
             Collider carrier = _world.CarrierOf(in s);
             var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
             SurfaceForces on = surface.ForcesOn(time, in at);

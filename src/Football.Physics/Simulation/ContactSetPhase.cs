@@ -37,11 +37,11 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Maximum number of slide and roll events per step.</summary>
     private const int MostNames = 2;
 
-    /// <summary>Maximum number of checks per step whether friction holds a ball that rolling resistance does not hold.</summary>
+    /// <summary>Maximum number of checks per step of whether friction holds a ball that rolling resistance cannot hold.</summary>
     private const int MostGrips = 4;
 
-    /// <summary>Iterations that remove slips and normal speeds, one contact after the other.</summary>
-    /// <remarks>Further ones run only if the velocity still changes by this, m/s.</remarks>
+    /// <summary>Number of iterations that remove slips and normal speeds, one contact after the other.</summary>
+    /// <remarks>Further iterations run only if the velocity still changes by this much, m/s.</remarks>
     private const int FewStickRounds = 4;
     private const int MostStickRounds = 128;
     private const double Corrected = 1e-9;

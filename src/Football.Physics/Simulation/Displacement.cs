@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Follows a ball that is displaced out of an overlap: it may enter nets and pass through goals on that path.</summary>
+/// <summary>Follows a ball that is displaced out of an overlap: on that path it may enter nets and pass through goals.</summary>
 internal sealed class Displacement
 {
     /// <summary>Duration assigned to a displacement for the path search, s. The displacement itself takes no time.</summary>

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Locates the jumps of the published drag law.</summary>
 /// <remarks>
 /// A piece is locked to one branch of the law and ends when it crosses a surface of the jump. From there, the branch that leads away from
-/// the surface holds (Filippov).
+/// the surface is used (Filippov).
 /// </remarks>
 internal sealed class DragJumpGuard
 {
@@ -27,7 +27,7 @@ internal sealed class DragJumpGuard
     /// <summary>True if pieces end at the jump. If not, each piece uses the branch at its start.</summary>
     public bool Acts { get; }
 
-    /// <summary>Ends a piece of flight at its first crossing, and returns the branch that holds from there.</summary>
+    /// <summary>Ends a piece of flight at its first crossing, and returns the branch to use from there.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
     /// <param name="run">The step.</param>
@@ -69,7 +69,7 @@ internal sealed class DragJumpGuard
             return true;
         }
 
-        // From the crossing, the other branch holds, or a sliding mode along the surface.
+        // After the crossing, use the other branch, or a sliding mode along the surface.
         next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
@@ -116,7 +116,7 @@ internal sealed class DragJumpGuard
         return share > 1 ? DragBranch.Spinning : DragBranch.NoSpin;
     }
 
-    /// <summary>Ends a piece on the ground at its crossing. From there, the other branch holds.</summary>
+    /// <summary>Ends a piece on the ground at its crossing. From there, the other branch is used.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="branch">The branch of the piece; on return, the branch at its end.</param>
     /// <param name="run">The step.</param>
@@ -137,7 +137,7 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: from the crossing on, the other branch holds.
+        // On the ground no sliding mode is followed: from the crossing on, use the other branch.
         // A piece that starts on a surface has already passed that crossing, and may reach the other surface.
         run.Splits++;
         TSweep whole = sweep;
@@ -152,7 +152,7 @@ internal sealed class DragJumpGuard
         branch = end.Branch;
     }
 
-    /// <summary>Returns the branch for a piece on a surface: the one that holds at its start.</summary>
+    /// <summary>Returns the branch for a piece on a surface: the one that applies at its start.</summary>
     /// <remarks>Exactly on the jump it is the previous branch, unless that is unknown or a sliding mode.</remarks>
     public DragBranch OnSurface(DragBranch last, in Motion from)
     {
@@ -167,7 +167,7 @@ internal sealed class DragJumpGuard
         return known ? last : here.Branch;
     }
 
-    /// <summary>Returns the branch of the drag law that holds from a point on its jump.</summary>
+    /// <summary>Returns the branch of the drag law to use from a point on its jump.</summary>
     /// <param name="time">The time, s.</param>
     /// <param name="at">The point.</param>
     /// <param name="s">The ball before, with its branch and its nets.</param>

@@ -1,11 +1,11 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as that of a box.</summary>
-/// <remarks>Another tile may support the ball beyond it.</remarks>
+/// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as a face of a box.</summary>
+/// <remarks>Beyond the edge, another tile may support the ball.</remarks>
 internal static class FaceBorder
 {
     /// <summary>The piece ends this share of its length beyond the edge, and at least this distance, m.</summary>
-    /// <remarks>The next piece then starts beyond it.</remarks>
+    /// <remarks>The next piece then starts beyond the edge.</remarks>
     private const double Beyond = 1e-9;
     private const double LeastBeyond = 1e-12;
 

@@ -155,7 +155,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         bool rolls = default(TMotion).Rolls;
 
         // Copy the motion to the plane's axes by components, as the last step wrote them: one wide load would stall.
-        // A rolling ball only needs its spin about the normal.
+        // For a rolling ball, only the spin about the normal is needed.
         ref FlightMotion motion = ref s.Flight;
         PlaneMotion start;
         if (_isLevel)
@@ -541,11 +541,11 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         public Vector3d From;
         public double Time;
 
-        /// <summary>Direction of the roll or the slip at the start. Friction keeps it if a stage passes zero.</summary>
+        /// <summary>Direction of the roll or the slip at the start. Friction keeps this direction if a stage passes zero.</summary>
         public double X;
         public double Z;
 
-        /// <summary>Sign of the spin about the normal. Drilling friction keeps it.</summary>
+        /// <summary>Sign of the spin about the normal. Drilling friction keeps this sign.</summary>
         public double SpinSign;
         public DragBranch Branch;
     }

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Flight, piece by piece.</summary>
 /// <remarks>
-/// A piece is as long as stability allows. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
+/// A piece has the maximum stable length. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
 /// contact.
 /// </remarks>
 internal sealed class FlightPhase<TIntegrator>
@@ -66,7 +66,7 @@ internal sealed class FlightPhase<TIntegrator>
         // full vector.
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
-        // Take the longest piece that stability allows. If that is less than requested, later parts use the same length.
+        // Take the longest piece that stability allows. If it is shorter than requested, later parts use the same length.
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
@@ -285,7 +285,7 @@ internal sealed class FlightPhase<TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
-        // Divide the fall for integrators that return from a hop faster than they left; otherwise bounces would grow.
+        // With some integrators, a ball would return from a hop faster than it left, and bounces would grow: divide the fall.
         return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 

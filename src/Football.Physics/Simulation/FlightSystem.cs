@@ -19,7 +19,7 @@ internal struct FlightSystem : IMotionSystem
             return;
         }
 
-        // Filippov: on the surface of the jump, the motion is the weighted mean of both branches that stays on it.
+        // Filippov: on the surface of the jump, the motion is the weighted mean of both branches that keeps the ball on it.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         rates = new MotionRates(

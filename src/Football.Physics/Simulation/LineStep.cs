@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>Whole steps of a ball that rolls or spins between stationary surfaces with no other object near: along a board, in a gutter, in
 /// a corner.</summary>
 /// <remarks>
-/// The surfaces leave the ball one speed and one spin (<see cref="LineForces"/>). <see cref="TryWhole"/> takes the step, checks it for
+/// The surfaces leave one speed and one spin free (<see cref="LineForces"/>). <see cref="TryWhole"/> takes the step, checks it for
 /// events, and moves the ball. If an event is possible, it changes nothing, and <see cref="ContactSetPhase{TIntegrator}"/> takes the step
 /// in pieces with the general law.
 /// </remarks>
@@ -13,7 +13,7 @@ namespace FootballPhysics;
 internal sealed unsafe class LineStep<TAir> : LineStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>The search radius is this multiple of the distance at the current speed, plus a margin in m.</summary>
+    /// <summary>The search radius is this multiple of the distance covered at the current speed, plus a margin in m.</summary>
     /// <remarks>No other object may be nearer.</remarks>
     private const double Faster = 1.5;
     private const double LeastRoom = 5e-3;
@@ -241,7 +241,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
     /// <summary>Chooses the active contacts among three surfaces.</summary>
     /// <remarks>
-    /// All three if each has a load. Otherwise it drops the one with the most negative load, or the one that the push does not lead into.
+    /// It keeps all three if each has a load. Otherwise it drops the most negative load, or the one that the push does not press against.
     /// </remarks>
     private bool ChooseOfThree(Touched* set, in Vector3d push, in Vector3d torque, double about, int bearer, ref int other, out int idle, ref LineForces forces)
     {

@@ -42,7 +42,7 @@ internal sealed unsafe class RestPhase
     /// <summary>Advances to the end of the step, or to the event that wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // The ground alone holds the ball in any air, and no object moves: only the time advances.
+        // The ground alone holds the ball in any wind, and no object moves: only the time advances.
         if (_world.Engine is null && !_airMayWake && s.Carrier == 0 && IsHeldByGround(in s) && !(_world.FastestMover > 0))
         {
             run.Advance(ref s, run.Left);
@@ -86,7 +86,7 @@ internal sealed unsafe class RestPhase
             s.Velocity = _world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
         }
 
-        // Waiting does not count as an integrated piece.
+        // The time at rest is not counted as an integrated piece.
         run.Log.Steps--;
         if (meets)
         {

@@ -107,7 +107,7 @@ internal static class SceneHash
             key.Add(decay);
         }
 
-        // −0.5 stands for no seed, because every seed is an integer.
+        // −0.5 means no seed, because every seed is an integer.
         key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
         foreach (IForce force in scene.Forces.CustomForces)
         {

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>
-/// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the phase that the ball is in.
+/// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the current phase of the ball.
 /// A whole step of flight without events, the most common case, is taken by <see cref="FlightStepper{TAir, TIntegrator}"/>.
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump of the drag law, the end of the spin or a contact;</item>
@@ -267,7 +267,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             _flight.Finish(ref s, ref run, in taken, dt);
         }
 
-        // Depenetration: move the ball out of the ground and out of bodies that the game has put over it.
+        // Depenetration: move the ball out of the ground and out of bodies that the game has moved into it.
         if (!log.Halted)
         {
             s.ClearUntil = 0;
@@ -281,7 +281,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             log.Zones?.Moved(log, in s);
         }
 
-        // If the whole step was not taken, it was already tried: do not try it again for the first piece.
+        // If the whole step was tried without success, do not try it again for the first piece.
         bool isTried = whole == WholeFlight.NotTaken;
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {

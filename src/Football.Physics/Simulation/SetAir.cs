@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>The accelerations of a ball on several surfaces without contact forces, if all of the air counts: g + L (ω × u) − D u, and
+/// <summary>The accelerations of a ball on several surfaces without contact forces, if all air forces act: g + L (ω × u) − D u, and
 /// −decay ω.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>
 internal struct SetAir<TAir>

@@ -13,7 +13,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
 
     private const int MostSteps = 40;
 
-    /// <summary>After this many evaluations per piece no further event is searched: the next piece then starts after that change.</summary>
+    /// <summary>After this many evaluations per piece, no further event is located: the next piece then starts after the event.</summary>
     private const int MostEvaluations = 2048;
 
     /// <summary>A piece ends this share of its length after the event, so that the next piece starts in the new mode.</summary>

@@ -14,7 +14,7 @@ internal sealed class ShownPath(World world)
 
     /// <summary>Reports a piece to the observer, if there is one, with the positions and velocities at its ends.</summary>
     /// <remarks>
-    /// Between two positions on a curved surface, such a path may enter the surface. It is then reported in parts, with the ball on the
+    /// Between two positions on a curved surface, a path may enter the surface. It is then reported in parts, with the ball on the
     /// surface between them.
     /// </remarks>
     public void Show(in BallState before, in BallState after, in Vector3d v, in Vector3d w, scoped Span<Contact> set, ref StepRun run)

@@ -92,7 +92,7 @@ public sealed class Simulator
         BallState state = Flying(in position, in velocity, in spin, in orientation, time);
         Passages.PutInNets(_world, ref state);
 
-        // A surface supports the ball if it touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
+        // A surface supports the ball if the ball touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
         _stepper.Settle(ref state);
         state.GoalsEntered = Passages.GoalsEnteredAt(_world, state.Position);
         return state;
@@ -160,7 +160,7 @@ public sealed class Simulator
     /// <param name="state">The ball in the other scene.</param>
     internal BallState Continue(Simulator old, in BallState state)
     {
-        // This scene determines the motion state, and raises the ball if its ground is higher.
+        // This scene determines the motion state, and raises the ball if this scene's ground is higher.
         BallState next = Flying(state.Position, state.Velocity, state.Spin, state.Orientation, state.Time);
         Passages.Carry(old._world, _world, in state, ref next);
         next.AirDistance = Scene.Forces.KnuckleSeed is null ? 0 : state.AirDistance;
@@ -196,7 +196,7 @@ public sealed class Simulator
     /// If Euler or RK2 would increase a velocity that the Magnus force only turns, RK4 takes those parts.
     /// After 8,192 parts the step ends at the current position and is counted in <see cref="StepLog.StalledSteps"/>. No value is ever
     /// clamped.
-    /// A ball stays on the surface if it would be back within a microsecond of an impact.
+    /// After an impact, a ball stays on the surface if it would return to it within a microsecond.
     /// </remarks>
     /// <param name="state">The ball.</param>
     /// <param name="dt">Time to advance, s: 0 … 1e12. It is one step of the integrator, split only at events.</param>
@@ -409,7 +409,7 @@ public sealed class Simulator
     /// <remarks>
     /// It covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in a value have
     /// different hashes.
-    /// Custom forces count only by their type names.
+    /// Custom forces are included only by their type names.
     /// </remarks>
     /// <exception cref="InvalidOperationException">A custom wind field is not finite.</exception>
     public ulong SceneHash

@@ -9,8 +9,8 @@ internal readonly struct StabilityLimit
     /// <summary>Maximum relative change of the motion by any force per piece.</summary>
     public const double LargestChange = 1.0;
 
-    /// <summary>A ball that would be back on the ground sooner than this stays down, s.</summary>
-    /// <remarks>It bounds the number of impacts under any gravity.</remarks>
+    /// <summary>A ball that would return to the ground sooner than this stays down, s.</summary>
+    /// <remarks>This bounds the number of impacts under any gravity.</remarks>
     public const double ShortestHop = 1e-6;
 
     /// <summary>Up to this restitution every ball comes to rest, with any integrator and step length.</summary>
@@ -64,7 +64,7 @@ internal readonly struct StabilityLimit
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // Use the largest restitution, that of the slowest and most oblique impacts. Without weight there are no hops.
+        // Use the largest restitution, which the slowest and most oblique impacts have. Without weight there are no hops.
         double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
         // Without drag, a low-order integrator adds speed whenever it turns the velocity.
@@ -193,7 +193,7 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.NoInlining)]
     private double PartOfHop(double h, double least, double up)
     {
-        // A hop below the shortest counts as staying down and needs no pieces.
+        // A hop shorter than the shortest counts as staying down and needs no pieces.
         double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
@@ -232,7 +232,7 @@ internal static class TurnLimit
     /// <summary>Maximum of the change across the direction times (λ h)⁴, m/s.</summary>
     private const double LargestOff = 2.5e-7;
 
-    /// <summary>A turn below this per piece counts as zero, rad.</summary>
+    /// <summary>A turn per piece below this counts as zero, rad.</summary>
     private const double Straight = 1e-7;
 
     /// <summary>Limits a piece in which friction is strong compared with a slow slip or roll.</summary>

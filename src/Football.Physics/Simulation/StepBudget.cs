@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>The counters that bound the work of a ball's step (contacts.md, Bounds).</summary>
-/// <remarks>A step in several calls keeps them between the calls.</remarks>
+/// <remarks>A step that is taken in several calls keeps the counters between the calls.</remarks>
 internal struct StepBudget
 {
     /// <summary>Pieces so far.</summary>

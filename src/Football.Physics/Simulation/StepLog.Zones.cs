@@ -22,13 +22,13 @@ public sealed partial class StepLog
         }
     }
 
-    /// <summary>True if zones report no events, as in flights of which only the impacts and the end count.</summary>
+    /// <summary>True if zones report no events, as in flights of which only the impacts and the end matter.</summary>
     internal bool IgnoresZones { get; init; }
 
     /// <summary>The last position of the ball that the zones have processed, m.</summary>
     internal Vector3d ZonePlace { get; set; }
 
-    /// <summary>Number of zone events so far. The physics of a step does not count them.</summary>
+    /// <summary>Number of zone events so far. They do not count towards the limits of a step.</summary>
     internal int ZoneEvents { get; set; }
 
     /// <summary>True if the acceleration at the end of a piece is needed.</summary>

@@ -36,7 +36,7 @@ public sealed partial class StepLog
     /// </remarks>
     public long UnreportedImpacts { get; internal set; }
 
-    /// <summary>The number of moving contacts without load that were dropped, because more than 16 surfaces touched the ball.</summary>
+    /// <summary>The number of moving contacts without load that were dropped because more than 16 surfaces touched the ball.</summary>
     /// <remarks>Stationary surfaces are never dropped.</remarks>
     public long LeftOut { get; internal set; }
 
@@ -55,7 +55,7 @@ public sealed partial class StepLog
     /// <summary>True after an impact has pushed an object that has a mass.</summary>
     internal bool Pushed { get; set; }
 
-    /// <summary>Stores the motions before a push, for steps that are repeated; null if none are.</summary>
+    /// <summary>Stores the motions before a push, for steps that are repeated; null if no steps are repeated.</summary>
     internal MotionsBefore? Motions { get; set; }
 
     /// <summary>True if a call continues a step: its counters then start at <see cref="Spent"/> instead of zero.</summary>

@@ -18,7 +18,7 @@ internal ref struct StepRun
     /// <summary>Maximum number of force evaluations per step, of all kinds.</summary>
     private const long MostEvaluations = 1 << 15;
 
-    /// <summary>Evaluations reserved for one piece, including the search for its end. A piece only starts if this many are left.</summary>
+    /// <summary>Evaluations reserved for one piece, including the search for its end. A piece starts only if this many remain.</summary>
     private const long MostOfPiece = 1 << 12;
 
     /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
@@ -73,7 +73,7 @@ internal ref struct StepRun
     /// <summary>Number of parts shortened because a contact normal turns.</summary>
     public int Turns;
 
-    /// <summary>Number of checks whether friction holds a ball at rest that rolling resistance does not hold.</summary>
+    /// <summary>Number of checks of whether friction holds a ball at rest that rolling resistance does not hold.</summary>
     public int Grips;
 
     /// <summary>Number of slide and roll events reported for a ball on several surfaces.</summary>

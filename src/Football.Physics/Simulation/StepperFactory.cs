@@ -30,7 +30,7 @@ internal static class StepperFactory
         }
 
         // An absent or constant force is data of the table law: all mixtures run the code of the full scene. Only the fitted laws of the published
-        // profile have no constant form; a mixture of these with constants, and scaled laws, evaluate each law point by point.
+        // profile have no constant form; mixtures of these with constants, and scaled laws, are evaluated law by law.
         ForceSet forces = scene.Forces;
         bool fits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
         bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Finds the end of a slide or a roll: the load or the grip ends, the ball comes to rest, or drilling friction stops the spin
 /// about the normal.</summary>
-/// <remarks>Each margin is a function along the piece that is positive until then.</remarks>
+/// <remarks>Each margin is a function along the piece that is positive until its event.</remarks>
 internal struct SurfaceMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
@@ -10,7 +10,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     /// edge.</summary>
     private const double Jump = 1e-3;
 
-    /// <summary>After a jump, the piece ends this share of its length beyond it.</summary>
+    /// <summary>After a jump, the piece ends this share of its length beyond the jump.</summary>
     /// <remarks>The second value is the tolerance for locating a jump.</remarks>
     private const double Beyond = 1e-7;
     private const double JumpWidth = 1e-8;
@@ -84,7 +84,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
 
     /// <summary>Ends a piece when the load or the grip ends, a rolling ball comes to rest, or drilling friction stops the spin about the
     /// normal.</summary>
-    /// <remarks>Each margin is positive until then.</remarks>
+    /// <remarks>Each margin is positive until its event.</remarks>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
     /// <param name="rolls">Whether it rolls.</param>

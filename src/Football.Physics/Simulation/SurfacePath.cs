@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Limits a piece along a surface so that its path stays on the surface.</summary>
 /// <remarks>
-/// The deviation depends on the curvature along the path, so the step is taken, checked, and repeated with a shorter length if it deviates
+/// The deviation depends on the curvature along the path. The step is taken, checked, and repeated with a shorter length if it deviates
 /// too much.
 /// </remarks>
 internal static class SurfacePath

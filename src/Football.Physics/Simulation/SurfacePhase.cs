@@ -13,7 +13,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Tolerance for the end time of a slide in closed form, s, for a step of 20 ms.</summary>
     /// <remarks>
-    /// The closed form is used if the push on the slip is constant to within it. For other steps the tolerance scales with the step length
+    /// The closed form requires a push on the slip that is this constant. For other steps the tolerance scales with the step length
     /// to the power of the integrator's order.
     /// </remarks>
     private const double SlideEnd = 1e-10;
@@ -33,7 +33,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
     /// <summary>Maximum number of times a ball in a net may lose its grip per step.</summary>
     /// <remarks>
-    /// A net that turns slack and taut makes the ball grip and slip in turn, ever faster. After this many times the ball grips for the rest
+    /// A net that goes slack and taut makes the ball grip and slip in turn, ever faster. After this many times, the ball grips for the rest
     /// of the step, which adds no energy.
     /// </remarks>
     private const int MostSlips = 2;
@@ -51,7 +51,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>A ball creeps if rolling friction could change its velocity by more than this multiple within the rest of the
     /// step.</summary>
     /// <remarks>
-    /// Its direction then turns into the push almost at once; the ball moves less than 1e-8 m meanwhile in usual steps.
+    /// Its direction then turns to that of the push almost at once; in usual steps the ball moves less than 1e-8 m meanwhile.
     /// </remarks>
     private const double Creeping = 256;
 
@@ -126,7 +126,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Vector3d moving = rolls ? on.Rolling : system.SlipOf(in from, in on);
         double size = moving.Length;
 
-        // A roll that needs more traction than friction gives starts to slide.
+        // A rolling ball that needs more traction than friction provides starts to slide.
         if (rolls && !grips)
         {
             run.Slips++;
@@ -134,14 +134,14 @@ internal sealed class SurfacePhase<TIntegrator>
             return;
         }
 
-        // A slide without slip starts to roll if friction can hold it.
+        // A sliding ball without slip starts to roll if friction can hold it.
         if (!rolls && size < Slip.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
         }
 
-        // A roll may come to rest, or be pinned if rolling friction outweighs the push. From a standstill it moves along the push.
+        // A rolling ball may come to rest, or be pinned if rolling friction exceeds the push. From a standstill it moves along the push.
         if (rolls)
         {
             Vector3d drive = system.Drive(in on) - on.MaterialRate;
@@ -180,7 +180,7 @@ internal sealed class SurfacePhase<TIntegrator>
             moving = size < Slip.Rolling ? traction : moving;
         }
 
-        // Direction of the slip or the roll. Friction keeps it if a stage of the integrator passes zero.
+        // Direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 

@@ -8,7 +8,7 @@ internal static class TurningNormals
     /// <summary>Maximum rotation of a normal per part, rad.</summary>
     private const double LargestTurn = 0.1;
 
-    /// <summary>Maximum number of parts per step that are shortened for this.</summary>
+    /// <summary>Maximum number of parts per step that are shortened for this reason.</summary>
     private const int MostTurns = 64;
 
     /// <summary>Shortens a part in which a normal would turn too far, because the straight path of a part leaves a curved

@@ -9,7 +9,7 @@ internal sealed class WorldContact
     /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
+    /// <summary>If a step resolves all contacts together more often than this, the ball counts as having no room.</summary>
     private const int MostUntold = 3;
 
     private readonly Surroundings _around;
@@ -63,7 +63,7 @@ internal sealed class WorldContact
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
         CoulombImpact.Apply(_world.Ball, in material, in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
 
-        // After quick successive hits by movers, limit the speed to that of the fastest mover: rapid hits must not add energy.
+        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
         if (hit.Moves)
         {
             double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
@@ -110,7 +110,7 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        // In a crowded step only count slow impacts: a ball that trembles in a corner would cause many events.
+        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would cause many events.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
             run.Log.UnreportedImpacts++;
@@ -247,7 +247,7 @@ internal sealed class WorldContact
         return again;
     }
 
-    /// <summary>Makes a surface the carrier without an impact: the ball touches it, is pressed on it, and does not close on it.</summary>
+    /// <summary>Makes a surface the carrier without an impact: the ball touches it, presses on it, and does not close on it.</summary>
     public void TakeUp(ref BallState s, int collider, ref StepRun run) => Stay(ref s, collider + _world.FirstCollider, s.Velocity, s.Spin, ref run);
 
     /// <summary>Ends a slip: the ball rolls if friction can hold it.</summary>
@@ -365,7 +365,7 @@ internal sealed class WorldContact
     /// <summary>Raises a ball that is below the surface of the ground vertically.</summary>
     public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
-    /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it, otherwise in the
+    /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it; otherwise in the
     /// air.</summary>
     public void Settle(ref BallState s)
     {

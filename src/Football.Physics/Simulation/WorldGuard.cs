@@ -9,7 +9,7 @@ internal sealed class WorldGuard
     /// <summary>A piece that ends at a grazing contact keeps at least this share of its length.</summary>
     private const double ShortestPiece = 1e-6;
 
-    /// <summary>Maximum number of searches per piece. Each shortened piece gives a more accurate path for the next search.</summary>
+    /// <summary>Maximum number of searches per piece. Each shorter piece gives a more accurate path for the next search.</summary>
     private const int MostSearches = 8;
 
     private readonly World _world;
@@ -36,7 +36,7 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // Take the first collider in scene order, whatever the order of the walk. Between two bodies, the contact normals decide.
+            // Take the first collider in scene order, regardless of the order of the walk. Between two bodies, the contact normals decide.
             bool byside = first != int.MaxValue && _world.IsByside(i, first);
             if (i == carrier || (i > first && !byside))
             {
@@ -305,7 +305,7 @@ internal sealed class WorldGuard
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
-                // Apply it twice: the first correction leaves the curvature of the gap.
+                // Apply the correction twice: the first one leaves the error from the curvature of the gap.
                 sweep.Nudge(correction);
                 _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
                 sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
@@ -317,7 +317,7 @@ internal sealed class WorldGuard
 }
 
 /// <summary>Keeps the pieces of a ball in a net short enough for their paths, and ends them at kinks of the net's force.</summary>
-/// <remarks>The force has a kink when the net turns slack or taut.</remarks>
+/// <remarks>The force has a kink when the net goes slack or taut.</remarks>
 internal sealed class NetGuard
 {
     /// <summary>Maximum distance between the path of a piece and the cubic through its ends, m.</summary>

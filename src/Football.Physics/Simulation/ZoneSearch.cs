@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Finds the crossings of the border of one zone along one path, in order.</summary>
 /// <remarks>
-/// g is the signed distance of the ball from the zone. The concave curvature of the shape bounds its bend, so g'' ≥ −M along the path.
+/// g is the signed distance of the ball from the zone. The concave curvature of the shape bounds g'', so g'' ≥ −M along the path.
 /// From a point outside, g stays positive until g + g' s − ½ M s² = 0. Between two points inside, g rises at most ⅛ M w² above its chord.
 /// No crossing is missed except a dip below <see cref="Dip"/>.
 /// </remarks>
@@ -38,7 +38,7 @@ internal readonly struct ZoneSearch
         _zone = zone;
         _border = new Border(in path, shape, level);
 
-        // A concave curvature κ bends the distance by κ/(1 − κ d), valid here for κ d ≤ ¾. Farther out only the speed bounds it.
+        // A concave curvature κ bends the distance by κ/(1 − κ d), valid here for κ d ≤ ¾. Farther out, only the speed bounds the distance.
         double hollow = shape.MaximumConcaveCurvature;
         _speed = path.FastestSpeed;
         _bend = path.GreatestAcceleration + (4.0 * hollow * _speed * _speed);
@@ -189,7 +189,7 @@ internal readonly struct ZoneSearch
         private readonly IShape _shape = shape;
         private readonly double _level = level - Zone.Touching;
 
-        /// <summary>Returns its value and its rate, m.</summary>
+        /// <summary>Returns the distance and its rate, m.</summary>
         public double At(double s, out double rate)
         {
             ShapePoint at = _shape.At(_path.At(s));

@@ -33,7 +33,7 @@ internal sealed class ZoneWatch
         }
     }
 
-    /// <summary>Returns the zones of a scene; null if there are none, which costs a step nothing.</summary>
+    /// <summary>Returns the zones of a scene; null if there are none, so that steps pay nothing.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="firstThing">Index of the first zone among the scene's objects.</param>
     public static ZoneWatch? Of(Scene scene, int firstThing)
@@ -61,7 +61,7 @@ internal sealed class ZoneWatch
         log.ZonePlace = s.Position;
     }
 
-    /// <summary>Handles a ball that may have moved without a piece.</summary>
+    /// <summary>Handles a ball that may have been displaced between pieces.</summary>
     public void Moved(StepLog log, in BallState s) => Jump(log, s.Position, in s);
 
     /// <summary>True if a piece may cross the border of a zone, so that its path must be accurate.</summary>

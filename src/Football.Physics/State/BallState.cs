@@ -5,7 +5,7 @@ namespace FootballPhysics;
 
 /// <summary>The complete state of a ball: an unmanaged value.</summary>
 /// <remarks>
-/// A copy is a snapshot, and equal bytes mean equal states. A step depends on no other mutable data of the ball.
+/// A copy is a snapshot, and equal bytes mean equal states. Apart from the state, a step depends on no mutable data of the ball.
 /// Create a state with <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>; all zero bytes are not a valid state.
 /// </remarks>
 public struct BallState : IFormattable
@@ -82,7 +82,7 @@ public struct BallState : IFormattable
     /// <summary>The time until which the flight is known to hit nothing but level ground, in s; 0 if unknown.</summary>
     internal double ClearUntil;
 
-    /// <summary>An odd key: the scene for which <see cref="ClearUntil"/> holds. An even key: the balls that a ball in a pile touches.</summary>
+    /// <summary>An odd key identifies the scene for which <see cref="ClearUntil"/> holds; an even key, the balls touched in a pile.</summary>
     internal ulong ClearIn;
 
     /// <summary>The value of <see cref="ClearIn"/> if several surfaces supported the ball at the end of the last step.</summary>
@@ -93,7 +93,7 @@ public struct BallState : IFormattable
     internal double AirDistance;
 
     /// <summary>The maximum speed that moving objects may give the ball until <see cref="SqueezeUntil"/>, in m/s.</summary>
-    /// <remarks>It is the speed of the fastest object that touched the ball, times 1 + e, or the ball's own speed before.</remarks>
+    /// <remarks>It is 1 + e times the speed of the fastest object that touched the ball, or the ball's own earlier speed.</remarks>
     internal double SqueezeSpeed;
 
     /// <summary>The time until which recent contacts with moving objects limit the next one, in s; 0 if there were none.</summary>

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>The branch of the published drag law that a step uses.</summary>
 internal enum DragBranch
 {
-    /// <summary>Not known yet; the flow decides.</summary>
+    /// <summary>Not known yet; the flow at the ball decides.</summary>
     Unknown = 0,
 
     /// <summary>The law without spin.</summary>

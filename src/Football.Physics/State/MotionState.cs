@@ -16,6 +16,6 @@ public enum MotionState
     Rest = 3,
 
     /// <summary>The ball is caught between moving objects that leave it no room.</summary>
-    /// <remarks>It does not bounce, and does not move faster than they do.</remarks>
+    /// <remarks>The ball does not bounce, and does not move faster than the objects.</remarks>
     Pinned = 4,
 }

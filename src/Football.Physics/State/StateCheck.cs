@@ -47,7 +47,7 @@ internal static class StateCheck
             return Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle;
         }
 
-        // On the ground SpinAxis holds the spin. A supporting object may move, and the ball with it.
+        // On the ground SpinAxis holds the spin. A supporting object may move and carry the ball along.
         bool carried = state.SpinRate == 1 && state.Angle == 0;
         return state.Motion == MotionState.Rest
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)

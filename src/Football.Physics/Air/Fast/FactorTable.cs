@@ -5,7 +5,7 @@ namespace FootballPhysics;
 /// <summary>A table of up to four functions of one variable: piecewise cubics through Chebyshev points.</summary>
 /// <remarks>
 /// The exponent and top mantissa bits of the argument select a segment. Segments are coarse on the entire range, and finer on the part that needs it. The
-/// cubics use the argument itself, and pair their terms to shorten the dependency chain of the step. Functions whose value is unused leave no code.
+/// cubics use the argument itself, and pair their terms to shorten the dependency chain of the step. Functions whose values are unused generate no code.
 /// </remarks>
 internal sealed class FactorTable
 {

@@ -12,7 +12,7 @@ internal sealed class LawTables
     /// <summary>The exponent of S² below which there is no spin: S = 2.3e-10.</summary>
     private const int None = -64;
 
-    /// <summary>An exponent below the S² that a ball without spin gets.</summary>
+    /// <summary>An exponent below that of the S² used for a ball without spin.</summary>
     private const int Least = -81;
 
     /// <summary>Tabulates the functions of a law.</summary>

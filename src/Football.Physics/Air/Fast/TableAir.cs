@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A law by tables of its functions, valid where <see cref="Covers"/> returns true.</summary>
+/// <summary>A law evaluated from tables of its functions, valid where <see cref="Covers"/> returns true.</summary>
 /// <remarks>
 /// It costs two table indices, a few cubics and <see cref="ITableLaw.Combine"/>. The functions define the law; the tests compare tables and functions over the
 /// entire domain.
@@ -110,7 +110,7 @@ internal struct TableAir<TLaw> : IFlightAir
         _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
     }
 
-    /// <summary>Computes the factors at any point: by tables in their range, otherwise by the functions.</summary>
+    /// <summary>Computes the factors at any point: from the tables in their range, otherwise from the functions.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void FactorsAnywhere(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
@@ -156,7 +156,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In still air there is no force, and the decay is that at the lowest speed.
+        // In still air there is no force, and the spin decays as at the lowest speed.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;
@@ -183,7 +183,7 @@ internal readonly struct TableRange
     public const double Fastest = 120;
 
     /// <summary>The largest spin parameter at the start of a step of a smooth law.</summary>
-    /// <remarks>At 2, one plate of the empirical spin decay stands still.</remarks>
+    /// <remarks>At 2, one plate of the empirical spin decay has zero speed.</remarks>
     public const double LargestSpinParameter = 1.9;
 
     /// <summary>The share of the velocity that drag, and lift, may each change within a step.</summary>

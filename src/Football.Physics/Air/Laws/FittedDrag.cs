@@ -23,7 +23,7 @@ internal static class FittedDrag
     /// <summary>The exponent d of the law with spin.</summary>
     public const double D = 0.3056;
 
-    /// <summary>The spin parameter above which the law with spin holds.</summary>
+    /// <summary>The spin parameter above which the law with spin applies.</summary>
     public const double CriticalSpin = 0.05;
 
     /// <summary>C_D at zero speed, the maximum without spin: a + b/(1 + exp(−v_c/v_s)).</summary>

@@ -12,7 +12,7 @@ internal interface ITableLaw
     /// <remarks>Lift and decay are then proportional to the spin at fixed S. A constant of the type.</remarks>
     bool NeedsSpinAcross { get; }
 
-    /// <summary>True if the law has regions, so that a step is locked to one and ends where it ends. A constant of the type.</summary>
+    /// <summary>True if the law has regions, so that a step is locked to one region and ends at its boundary. A constant of the type.</summary>
     bool Jumps { get; }
 
     /// <summary>Reads the constants of the law from the scene.</summary>

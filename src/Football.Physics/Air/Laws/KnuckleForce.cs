@@ -97,7 +97,7 @@ internal sealed class KnuckleForce
         return (waves.Amplitude * sin).Sum;
     }
 
-    // A class, so that a scene without a knuckle force loads no SIMD data.
+    // This is a class so that a scene without a knuckle force loads no SIMD data.
     private sealed class FourWaves
     {
         public readonly Quad Amplitude;

@@ -4,12 +4,12 @@ namespace FootballPhysics;
 
 /// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
 /// <remarks>
-/// Functions of the Reynolds number replace those of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
+/// Functions of the Reynolds number replace functions of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
 /// coefficient is data of this law as well: its functions become the constant 1, and its scale the coefficient or 0. Every mixture runs the same code.
 /// </remarks>
 internal struct MeasuredLaw : ITableLaw
 {
-    /// <summary>The tables of each drag curve, as long as the curve is reachable: with no constant coefficient, constant drag, constant lift, and both.</summary>
+    /// <summary>The tables of each drag curve, kept while the curve is reachable: with no constant coefficient, constant drag, constant lift, and both.</summary>
     private static readonly ConditionalWeakTable<DragCurve, LawTables>[] Shared = [new(), new(), new(), new()];
 
     /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
@@ -53,7 +53,7 @@ internal struct MeasuredLaw : ITableLaw
     {
         get
         {
-            // The tables depend on the curve and the constant coefficients: they contain no cut-off of a scene.
+            // The tables depend only on the curve and the constant coefficients, not on a scene's cut-off.
             MeasuredLaw law = new() { _constantDrag = _constantDrag, _constantLift = _constantLift, _largest = double.PositiveInfinity };
             return Shared[(_constantDrag ? 1 : 0) + (_constantLift ? 2 : 0)].GetValue(_curve, curve => law.TablesOf(curve));
         }

@@ -16,7 +16,7 @@ internal struct ProportionalSpinDecay : IAirLaw
 
     public readonly RateBound Bound => new(_perMetre, 0, _atRest);
 
-    /// <summary>Reads the rates of the scene. A constant decay has no share that grows with the speed; without decay both rates are 0.</summary>
+    /// <summary>Reads the rates of the scene. A constant decay does not grow with the speed; without decay, both rates are 0.</summary>
     public void Prepare(Scene scene)
     {
         ForceLaw kind = scene.Forces.SpinDecay;

@@ -5,7 +5,7 @@ namespace FootballPhysics;
 internal static class SpinDrag
 {
     /// <summary>D, the limit of this part.</summary>
-    /// <remarks>Measured: up to S = 0.3 between the values of Goff and Carré and those of Kiratidis and Leinweber; beyond, Goff's plateau.</remarks>
+    /// <remarks>Measured: up to S = 0.3, between the values of Goff and Carré and of Kiratidis and Leinweber; beyond that, Goff's plateau.</remarks>
     public const double Limit = 0.30;
 
     /// <summary>S_D, the spin parameter at which this part is D/√2 (same sources).</summary>

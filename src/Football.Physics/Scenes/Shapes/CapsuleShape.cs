@@ -49,7 +49,7 @@ public sealed class CapsuleShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // Measure from the middle, so that both ends are treated bit-identically.
+        // Measure from the middle, so that both ends give bit-identical results.
         Vector3d from = point - _middle;
         double along = Vector3d.Dot(in from, in _axis);
 

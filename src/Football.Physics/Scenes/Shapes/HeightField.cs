@@ -2,7 +2,7 @@ namespace FootballPhysics.Shapes;
 
 /// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights.</summary>
 /// <remarks>
-/// Beyond the grid, the border values continue. With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors:
+/// Beyond the grid, the values at the border are repeated. With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors:
 /// y = Σ b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6.
 /// <para>A ball can rest on it if its slope is at most 1 and its curvature at most 1/(2r).</para>
 /// </remarks>

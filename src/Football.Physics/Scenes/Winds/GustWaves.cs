@@ -42,7 +42,7 @@ internal sealed class GustWaves
             low = high;
         }
 
-        // Amplitudes whose variances sum to that of the component, and random phases.
+        // Amplitudes whose variances sum to the variance of the component, and random phases.
         double deviation = gusts.Intensity * speed;
         Span<double> sines = stackalloc double[Bands];
         Span<double> cosines = stackalloc double[Bands];

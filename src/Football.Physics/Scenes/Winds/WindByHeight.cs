@@ -5,7 +5,7 @@ namespace FootballPhysics.Laws;
 /// <summary>A wind that grows with the height above the ground, with or without gusts.</summary>
 /// <remarks>
 /// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀). It is a pure function of position, time and the seed of the gusts. Inside a stadium bowl it is only
-/// a rough default.
+/// a rough approximation.
 /// </remarks>
 public sealed class WindByHeight : IWind
 {
@@ -44,7 +44,7 @@ public sealed class WindByHeight : IWind
             throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
         }
 
-        // Keep a direction that is a unit vector up to rounding, so that a saved wind loads bit-identical.
+        // Keep a direction that is a unit vector up to rounding, so that a saved wind is bit-identical when loaded.
         size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
 
         // Check the gusts here: a scene sees only an IWind and cannot.
@@ -98,7 +98,7 @@ public sealed class WindByHeight : IWind
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {
-        // Below the ground the wind is that on it, because the logarithm is not defined there.
+        // Below the ground, use the wind at the ground, because the logarithm is not defined there.
         double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);

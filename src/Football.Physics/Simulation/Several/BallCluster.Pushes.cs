@@ -25,8 +25,8 @@ internal sealed partial class BallCluster
         return found;
     }
 
-    /// <summary>Handles a push, or another event that ends the step of a ball: other balls that may reach the object move to that time
-    /// first.</summary>
+    /// <summary>Handles a push, or another event that ends the step of a ball. Other balls that may reach the object first move to the
+    /// time of the event.</summary>
     /// <returns>True if it ends the step.</returns>
     private bool Push(BallState[] states, in Happening met, double end)
     {
@@ -44,7 +44,7 @@ internal sealed partial class BallCluster
             return true;
         }
 
-        // Move balls that may reach the object to that time while its motion is still the old one. Then recompute their paths.
+        // Before the object's motion changes, move balls that may reach it to the time of the push. Then recompute their paths.
         _pushed.ReadAfter();
         for (int k = 0; k < _clusterCount; k++)
         {

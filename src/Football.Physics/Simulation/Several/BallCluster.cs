@@ -156,7 +156,7 @@ internal sealed partial class BallCluster
         _stopAt = stopAt;
         double end = _span.End;
 
-        // Sort by index: of simultaneous events, the first one found counts.
+        // Sort by index: if events are simultaneous, the first one found is used.
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
         _piles.Clear();
@@ -298,7 +298,7 @@ internal sealed partial class BallCluster
             _simulators[i].Advance(ref s, left, own);
         }
 
-        // A path with a full buffer ends a step early, but the ball must go on.
+        // A path with a full buffer ends a step early, but the ball must continue.
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;
@@ -308,7 +308,7 @@ internal sealed partial class BallCluster
         s.Time = time;
     }
 
-    /// <summary>Resolves a contact of two balls: both move there exactly by their own steps and get the impulse, or form a pile.</summary>
+    /// <summary>Resolves a contact of two balls: both move there exactly by their own steps, then get the impulse or form a pile.</summary>
     /// <returns>True if that ends the step.</returns>
     private bool Collide(BallState[] states, in Happening met, bool presses)
     {

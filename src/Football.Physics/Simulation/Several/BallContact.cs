@@ -56,7 +56,7 @@ internal static class BallContact
         double most = material.ImpactFriction * normal;
         Vector3d impulse = (normal * n) - (size > most ? most / size * grip : grip);
 
-        // About the normal only the relative spin counts: keep e_ω of it, minus the drilling friction b μ_s J_n of each ball.
+        // About the normal, only the relative spin matters: keep e_ω of it, minus the drilling friction b μ_s J_n of each ball.
         double eases = (1.0 / ball.MomentOfInertia) + (1.0 / other.MomentOfInertia);
         double about = Vector3d.Dot(w1 - w2, in n);
         double drilled = material.DrillingLength * material.SlidingFriction * normal * eases;

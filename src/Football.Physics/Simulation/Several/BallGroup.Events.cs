@@ -13,7 +13,7 @@ public sealed partial class BallGroup
         int told = 0;
         for (int i = 0; i < Count; i++)
         {
-            // Skip balls of the cluster: their steps were repeated, and only the repeated step counts.
+            // Skip balls of the cluster: their steps were repeated, and only the repeated step is logged.
             for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
             {
                 Insert(in _flown.Events[k], told++);

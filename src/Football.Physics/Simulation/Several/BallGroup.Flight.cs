@@ -21,7 +21,7 @@ public sealed partial class BallGroup
         _cluster.Rests.Look(_before, _neighbours);
     }
 
-    /// <summary>Takes the step of every ball as if there were no other ball.</summary>
+    /// <summary>Takes the step of every ball as if it were alone.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="stopAt">The event that ends it.</param>
@@ -74,7 +74,7 @@ public sealed partial class BallGroup
 
             log.Pushed = false;
 
-            // A ball that met others in the last step may do so again, so record its path.
+            // A ball that touched others in the last step may do so again, so record its path.
             if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
             {
                 _simulators[i].Advance(ref s, dt, log);

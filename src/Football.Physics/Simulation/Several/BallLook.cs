@@ -52,7 +52,7 @@ internal sealed class BallLook
     /// <param name="end">Its end.</param>
     /// <param name="time">The time, s.</param>
     /// <param name="log">The events and counts of the path.</param>
-    /// <param name="own">Receives those of the ball.</param>
+    /// <param name="own">Receives the events and counts of the ball.</param>
     public static bool TryTake(ref BallState s, in BallState from, in BallState end, double time, StepLog log, StepLog own)
     {
         bool isSame = end.Time == time && from.Time == s.Time && from.Position == s.Position && from.Velocity == s.Velocity && from.Spin == s.Spin

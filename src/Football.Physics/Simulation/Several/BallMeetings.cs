@@ -81,7 +81,7 @@ internal sealed class BallMeetings
     /// <summary>Returns the time at which a pair touches, s; infinite if it does not.</summary>
     /// <param name="pair">Index of the pair.</param>
     /// <param name="until">The time up to which their paths are known, s.</param>
-    /// <param name="atEnd">Whether a contact exactly at that time counts.</param>
+    /// <param name="atEnd">Whether to include a contact exactly at that time.</param>
     public double TimeOf(int pair, double until, bool atEnd)
     {
         ref Pair asked = ref _pairs[pair];

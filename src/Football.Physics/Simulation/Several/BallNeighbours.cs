@@ -13,7 +13,7 @@ internal sealed class BallNeighbours
     /// <summary>Minimum margin of a sphere around the ball, m: a resting ball may be nudged.</summary>
     private const double LeastRoom = 0.25;
 
-    /// <summary>Acceleration allowed for while a sphere is valid, m/s².</summary>
+    /// <summary>Maximum acceleration for which a sphere is valid, m/s².</summary>
     public const double Fall = 10;
 
     private readonly Sphere[] _spheres;

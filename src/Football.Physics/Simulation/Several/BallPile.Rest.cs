@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <content>Rest of the pile.</content>
+/// <content>The rest state of the pile.</content>
 internal sealed partial class BallPile
 {
     /// <summary>Projects a ball onto stationary surfaces with a load: a gap left by the part would cause another impact.</summary>
@@ -47,7 +47,7 @@ internal sealed partial class BallPile
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
         }
 
-        // Warm start: the loads are about those of the previous part.
+        // Warm start: the loads are close to those in the previous part.
         double last = _length > 0 ? RestPart / _length : 0;
         Find(states, Leaning, 0);
         Continue(last);

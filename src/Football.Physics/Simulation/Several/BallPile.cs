@@ -34,7 +34,7 @@ internal sealed partial class BallPile
     /// <summary>The solver stops if a change of speed is below this share of the change by the forces in a part.</summary>
     private const double Settled = 1e-5;
 
-    /// <summary>A pile rests if its contacts leave each ball at most this share of the forces on it.</summary>
+    /// <summary>A pile rests if, with its contacts, each ball keeps at most this share of the forces on it.</summary>
     private const double Held = 1e-3;
 
     /// <summary>Length of the part that is solved to check for rest, s.</summary>

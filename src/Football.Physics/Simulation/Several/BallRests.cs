@@ -122,7 +122,7 @@ internal sealed class BallRests
     }
 
     /// <summary>The key of no contact; the keys of all touched balls are added to it.</summary>
-    /// <remarks>Even and nonzero, because keys of scenes are odd.</remarks>
+    /// <remarks>The key is even and nonzero, because keys of scenes are odd.</remarks>
     public const ulong FirstKey = 1UL << 63;
 
     /// <summary>Returns the key of a resting ball by its position, or of an object by its normal.</summary>

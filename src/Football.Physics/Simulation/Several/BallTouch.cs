@@ -59,7 +59,7 @@ internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, Ball
         return taken;
     }
 
-    /// <summary>Discards the states.</summary>
+    /// <summary>Discards the stored states.</summary>
     public void Forget()
     {
         _first.Forget();

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The path of a ball as if there were no other ball.</summary>
+/// <summary>The path of a ball as if it were alone.</summary>
 /// <remarks>It leads to the end of the step, or to the push of an object that another ball may reach.</remarks>
 internal sealed class BallTrial : PieceObserver
 {
@@ -54,7 +54,7 @@ internal sealed class BallTrial : PieceObserver
         simulator.Advance(ref End, duration, Log);
         HaltsAt = Log.Halted ? End.Time : double.PositiveInfinity;
 
-        // Include a displacement at the end without a piece, such as one out of an overlap.
+        // Include a final displacement that no piece covers, such as a push out of an overlap.
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : start.Position;
         Reach += (End.Position - last).Length;
     }
@@ -78,7 +78,7 @@ internal sealed class BallTrial : PieceObserver
         return IsWhole;
     }
 
-    /// <summary>True if the path is that of a whole step.</summary>
+    /// <summary>True if the path covers a whole step.</summary>
     public bool IsWhole { get; set; }
 
     /// <summary>Sets a straight path of a ball in a pile.</summary>
@@ -157,7 +157,7 @@ internal sealed class BallTrial : PieceObserver
     /// <param name="distance">Distance of the centres at contact, m.</param>
     /// <param name="from">Start of the search, s.</param>
     /// <param name="until">End of the search, s.</param>
-    /// <param name="atEnd">Whether a contact exactly at that time counts.</param>
+    /// <param name="atEnd">Whether to include a contact exactly at that time.</param>
     public double Meets(BallTrial other, double distance, double from, double until, bool atEnd)
     {
         int i = 0;
@@ -182,7 +182,7 @@ internal sealed class BallTrial : PieceObserver
                     return time;
                 }
 
-                // The relative acceleration M bounds the bend of the gap, so no contact occurs before f + f' s − ½ M s² = 0.
+                // M bounds the relative acceleration and so the gap's second derivative: no contact occurs before f + f' s − ½ M s² = 0.
                 double room = Math.Max(0, gap);
                 double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
                 double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;

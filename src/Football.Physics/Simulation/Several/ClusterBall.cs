@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>A ball of a cluster that is solved as one system, in one step of the integrator.</summary>
 internal struct ClusterBall
 {
-    /// <summary>Steps the ball on its own.</summary>
+    /// <summary>The stepper of the single ball.</summary>
     public PilePhase Pile;
 
     /// <summary>The world of the ball.</summary>
@@ -23,7 +23,7 @@ internal struct ClusterBall
     public MotionRates Free;
     public MotionRates Rates;
 
-    /// <summary>The rates at the start and at the end, and those of the stages between.</summary>
+    /// <summary>The rates at the start, at the end, and at the stages between.</summary>
     public MotionRates First;
     public MotionRates Last;
     public MotionRates SecondRates;

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>The motions of all pushed objects before a step.</summary>
-/// <remarks>They are read at the first push, so a step without pushes pays nothing.</remarks>
+/// <remarks>They are read at the first push, so a step without pushes has no cost.</remarks>
 /// <param name="world">The world.</param>
 internal sealed class MotionsBefore(World world)
 {

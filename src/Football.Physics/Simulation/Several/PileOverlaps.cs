@@ -167,7 +167,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                     }
                 }
 
-                // Limit the total displacement by all movers to that of a single one.
+                // Limit the total displacement by all movers to the limit for a single one.
                 double way = (s.Position - from).Length;
                 s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
             }

@@ -67,7 +67,7 @@ internal sealed class PilePhase
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + custom forces. For a supported ball only the share of the air counts that acts on one surface.
+        // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on one surface.
         Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
         Vector3d acceleration = air.Acceleration + flow;
         if (carried && !_world.SharesAir)
@@ -160,7 +160,7 @@ internal sealed class PilePhase
         Tell(in s, rolls ? BallEventKind.Roll : BallEventKind.Slide, (int)s.Carrier, in n, in w, changed && tells, log);
     }
 
-    /// <summary>Keeps a ball squeezed that a moving object still overlaps: projected onto it at once, the ball would enter another
+    /// <summary>Keeps a ball squeezed that a moving object still overlaps: if projected onto it at once, the ball would enter another
     /// object.</summary>
     /// <remarks>It leaves the object at the speed allowed for a squeezed ball.</remarks>
     private void StaySqueezed(ref BallState s, int carrier, StepLog log)

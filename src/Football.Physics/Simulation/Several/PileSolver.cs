@@ -133,7 +133,7 @@ internal sealed class PileSolver
         double most = 0;
         for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
         {
-            // If two loads are equal to within rounding, the first contact counts.
+            // If two loads are equal to within rounding, take the first contact.
             if (Contacts[i].Load > most * (1.0 + 1e-9))
             {
                 most = Contacts[i].Load;

@@ -27,7 +27,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     /// <summary>Length of the whole step found, s.</summary>
     public double Length { get; private set; }
 
-    /// <summary>True if the last attempt has computed the forces at the start, which the balls of the pile then hold.</summary>
+    /// <summary>True if the last attempt has computed the forces at the start; the balls of the pile then store them.</summary>
     public bool HasLooked { get; private set; }
 
     /// <summary>Returns the path of a ball in the step.</summary>
@@ -102,7 +102,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         }
     }
 
-    /// <summary>Stores in the pile's new contacts the impulses over a time, s.</summary>
+    /// <summary>Stores the impulses over a given time, s, in the pile's new contacts.</summary>
     public void Load(double duration)
     {
         for (int i = 0; i < solver.ContactCount; i++)
@@ -123,7 +123,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         }
     }
 
-    /// <summary>True if all balls are slow enough to rest or almost so.</summary>
+    /// <summary>True if all balls are slow enough to rest, or almost slow enough.</summary>
     private bool AreSlow(BallState[] states)
     {
         for (int i = 0; i < solver.Count; i++)

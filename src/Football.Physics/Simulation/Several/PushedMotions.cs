@@ -99,7 +99,7 @@ internal sealed class PushedMotions(World world)
             Vector3d change = _after[_next].Velocity - _first[_next].Velocity;
             if (change != Vector3d.Zero)
             {
-                // Bound the position by the motion after the push, extended over the step. It is at most |ΔV| dt off; double that for
+                // Bound the position by extending the motion after the push over the step. The error is at most |ΔV| dt; double it for
                 // opposing pushes.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
                 box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length);
