@@ -196,7 +196,7 @@ internal static class RollbackCounts
         }
         catch (InvalidOperationException refusal)
         {
-            return refusal.Message.StartsWith(engine ? "engineColliders" : "bodies", StringComparison.Ordinal);
+            return refusal.Message.StartsWith(engine ? "Engine colliders" : "Bodies", StringComparison.Ordinal);
         }
     }
 }

@@ -36,11 +36,8 @@ public sealed partial class FixedStepRunner
     public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
 
     /// <summary>Returns the pose at which to draw the ball, at a fraction of the last step.</summary>
-    /// <remarks>
-    /// The position is interpolated linearly from the start of the step to its end, through the exact positions of the events between. A bouncing
-    /// ball is therefore seen to touch the ground. The orientation turns at constant speed by the shorter rotation, which is correct below half a
-    /// turn per step.
-    /// </remarks>
+    /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events between. A bouncing
+    /// ball is therefore seen to touch the ground. The orientation turns at constant speed by the shorter rotation, which is correct below half a turn per step.</remarks>
     /// <param name="fraction">0 is the start of the last step, 1 is its end. The value is clamped to this range.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>

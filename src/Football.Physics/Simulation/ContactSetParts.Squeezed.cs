@@ -14,17 +14,12 @@ internal sealed partial class ContactSetParts
     /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
     private const double OutOfTheWay = 5.0;
 
-    /// <summary>Below this gap, the displayed path of a squeezed ball follows a stationary surface, m.</summary>
-    private const double AllButTouching = 1e-4;
-
     /// <summary>A direction leads off all contacts if its component along every normal is at least this.</summary>
     private const double Room = 0.1;
 
     /// <summary>Takes the rest of a step for a squeezed ball.</summary>
-    /// <remarks>
-    /// The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, without restitution.
-    /// The squeeze ends when no moving object pushes the ball any longer, or when some direction leads off all contacts.
-    /// </remarks>
+    /// <remarks>The ball never enters stationary objects. Moving objects push it as far as its allowed speed permits, without restitution.
+    /// The squeeze ends when no moving object pushes the ball any longer, or when some direction leads off all contacts.</remarks>
     [SkipLocalsInit]
     public void TakeSqueezed(ref BallState s, ref StepRun run)
     {
@@ -87,7 +82,7 @@ internal sealed partial class ContactSetParts
             _displacement.Follow(ref s, in moved, ref run);
             Halt(ref s, set, before.Position, h * free.Acceleration.Length);
             isFree = IsFree(in s, set);
-            ShowSqueezed(in before, in s, set, ref run);
+            _shown.ShowStraight(in before, in s, set, ref run);
         }
 
         // End the squeeze if no mover pushed the ball in the last part, or if it has room. In a group, a step calls this method several
@@ -118,44 +113,7 @@ internal sealed partial class ContactSetParts
         s.SetGroundSpin(Vector3d.Zero);
     }
 
-    /// <summary>Reports a piece of a squeezed ball to the observer: a straight path, bent next to stationary surfaces so that it does not
-    /// enter them.</summary>
-    private void ShowSqueezed(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
-    {
-        double h = after.Time - before.Time;
-        if (!run.Log.IsWatched || !(h > 0))
-        {
-            return;
-        }
-
-        Vector3d way = (after.Position - before.Position) / h;
-        Vector3d v = way;
-        Vector3d w = way;
-
-        // Tangents of a Hermite path: the first must not lead into a stationary surface, the last must not come out of one.
-        foreach (ref readonly Contact contact in set)
-        {
-            if (!contact.Moves)
-            {
-                Collider collider = _world.Colliders[contact.Collider];
-                v -= Math.Min(0, OffAt(collider, before.Position, before.Time, in v, out Vector3d n)) * n;
-                w -= Math.Max(0, OffAt(collider, after.Position, after.Time, in w, out n)) * n;
-            }
-        }
-
-        _shown.Show(in before, in after, in v, in w, set, ref run);
-    }
-
-    /// <summary>Returns the speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
-    private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
-    {
-        ShapePoint at = collider.At(place, time);
-        normal = at.Normal;
-        return at.Distance - _around.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
-    }
-
-    /// <summary>Corrects a velocity for which the solver found no impulses: it closes on no contact and is not faster than
-    /// before.</summary>
+    /// <summary>Corrects a velocity for which the solver found no impulses: it closes on no contact and is not faster than before.</summary>
     /// <param name="set">The contacts.</param>
     /// <param name="h">The time, s.</param>
     /// <param name="most">The speed without contacts, m/s.</param>
@@ -256,8 +214,7 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Resolves the overlaps of a squeezed ball.</summary>
-    /// <remarks>Moving objects push it up to a maximum distance, then stationary ones push it out completely. If that fails, the ball
-    /// returns to its old position.</remarks>
+    /// <remarks>Moving objects push it up to a maximum distance, then stationary ones push it out completely. If that fails, the ball returns to its old position.</remarks>
     private void PushOut(ref BallState s, Span<Contact> set, double most, in Vector3d back)
     {
         Vector3d from = s.Position;

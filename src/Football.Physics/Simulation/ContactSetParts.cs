@@ -3,11 +3,9 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>Steps a ball on several surfaces in short parts with velocity-level impulses.</summary>
-/// <remarks>
-/// It is the fallback of <see cref="ContactSetPhase{TIntegrator}"/>. Each part evaluates the forces at both ends, computes the impulses
+/// <remarks>It is the fallback of <see cref="ContactSetPhase{TIntegrator}"/>. Each part evaluates the forces at both ends, computes the impulses
 /// with <see cref="ContactSolver"/>, and moves the ball at the mean velocity. This is exact if the forces are constant and no contact
-/// changes its mode. At a change of mode, the error depends on the length of the part.
-/// </remarks>
+/// changes its mode. At a change of mode, the error depends on the length of the part.</remarks>
 internal sealed partial class ContactSetParts
 {
     /// <summary>Length of a part, s. A slip that ends within a part displaces the ball by less than 1e-6 m.</summary>
@@ -244,8 +242,7 @@ internal sealed partial class ContactSetParts
         return true;
     }
 
-    /// <summary>Stops a ball with no more than the rest energy if its contacts hold it and are stationary, or move along with its
-    /// carrier.</summary>
+    /// <summary>Stops a ball with no more than the rest energy if its contacts hold it and are stationary, or move along with its carrier.</summary>
     [SkipLocalsInit]
     private bool Rests(ref BallState s, scoped Span<Contact> set, int bearer, in MotionRates free, ref StepRun run)
     {
@@ -283,10 +280,8 @@ internal sealed partial class ContactSetParts
     }
 
     /// <summary>Updates the carrier and the motion state.</summary>
-    /// <remarks>
-    /// The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
-    /// The ball slides if the carrier slips; otherwise it rolls.
-    /// </remarks>
+    /// <remarks>The contact with the greatest load becomes the carrier. The old carrier stays if its load is about as great.
+    /// The ball slides if the carrier slips; otherwise it rolls.</remarks>
     private void Name(ref BallState s, scoped Span<Contact> set, ref int told, ref StepRun run)
     {
         int named = ContactSet.Named(set, (int)s.Carrier - _world.FirstCollider);

@@ -12,6 +12,9 @@ internal sealed class ShownPath(World world)
     /// <summary>Number of equal parts at whose ends the depth of a piece is measured.</summary>
     private const int Samples = 4;
 
+    /// <summary>Below this gap, the displayed path of a squeezed ball follows a stationary surface, m.</summary>
+    private const double AllButTouching = 1e-4;
+
     /// <summary>Reports a piece to the observer, if there is one, with the positions and velocities at its ends.</summary>
     /// <remarks>
     /// Between two positions on a curved surface, a path may enter the surface. It is then reported in parts, with the ball on the
@@ -32,6 +35,41 @@ internal sealed class ShownPath(World world)
         run.Log.Halted = false;
         ShowOutside(in start, in end, set, run.Log, MostHalved);
         run.Log.Halted |= halted;
+    }
+
+    /// <summary>Reports a piece of a squeezed ball to the observer: a straight path, bent next to stationary surfaces so that it does not enter them.</summary>
+    public void ShowStraight(in BallState before, in BallState after, scoped Span<Contact> set, ref StepRun run)
+    {
+        double h = after.Time - before.Time;
+        if (!run.Log.IsWatched || !(h > 0))
+        {
+            return;
+        }
+
+        Vector3d way = (after.Position - before.Position) / h;
+        Vector3d v = way;
+        Vector3d w = way;
+
+        // Tangents of a Hermite path: the first must not lead into a stationary surface, the last must not come out of one.
+        foreach (ref readonly Contact contact in set)
+        {
+            if (!contact.Moves)
+            {
+                Collider collider = world.Colliders[contact.Collider];
+                v -= Math.Min(0, OffAt(collider, before.Position, before.Time, in v, out Vector3d n)) * n;
+                w -= Math.Max(0, OffAt(collider, after.Position, after.Time, in w, out n)) * n;
+            }
+        }
+
+        Show(in before, in after, in v, in w, set, ref run);
+    }
+
+    /// <summary>Returns the speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
+    private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
+    {
+        ShapePoint at = collider.At(place, time);
+        normal = at.Normal;
+        return at.Distance - world.Ball.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
     }
 
     private void ShowOutside(in BallState start, in BallState end, scoped Span<Contact> set, StepLog log, int halves)

@@ -36,17 +36,24 @@ internal static class StepperFactory
         bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
         bool acts = forces.Drag != ForceLaw.None || forces.Magnus != ForceLaw.None || forces.SpinDecay != ForceLaw.None;
         bool isMeasured = MeasuredLaw.Covers(forces);
-        return (scene.HasOwnForces, air.Varies, forces.Coefficients) switch
+        if (scene.HasOwnForces || air.Varies)
         {
-            (false, true, _) when isMeasured => InField<MeasuredLaw, TIntegrator>(scene, settings, in air),
-            (true, _, _) or (_, true, _) => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
-            _ when !acts => Of<NoAir, TIntegrator>(scene, settings, in air, default),
-            _ when isMeasured => OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air),
-            _ when !fits && forces.SpinDecay != ForceLaw.Empirical => Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene)),
-            _ when hasConstants || !fits => Of<SceneAir, TIntegrator>(scene, settings, in air, in air),
-            (_, _, AerodynamicModel.Published) => OfTables<PublishedLaw, TIntegrator>(scene, settings, in air),
-            _ => OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air),
-        };
+            return isMeasured && !scene.HasOwnForces ? InField<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<SceneAir, TIntegrator>(scene, settings, in air, in air);
+        }
+
+        if (isMeasured || !acts)
+        {
+            return acts ? OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<NoAir, TIntegrator>(scene, settings, in air, default);
+        }
+
+        if (hasConstants || !fits)
+        {
+            return fits || forces.SpinDecay == ForceLaw.Empirical
+                ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air) : Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene));
+        }
+
+        return forces.Coefficients == AerodynamicModel.Published
+            ? OfTables<PublishedLaw, TIntegrator>(scene, settings, in air) : OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air);
     }
 
     // Use separate methods, so that the runtime only loads the generic types that a scene needs.

@@ -20,7 +20,7 @@ public sealed class ReserveTests
 
         _ = new Ball(new Scene { Bodies = bodies });
         string message = Assert.Throws<InvalidOperationException>(() => bodies.Add("late", BodyKind.Player)).Message;
-        Assert.Contains("Body.Withdraw", message, StringComparison.Ordinal);
+        Assert.Contains("Withdraw", message, StringComparison.Ordinal);
         Assert.Contains("MoveTo", message, StringComparison.Ordinal);
         Assert.Equal(before, bodies.Count);
     }

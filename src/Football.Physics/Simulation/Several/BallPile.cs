@@ -1,13 +1,9 @@
 namespace FootballPhysics;
 
 /// <summary>Steps a pile: balls in sustained contact with each other.</summary>
-/// <remarks>
-/// A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a
-/// few equal parts,
-/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce at the start of
-/// the part.
-/// No ball enters a stationary object.
-/// </remarks>
+/// <remarks>A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a few equal parts,
+/// with impulses for all balls at once. A gap that a ball may close within a part counts as a contact. Fast contacts bounce at the start of the part.
+/// No ball enters a stationary object.</remarks>
 internal sealed partial class BallPile
 {
     /// <summary>Length of a part, s, and the maximum number of parts per step.</summary>
@@ -41,10 +37,7 @@ internal sealed partial class BallPile
     private const double RestPart = 1e-3;
 
     /// <summary>Minimum drilling length b of two balls in sustained contact, m.</summary>
-    /// <remarks>
-    /// 2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without it a ball between two others would spin for
-    /// ever.
-    /// </remarks>
+    /// <remarks>2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without it a ball between two others would spin for ever.</remarks>
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;
