@@ -146,7 +146,7 @@ public sealed class Recording
         // Continue from the runner's current tick if it lies between and holds a recorded state.
         if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
         {
-            // Otherwise start at the last keyframe before the tick. Set bodies first: a rollback that follows the runner restarts with them.
+            // Otherwise start at the last keyframe before the tick. Set the bodies first: the runner's rollback then restarts from them.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
             if (world.Movers > 0)
