@@ -113,7 +113,7 @@ public sealed record TouchSpread
     /// <summary>The standard deviation of the foot's speed, in %. 0 … 100; default 4.</summary>
     public double SpeedPercent { get; init; } = 4;
 
-    /// <summary>The standard deviation of its direction about each of two axes, in degrees. 0 … 45; default 2.</summary>
+    /// <summary>The standard deviation of the foot's direction about each of two axes, in degrees. 0 … 45; default 2.</summary>
     public double DirectionDegrees { get; init; } = 2;
 
     /// <summary>The standard deviation of the point of contact on each axis, in m. 0 … 0.1; default 0.005.</summary>
