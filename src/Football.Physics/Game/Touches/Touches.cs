@@ -159,7 +159,7 @@ public sealed class Touches
             SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
 
-            // Go below the speed that the foot achieved, by at least 5 %, so that a few tries suffice.
+            // Retry 5 % slower, or just below the speed that the foot achieved if that is slower still, so that a few tries suffice.
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
 
