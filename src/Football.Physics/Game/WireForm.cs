@@ -78,7 +78,7 @@ internal static class WireForm
 
         var bits = default(WireBits);
 
-        // Write only states that decode bit-identically: an unrounded ball, or one with more state than the format, fails.
+        // Write only states that decode bit-identically: reject an unrounded ball, and one with state that the format cannot store.
         if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
         {
             return false;
