@@ -30,12 +30,12 @@ public readonly struct KeeperResult
     /// <summary>True if he can meet the ball before it crosses.</summary>
     public bool Saves { get; init; }
 
-    /// <summary>The first point at which he can meet the ball, if he can.</summary>
+    /// <summary>The first point at which he can meet the ball, if there is one.</summary>
     public PathPoint Save { get; init; }
 
     /// <summary>The latest time at which he can react and still save, in s since the launch.</summary>
-    /// <remarks>NaN if he cannot meet the ball. Before the reaction he keeps his motion, so a later reaction may succeed where earlier ones fail;
-    /// this is the latest of all. Successful reactions within less than a microsecond may be missed.</remarks>
+    /// <remarks>NaN if he cannot meet the ball. He keeps his motion until he reacts, so a later reaction may succeed where earlier ones fail; this is
+    /// the latest that succeeds. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>
