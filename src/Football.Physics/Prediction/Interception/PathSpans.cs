@@ -26,7 +26,7 @@ internal sealed class PathSpans
         Count = 0;
         Start = path.StartTime;
 
-        // A ball at rest stays; a ball in motion is unknown after the end of the path.
+        // A ball that ends at rest stays there. If it is still moving, its position after the end of the path is unknown.
         End = path.Final.Motion == MotionState.Rest ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
 
