@@ -2,8 +2,8 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>
 /// <remarks>
-/// While the ball follows the predicted path, an update only drops the past and extends the end. A kick, or a deviation above the tolerance,
-/// recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the future.
+/// While the ball follows the predicted path, an update only drops the past and extends the end. After a kick, or a deviation above the
+/// tolerance, it recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the later simulation.
 /// </remarks>
 public sealed class TrajectoryCache
 {
