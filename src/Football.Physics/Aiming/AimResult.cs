@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a kick.</summary>
-/// <remarks>Whatever the status, it contains the best kick found, and all numbers are finite.</remarks>
+/// <remarks>Whatever the status, it contains the best kick found, and that kick is finite.</remarks>
 public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
