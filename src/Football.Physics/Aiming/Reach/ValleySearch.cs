@@ -6,7 +6,7 @@ internal sealed class ValleySearch
     /// <summary>The maximum number of flights for one valley.</summary>
     private const int MostShots = 30;
 
-    /// <summary>The distance to a bound, in rad, within which the search ends if the miss falls up to the bound; the drag law's jump causes small waves.</summary>
+    /// <summary>The distance to a bound, in rad, at which the search ends if the miss falls up to the bound, despite small waves.</summary>
     private const double NearBound = 0.06;
 
     private readonly ApproachByElevation _approaches;
