@@ -54,7 +54,7 @@ public sealed class TrajectoryCache
         _request.CheckClock(in real);
         bool keeps = _valid && OnPath(in real);
 
-        // If an exception interrupts the update, the path is not reused.
+        // Mark the path invalid first, so that it is not reused if an exception interrupts the update.
         _valid = false;
         if (!keeps)
         {
@@ -79,7 +79,7 @@ public sealed class TrajectoryCache
 
     private bool OnPath(in BallState real)
     {
-        // No comparison is possible before the path, or beyond an end in motion.
+        // No comparison is possible before the start of the path, or after its end if the ball is still moving there.
         if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Rest)))
         {
             return false;
