@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Data shared by the aiming methods: a compiled scene for each purpose, and reusable flights.</summary>
 /// <remarks>
-/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. It is solved by shooting: kicks are simulated and
-/// corrected by their miss. The methods differ in the flights that measure the miss.
+/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. It is solved by shooting: a kick is simulated,
+/// and then corrected by its miss. The methods differ in the flights that measure the miss.
 /// </remarks>
 internal sealed class AimContext
 {
@@ -13,13 +13,13 @@ internal sealed class AimContext
     /// <summary>The miss that a search aims for even if the request allows more, in m; well below any useful tolerance.</summary>
     private const double FineMiss = 1e-3;
 
-    /// <summary>The maximum number of path segments in a search: some hundred simulations of a football, fewer with very short steps.</summary>
+    /// <summary>The maximum number of path segments in a search: some hundred simulations of a football, or fewer in very short steps.</summary>
     public const long MostPieces = 200_000;
 
     /// <summary>The number of simulations in a search over elevations or times that count as one iteration.</summary>
     private const int SimulationsPerIteration = 16;
 
-    /// <summary>The number of simulations that a started search may still use.</summary>
+    /// <summary>The number of simulations that a search already under way may still use.</summary>
     private const int LongestSearch = 64;
 
     private readonly Simulator _simulator;
@@ -34,7 +34,7 @@ internal sealed class AimContext
         Scene scene = game.Scene;
         HasThings = scene.HasThings;
 
-        // Measure misses in the full scene. Search without its obstacles and, for smooth plane crossings, without its ground too.
+        // Measure misses in the full scene. Search without obstacles and, where plane crossings must be smooth, without ground.
         var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
         _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
@@ -65,7 +65,7 @@ internal sealed class AimContext
     /// <summary>Flights without ground to a plane.</summary>
     public PlaneShooter Planes { get; }
 
-    /// <summary>Flights to given times, with any of their quantities unknown.</summary>
+    /// <summary>Flights to given times; any quantity of the kick may be unknown.</summary>
     public ShootingProblem Shooting { get; }
 
     /// <summary>Measures the actual miss of a kick.</summary>
@@ -83,17 +83,17 @@ internal sealed class AimContext
     /// <summary>True if the search has used up its budget.</summary>
     public bool IsSpent => _spent >= _most || IsWorn;
 
-    /// <summary>True if the search has used up its path segments.</summary>
+    /// <summary>True if the search has used up its budget of path segments.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
-    /// <summary>True if the search has used half of its budget; it leaves the rest to the searches that follow.</summary>
+    /// <summary>True if the search has used half of its budget; the rest is reserved for later searches.</summary>
     public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
 
     /// <summary>Begins a search.</summary>
     /// <param name="mostIterations">The maximum number of iterations.</param>
     public void Begin(int mostIterations)
     {
-        // The budget of flights, 16 per iteration, minus those that a started search may still use.
+        // The budget is 16 flights per iteration, minus those that a search already under way may still use.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
@@ -118,7 +118,7 @@ internal sealed class AimContext
     /// <summary>Counts the last simulation as a full iteration.</summary>
     public void CountIteration() => _spent += SimulationsPerIteration - 1;
 
-    /// <summary>Counts a simulation; several make an iteration.</summary>
+    /// <summary>Counts a simulation; 16 make an iteration.</summary>
     /// <param name="pieces">The number of path segments of the simulation.</param>
     public void CountSimulation(long pieces)
     {
@@ -127,10 +127,10 @@ internal sealed class AimContext
         _pieces += pieces;
     }
 
-    /// <summary>Returns the miss at which a search ends, in m; below the tolerance, because the long steps are slightly inaccurate.</summary>
+    /// <summary>Returns the miss at which a search ends, in m. It is below the tolerance, because the long steps are slightly inaccurate.</summary>
     public static double Sharp(double tolerance, double fine = FineMiss) => 0.8 * Math.Min(tolerance, fine);
 
-    /// <summary>Returns the frame of a request, with ball and target raised out of the ground.</summary>
+    /// <summary>Returns the frame of a request; a ball or target in the ground is raised out of it.</summary>
     public TargetFrame Frame(AimRequest request) => new(Raised(Game, request.From), Raised(Game, request.Target));
 
     /// <summary>Returns a position of the ball's centre, raised straight up if it is in the ground.</summary>
@@ -143,7 +143,7 @@ internal sealed class AimContext
     /// <summary>Returns the closed-form flight of a kick, with coefficients averaged over a path length.</summary>
     public FlatFire Model(double speed, double spinRate, double way)
     {
-        // Average at two points of the path, those of Gauss's rule, with speeds estimated from the drag at launch.
+        // Average over the two points of Gauss's rule on the path, with speeds estimated from the drag at launch.
         _simulator.AirFactors(speed, spinRate, out double drag, out double lift);
         double perLength = speed > 0 ? drag / speed : 0;
         double early = speed * Elementary.Exp(-0.2113 * perLength * way);
@@ -168,11 +168,11 @@ internal sealed class AimContext
     /// <summary>Returns the scene with the ground only.</summary>
     public static Scene WithoutThings(Scene scene) => scene with { Obstacles = [], Nets = [], Goals = [], Bodies = null, EngineColliders = null };
 
-    /// <summary>Returns the scene with a plain ground out of reach.</summary>
+    /// <summary>Returns the scene with its ground replaced by a plane far out of reach.</summary>
     public static Scene WithoutGround(Scene scene) => scene with { Ground = Ground.PublishedTurf with { Height = -0.5 * Limits.Length } };
 }
 
-/// <summary>The step lengths of the flights in an aim, in s; each as long as its accuracy allows.</summary>
+/// <summary>The step lengths of the flights in an aim, in s; each is the longest that is accurate enough.</summary>
 internal readonly struct AimSteps
 {
     /// <summary>The miss above which the rough step is sufficient, in m.</summary>
@@ -189,8 +189,8 @@ internal readonly struct AimSteps
 
     /// <summary>The long steps for RK4.</summary>
     /// <remarks>
-    /// The errors are 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed one. That of a hit assumes that the
-    /// jump of the drag law is located.
+    /// The errors are 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed hit. The error of a hit requires that
+    /// the flight locates the jump of the drag law.
     /// </remarks>
     public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, areShort: false);
 
@@ -244,6 +244,6 @@ internal struct AimSolution
     /// <summary>The arc of the kick; null if it is not known yet.</summary>
     public AimArc? Arc;
 
-    /// <summary>Returns velocity and spin of the kick.</summary>
+    /// <summary>Returns the velocity and spin of the kick.</summary>
     public readonly void Vectors(out Vector3d velocity, out Vector3d spin) => Kick.Vectors(Speed, in Forward, out velocity, out spin);
 }

@@ -5,18 +5,18 @@ namespace FootballPhysics.Aiming;
 public sealed record AimRequest
 {
     /// <summary>The position of the ball, in m; components within ±1e6. Default: the origin.</summary>
-    /// <remarks>A position in the ground is raised straight out of it.</remarks>
+    /// <remarks>A position too low for the ball is raised vertically until the ball rests on the ground.</remarks>
     public Vector3d From { get; init; }
 
     /// <summary>The target, in m; components within ±1e6. Required.</summary>
-    /// <remarks>A position in the ground is raised straight out of it.</remarks>
+    /// <remarks>A position too low for the ball is raised vertically until the ball rests on the ground.</remarks>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>The velocity of the target, in m/s; at most 1000. Default: at rest.</summary>
     /// <remarks>Used by <see cref="Aimer"/> without a waypoint.</remarks>
     public Vector3d TargetVelocity { get; init; }
 
-    /// <summary>A waypoint to pass before the target, in m; default none.</summary>
+    /// <summary>A waypoint that the ball must pass before the target, in m; default none.</summary>
     public Vector3d? Waypoint { get; init; }
 
     /// <summary>The speed of the kick, in m/s. Above 0, at most 1000; default 25.</summary>
@@ -50,8 +50,8 @@ public sealed record AimRequest
 
     /// <summary>The maximum number of iterations. At least 1; default 60.</summary>
     /// <remarks>
-    /// An iteration of <see cref="Aimer"/> is one flight with one correction, or 16 simulations in its searches over elevations, directions and
-    /// times. After this number, or 200 000 path segments, the search ends without a verdict.
+    /// In <see cref="Aimer"/>, a flight and its correction are one iteration; in searches over elevations, directions and times, 16 flights are.
+    /// After this number of iterations, or 200 000 path segments, the search gives up.
     /// </remarks>
     public int MaximumIterations { get; init; } = 60;
 

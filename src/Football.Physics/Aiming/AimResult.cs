@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a kick.</summary>
-/// <remarks>With any status, it is the best kick found, and finite.</remarks>
+/// <remarks>Whatever the status, it contains the best kick found, and that kick is finite.</remarks>
 public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
@@ -61,11 +61,11 @@ public readonly struct AimResult : IFormattable
     /// <summary>The sidespin of the kick, in rad/s.</summary>
     public double SideSpin => Spin.Y;
 
-    /// <summary>The distance between target and kick at the closest approach before the first impact, in m.</summary>
-    /// <remarks>It is measured, or estimated if no measurement was requested. For a kick at a given time, it is the distance at that time.</remarks>
+    /// <summary>The distance from the ball to the target at the closest approach before the first impact, in m.</summary>
+    /// <remarks>It is an estimate if no measurement was requested. If the arrival time is fixed, it is the distance at that time.</remarks>
     public double Miss { get; init; }
 
-    /// <summary>The distance between the waypoint and the kick at the closest approach, in m; null without a waypoint.</summary>
+    /// <summary>The distance from the ball to the waypoint at the closest approach, in m; null without a waypoint.</summary>
     public double? WaypointMiss { get; init; }
 
     /// <summary>The time of the closest approach to the target, in s after the kick.</summary>
@@ -74,11 +74,11 @@ public readonly struct AimResult : IFormattable
     /// <summary>The position of the ball at the closest approach, in m.</summary>
     public Vector3d Closest { get; init; }
 
-    /// <summary>The arc of a hit among the two kicks of this speed that reach the target.</summary>
+    /// <summary>The arc of a hit: which of the two kicks at this speed that reach the target it is.</summary>
     /// <remarks>It differs from the requested arc if only the other kick is within the bounds.</remarks>
     public AimArc Arc { get; init; }
 
-    /// <summary>True if the kick stays on the ground from its start, and slides or rolls to the target.</summary>
+    /// <summary>True if the ball never leaves the ground, but slides or rolls to the target.</summary>
     public bool Rolls { get; init; }
 
     /// <summary>The number of iterations of the method.</summary>
@@ -87,7 +87,7 @@ public readonly struct AimResult : IFormattable
     /// <summary>The number of forward simulations, not including the measurement of the miss.</summary>
     public int Simulations { get; init; }
 
-    /// <summary>The name of the object that blocks the kick, such as "left post"; null if it is not <see cref="AimStatus.Blocked"/>.</summary>
+    /// <summary>The name of the object that blocks the kick, such as "left post"; null if the status is not <see cref="AimStatus.Blocked"/>.</summary>
     public string? BlockedBy { get; init; }
 
     /// <summary>Returns the kick as one line of text.</summary>
@@ -116,10 +116,10 @@ public enum AimStatus
     /// <summary>The kick passes within tolerance of the target, and of the waypoint if there is one.</summary>
     Hit = 0,
 
-    /// <summary>No kick within the bounds hits; the result is the closest one that the method found.</summary>
+    /// <summary>No kick within the bounds hits; the result is the closest kick that the method found.</summary>
     OutOfReach = 1,
 
-    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or a miss is too small for its own steps.</summary>
+    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the error of its steps.</summary>
     /// <remarks>The result is the best kick found.</remarks>
     NotConverged = 2,
 

@@ -15,8 +15,8 @@ public sealed partial class Aimer
     private ArrivalTimes? _arrivals;
 
     /// <summary>Finds the kick that arrives at a target at a given speed.</summary>
-    /// <remarks>If a kick along the ground reaches a ground target at this speed, it is used. Otherwise the kick flies, and the speed is the one
-    /// before the ball touches the ground.</remarks>
+    /// <remarks>If a kick along the ground can reach a target on the ground at this speed, it is used. Otherwise the kick flies, and the speed is
+    /// that just before the ball touches the ground.</remarks>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
     /// <param name="speed">The speed of the ball at the target, in m/s; above 0, at most 1000.</param>
     /// <returns>The kick; its velocity contains its speed. Out of reach if no kick arrives at this speed.</returns>
@@ -28,8 +28,8 @@ public sealed partial class Aimer
         RefuseThrough(request);
         Check.Within("aim.arrival.speed", speed, 0, Limits.Speed, exclusiveLow: true);
 
-        // Along the ground, a faster kick arrives faster. In flight, search over the time of flight, with which the arrival speed changes smoothly;
-        // over the speed of the kick there are two arcs.
+        // Along the ground, a faster kick arrives faster. In the air, search over the time of flight: the arrival speed changes smoothly with it,
+        // whereas each kick speed has two arcs.
         if (_context.Shooting.CanRoll(request) && Rolling(request, speed, out AimResult roll))
         {
             return roll;
@@ -42,17 +42,17 @@ public sealed partial class Aimer
     /// <summary>Finds the kick that flies to the target in a given time, measures it, and returns its arrival speed.</summary>
     /// <param name="request">The request.</param>
     /// <param name="time">The time of flight, in s.</param>
-    /// <param name="isBetween">True if the time is between two that have a kick. A kick then exists, and finer steps find it.</param>
+    /// <param name="isBetween">True if the time is between two times that have a kick. A kick then exists, and finer steps find it.</param>
     /// <param name="kick">The kick.</param>
     /// <param name="arrival">The arrival speed, in m/s.</param>
-    /// <returns>True if there is a kick that hits nothing earlier.</returns>
+    /// <returns>True if a kick reaches the target at this time and hits nothing before.</returns>
     internal bool TryArrival(AimRequest request, double time, bool isBetween, out AimSolution kick, out double arrival)
     {
         _context.Begin(request.MaximumIterations);
         bool hits = TryArrival(request, time, out kick, out arrival, out bool isEarly);
         if (isEarly)
         {
-            // The ball is within tolerance but lands early; solve again for a closer kick, which does not.
+            // The ball is within tolerance but lands too early. Solve again for a closer kick, which arrives on time.
             _context.Begin(request.MaximumIterations);
             _general.IsTimely = true;
             hits = TryArrival(request, time, out kick, out arrival, out _);
@@ -81,7 +81,7 @@ public sealed partial class Aimer
         return measured.Distance <= request.Tolerance && !isEarly;
     }
 
-    /// <summary>Returns the duration of the slowest flight to the target, or of the closest to one, in s.</summary>
+    /// <summary>Returns the duration of the slowest flight to the target, in s; if no flight reaches it, that of the closest one.</summary>
     internal double SlowestTime(AimRequest request)
     {
         _context.Begin(request.MaximumIterations);
@@ -89,7 +89,7 @@ public sealed partial class Aimer
         return slowest.Time > 0 ? slowest.Time : 1.0;
     }
 
-    /// <summary>Reports a kick for an arrival speed; the status is not converged if its actual arrival speed differs.</summary>
+    /// <summary>Reports a kick for an arrival speed; the status is "not converged" if its actual arrival speed differs.</summary>
     internal AimResult ReportArrival(AimRequest request, in AimSolution kick, double speed)
     {
         AimResult result = Report(request, in kick, measure: true);
@@ -98,7 +98,7 @@ public sealed partial class Aimer
         return isOff ? Failed(in result, AimStatus.NotConverged) : result;
     }
 
-    /// <summary>Returns the verdict if no kick hits: the result of the fastest kick.</summary>
+    /// <summary>Returns the result if no kick arrives at this speed: that of the fastest kick.</summary>
     internal AimResult NoArrival(AimRequest request)
     {
         AimResult fastest = Find(request);
@@ -127,7 +127,7 @@ public sealed partial class Aimer
 
         for (int i = 0; i < ArrivalRounds && high - low > ArrivalCloseness; i++)
         {
-            // A secant step, limited so that the bracket shrinks from both ends.
+            // Take a secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, atLow / (atLow - atHigh)));
             double middle = low + (share * (high - low));
             best = Find(along with { Speed = middle });
@@ -151,7 +151,7 @@ public sealed partial class Aimer
 
     private double ArrivalOf(AimRequest request, in AimResult kick) => SpeedAt(request, kick.Velocity, kick.Spin, kick.Time, kick.Rolls);
 
-    /// <summary>Returns the speed of a kick after a time, in m/s; for a flight that touches earlier, the speed just before the contact.</summary>
+    /// <summary>Returns the speed of a kick after a time, in m/s; if it touches the ground earlier, the speed just before the contact.</summary>
     private double SpeedAt(AimRequest request, in Vector3d velocity, in Vector3d spin, double time, bool rolls)
     {
         Simulator simulator = Context.Game;

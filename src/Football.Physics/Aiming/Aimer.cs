@@ -4,13 +4,13 @@ namespace FootballPhysics.Aiming;
 /// <remarks>Create one per scene and reuse it: searches do not allocate. Not thread-safe.</remarks>
 public sealed partial class Aimer
 {
-    /// <summary>The miss up to which the long steps may have missed a hit, in m.</summary>
+    /// <summary>The miss, in m, below which the long steps may have overlooked a hit.</summary>
     private const double NearMiss = 0.05;
 
-    /// <summary>The relative error of a miss from the long steps.</summary>
+    /// <summary>The relative error of a miss that was computed in long steps.</summary>
     private const double Astray = 0.01;
 
-    /// <summary>The maximum time by which a ball may touch the ground at its target too early, in s.</summary>
+    /// <summary>The maximum time, in s, by which a ball may touch the ground before it is due at its target.</summary>
     private const double LargestDelay = 1e-4;
 
     /// <summary>The number of spins tried on each side of the requested spin, along each axis.</summary>
@@ -50,8 +50,8 @@ public sealed partial class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public AimResult Find(AimRequest request, bool measure = true)
     {
-        // 1. Search in long steps, and measure the miss. 2. If they disagree, repeat in short steps. 3. If the kick is blocked, try the other arc,
-        // and other spins if they are free.
+        // 1. Search in long steps, and measure the miss. 2. If search and measurement disagree, repeat in short steps. 3. If the kick is blocked,
+        // try the other arc and, if the spin is free, other spins.
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
@@ -61,7 +61,7 @@ public sealed partial class Aimer
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
         if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
-            // A kick that grazes the jump of the drag law takes another path in finer steps: search again with those.
+            // A kick that grazes the jump of the drag law takes another path in finer steps: search again in short steps.
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
@@ -79,7 +79,7 @@ public sealed partial class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
-        // Long steps, then short ones. If neither finds a kick, the fastest kick gives the verdict.
+        // Search in long steps, then in short ones. If neither finds a kick, the fastest kick determines the status.
         Begin(request);
         RefuseThrough(request);
         if (!Slowest(request, out AimSolution solution))
@@ -100,7 +100,7 @@ public sealed partial class Aimer
     /// <summary>Finds the kick that reaches a target at a given time.</summary>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
     /// <param name="time">The time of arrival, in s after the kick; above 0, at most 30.</param>
-    /// <returns>The kick; its velocity contains its speed. Out of reach if no allowed speed arrives at this time.</returns>
+    /// <returns>The kick; its velocity contains its speed. Out of reach if no allowed speed makes the ball arrive at this time.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindAtTime(AimRequest request, double time)
@@ -136,7 +136,7 @@ public sealed partial class Aimer
         };
         Find(request);
 
-        // One request per code path: low, high, too slow, waypoint, along the ground, slowest, at a time.
+        // Use one request per code path: low, high, too slow, waypoint, along the ground, slowest, fixed arrival time.
         AimResult high = Find(request with { Arc = AimArc.High });
         Find(request with { Speed = 8 });
         Find(request with { Waypoint = new Vector3d(1, contact + 2, -9) });
@@ -148,7 +148,7 @@ public sealed partial class Aimer
     /// <summary>Searches for an unblocked kick on the other arc and, if the spin is free, with other spins on both arcs, nearest first.</summary>
     private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
     {
-        // The other arc with the requested spin first; then rings of spins around it, nearest first, on both arcs.
+        // Try the other arc with the requested spin first, then rings of spins around it, nearest first, on both arcs.
         AimArc other = request.Arc == AimArc.Low ? AimArc.High : AimArc.Low;
         AimResult found = With(request, other, request.TopSpin, request.SideSpin, measure);
         for (int ring = 1; ring <= SpinRings && request.SpinIsFree && !found.HitsTarget; ring++)
@@ -165,7 +165,7 @@ public sealed partial class Aimer
 
     private bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // Search in the air, and along the ground if that is slower still.
+        // Search for a flight, and also for a roll, which may be slower still.
         bool flies = _general.Slowest(request, out solution);
         if (_context.Shooting.CanRoll(request) && _direct.SlowestRoll(request, flies ? solution.Speed : request.Speed, out AimSolution roll))
         {
@@ -187,7 +187,7 @@ public sealed partial class Aimer
     /// <summary>Returns a point on a square ring of spins around the requested spin, clamped to the allowed range.</summary>
     private static void SpinOnRing(AimRequest request, int ring, int place, out double top, out double side)
     {
-        // Sidespin first, because it usually bends a kick around an obstacle. The ring has 8 n points, on four edges.
+        // Start with sidespin, because it usually bends a kick around an obstacle. The ring has 8 n points, on four edges.
         int along = (place % (2 * ring)) - ring;
         int edge = place / (2 * ring);
         int x = edge switch { 0 => ring, 1 => -ring, 2 => -along, _ => along };
@@ -203,7 +203,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time, out bool isEarly);
         if (isEarly)
         {
-            // The ball is within tolerance but lands early; solve again for a closer kick, which does not.
+            // The ball is within tolerance but lands too early. Solve again for a closer kick, which arrives on time.
             _general.IsTimely = true;
             result = AtTime(request, time, out _);
             _general.IsTimely = false;
@@ -216,7 +216,7 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            // No kick: the search either ran out of flights, or has covered all kicks.
+            // No kick was found: either the budget ran out, or the search has covered all kicks.
             solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
@@ -273,7 +273,7 @@ public sealed partial class Aimer
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
-        // The measured miss decides between hit and miss; the method only explains a miss.
+        // The measured miss alone decides whether the kick hits; the method's status only explains a miss.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
             : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured, passes)
             : Missed(in solution, in measured);
@@ -296,7 +296,7 @@ public sealed partial class Aimer
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
         int simulations = _context.Simulations;
 
-        // The arc is low for a roll, for a flat kick to a target at least as high, and for a miss; otherwise the slope of speed over time decides.
+        // Rolls, misses, and flat kicks to a target at least as high count as the low arc. Otherwise the sign of d speed/d time determines the arc.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
         bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;

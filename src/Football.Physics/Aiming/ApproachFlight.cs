@@ -71,25 +71,25 @@ internal abstract class ApproachFlight : KickObserver
 
     protected void Fly(ref BallState state) => _flight.Fly(ref state, Last - (1e-9 * TimeStep));
 
-    /// <summary>Returns the target at time 0 for a position of the ball.</summary>
+    /// <summary>Returns the target's position at time 0, which may depend on the ball's position.</summary>
     protected virtual Vector3d TargetFor(in Vector3d position) => Target;
 
-    /// <summary>Returns the squared closest approach of a segment, in m², and its time.</summary>
+    /// <summary>Returns the squared distance of a segment's closest approach, in m², and its time.</summary>
     protected virtual double ClosestApproach(in PathSegment piece, out double time) =>
         (TargetVelocity == Vector3d.Zero ? piece : piece.SeenFrom(TargetVelocity)).ClosestApproach(Target, out time);
 
     /// <summary>Returns the vector from the target to the ball.</summary>
     protected Vector3d Gap(in Vector3d position, double time) => position - TargetFor(in position) - (time * TargetVelocity);
 
-    /// <summary>True if a ball that approached the target now recedes from it.</summary>
+    /// <summary>True if the ball approaches the target at the start of a step, and recedes from it at the end.</summary>
     protected bool Passes(in BallState before, in BallState after, in Vector3d velocity) =>
         Rate(in before, before.Velocity) < 0 && Rate(in after, in velocity) > 0;
 
-    /// <summary>Compares the state at the end of a step with the closest approach, in m and m/s.</summary>
+    /// <summary>Updates the closest approach with the state at the end of a step, in m and m/s.</summary>
     protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
         Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
 
-    /// <summary>True if a ball on the ground comes no closer: it is too far below, or rolls away in still air.</summary>
+    /// <summary>True if a ball on the ground comes no closer: it is too far below the target, or rolls away in still air.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
         motion != MotionState.Airborne && TargetVelocity == Vector3d.Zero
         && (gap.Y * gap.Y >= best || (IsStill && motion == MotionState.Rolling && Vector3d.Dot(in gap, in velocity) > 0));
@@ -111,14 +111,14 @@ internal abstract class ApproachFlight : KickObserver
 
 /// <summary>Measures the closest approach of a kick to a target and a waypoint, before the first impact.</summary>
 /// <remarks>
-/// If the kick must hit given objects first, it measures after those and before the next impact.
+/// If the kick must hit given objects first, the measurement begins after the last of them and ends at the next impact.
 /// </remarks>
 internal sealed class MeasuredFlight : ApproachFlight
 {
     /// <summary>The value of <see cref="Blocker"/> if the ball hit only the ground.</summary>
     public const int NoThing = -1;
 
-    /// <summary>The speed, in m/s, and time, in s, below which a ball in a net creeps; it will at most double its speed.</summary>
+    /// <summary>A ball in a net creeps if it stays below this speed, in m/s, for this time, in s; it will at most double its speed.</summary>
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
@@ -162,7 +162,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         _fast = state.Time;
         Blocker = NoThing;
 
-        // Without required objects the start counts as an approach: the kick may lead away at once.
+        // If no objects are required, the start counts as an approach, because the kick may lead away at once.
         if (HasMetAll)
         {
             TakeEnd(in state, state.Velocity);
@@ -171,7 +171,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         Fly(ref state);
     }
 
-    /// <summary>Flies a kick until a time or its first impact.</summary>
+    /// <summary>Flies a kick for a duration, or until its first impact.</summary>
     /// <returns>The first object except the ground that the ball hit; <see cref="NoThing"/> if there is none.</returns>
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {
@@ -200,7 +200,7 @@ internal sealed class MeasuredFlight : ApproachFlight
             return false;
         }
 
-        // Inspect the segments if the step contains an impact, or passes the target or waypoint. Otherwise its end is sufficient.
+        // Inspect the segments if the step contains an impact, or passes the target or waypoint. Otherwise the end of the step is sufficient.
         bool doubts = ended || Passes(in before, in after, after.Velocity)
             || (_through is { } point && Vector3d.Dot(before.Position - point, before.Velocity) < 0 && Vector3d.Dot(after.Position - point, after.Velocity) > 0);
         if (!doubts)
@@ -227,8 +227,8 @@ internal sealed class MeasuredFlight : ApproachFlight
 
     public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
     {
-        // 1. An impact ends the flight, unless it is a required one. 2. Before all required impacts: end if the ball is stuck. 3. After them: end if
-        // the ball comes no closer.
+        // 1. An impact ends the flight, unless the kick must hit that object. 2. Until all required objects are hit, end if the ball is stuck.
+        // 3. After that, end if the ball comes no closer.
         for (int i = 0; i < events.Count; i++)
         {
             ref readonly BallEvent e = ref events[i];
@@ -245,7 +245,7 @@ internal sealed class MeasuredFlight : ApproachFlight
                 return true;
             }
 
-            // A required impact: the flight continues, and after the last one the approach begins.
+            // After a required impact the flight continues; after the last one the approach begins.
             ended = false;
             _met++;
             if (HasMetAll)
@@ -261,7 +261,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         if (!HasMetAll)
         {
-            // A ball that stays on the ground cannot bounce off it again; one at rest, or that creeps down a net, hits nothing more.
+            // A ball that stays on the ground cannot bounce off it again. A ball that is at rest, or creeps down a net, hits nothing more.
             bool staysDown = after.Motion is MotionState.Sliding or MotionState.Rolling && after.Carrier == 0 && _things[_met] == 0;
             return staysDown || after.Motion == MotionState.Rest || Creeps(in after);
         }
@@ -279,7 +279,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         }
     }
 
-    /// <summary>True if the ball leaves for good; in the air, if its horizontal distance alone exceeds the best.</summary>
+    /// <summary>True if the ball moves away for good; in the air, if its horizontal distance alone exceeds the best.</summary>
     private bool Leaves(in BallState state)
     {
         Vector3d gap = Gap(state.Position, state.Time);
@@ -294,7 +294,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>True if the ball creeps down a net and cannot reach anything in time.</summary>
     private bool Creeps(in BallState state)
     {
-        // A ball in a net swings for a long time. Stop if it is slow for a while, and twice its speed would not reach the target in time.
+        // A ball in a net swings for a long time. Stop if it is slow for a while, and would not reach the target in time even at twice its speed.
         double speed = state.Velocity.Length;
         if (state.Nets == 0 || speed > Slow)
         {
@@ -317,7 +317,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 /// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>
 internal class KickLook : ApproachFlight
 {
-    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; longer ones are divided, and cost as much.</summary>
+    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; a longer step would be split and save nothing.</summary>
     private const double GroundShare = 0.2;
     private const double LongestRoll = 0.08;
 
@@ -327,7 +327,7 @@ internal class KickLook : ApproachFlight
     {
     }
 
-    /// <summary>The positions of ball and target.</summary>
+    /// <summary>The positions of the ball and the target.</summary>
     protected TargetFrame Frame { get; private set; }
 
     /// <summary>Estimates the closest approach of a kick.</summary>
@@ -359,7 +359,7 @@ internal class KickLook : ApproachFlight
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // If the ball passes the target within a step of one segment, a cubic between the ends is sufficient. Use the velocity before an impact.
+        // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before it.
         Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
         if (!Passes(in before, in after, in velocity))
         {
@@ -387,7 +387,7 @@ internal class KickLook : ApproachFlight
         return after.Motion == MotionState.Airborne ? Leaves(in after, in gap) : IsPast(after.Motion, in gap, after.Velocity, Squared);
     }
 
-    /// <summary>True if an airborne ball can come no closer; false in wind or for a moving target, where it may.</summary>
+    /// <summary>True if an airborne ball can come no closer; false in wind or for a moving target, because it may still do so.</summary>
     protected virtual bool Leaves(in BallState state, in Vector3d gap) => false;
 
     /// <summary>True if the ball passes above the target, in the vertical plane of the motion.</summary>
@@ -408,8 +408,8 @@ internal class KickLook : ApproachFlight
 
 /// <summary>Estimates the closest approach in still air, for a target at rest, independent of the azimuth.</summary>
 /// <remarks>
-/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only distance and height
-/// matter, and one flight yields the matching azimuth.
+/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only the target's distance
+/// and height matter, and one flight yields the azimuth that hits.
 /// </remarks>
 internal sealed class TurningLook : KickLook
 {
@@ -432,7 +432,7 @@ internal sealed class TurningLook : KickLook
         Vector3d ahead = length > 1e-9 ? went / length : kick.Direction(in frame.Forward);
         approach.Kick.Azimuth -= length > 0 ? Elementary.Atan2(Vector3d.Dot(in went, in frame.Left), Vector3d.Dot(in went, in frame.Forward)) : 0;
 
-        // A path that ends before the target's distance passes below the target, whatever its final direction.
+        // A path that ends short of the target's distance passes below the target, whatever its final direction.
         approach.Above = _isBeyond && IsAbove(approach.Gap, in ahead);
         return approach;
     }
@@ -452,7 +452,7 @@ internal sealed class TurningLook : KickLook
 
     protected override double ClosestApproach(in PathSegment piece, out double time)
     {
-        // The target rotates with the ball: iterate from the ball's position at the midpoint to that at the closest approach.
+        // The target rotates with the ball: start from the ball's position at the midpoint, and iterate to the closest approach.
         time = piece.Time + (0.5 * piece.Length);
         for (int i = 0; i < 2; i++)
         {
@@ -464,7 +464,7 @@ internal sealed class TurningLook : KickLook
 
     protected override bool Leaves(in BallState state, in Vector3d gap)
     {
-        // The ball is farther away horizontally than the best approach, or falls beyond the target.
+        // The ball is farther away horizontally than the best approach, or is falling beyond and below the target.
         Vector3d flat = gap.Horizontal;
         return Vector3d.Dot(in flat, state.Velocity) > 0 && Vector3d.Dot(state.Position - Frame.From, in flat) > 0
             && (flat.LengthSquared > Squared || (gap.Y < 0 && state.Velocity.Y < 0));

@@ -2,9 +2,9 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Searches over the time of flight for the kick that arrives at a target at a given speed.</summary>
 /// <remarks>
-/// Each time has one kick, and its arrival speed changes smoothly with the time. The solution lies between a time that is too slow and one that is
-/// too fast. If all are too fast, or all too slow, it may lie at the end of the feasible times, or between three times of which the middle one is
-/// closest.
+/// Each time of flight has one kick, whose arrival speed changes smoothly with the time. The solution lies between a time whose kick arrives too
+/// slowly and one whose kick arrives too fast. If all arrive too fast, or all too slowly, it may lie at the end of the feasible times, or near a
+/// time whose kick is closer than those of both neighbours.
 /// </remarks>
 internal sealed class ArrivalTimes
 {
@@ -15,7 +15,7 @@ internal sealed class ArrivalTimes
     /// <summary>The number of successive times without a kick, after some with one, that end the scan.</summary>
     private const int MostMissing = 4;
 
-    /// <summary>The first time, as a share of that of the straight path at maximum speed.</summary>
+    /// <summary>The first time, as a share of the time that a straight path at maximum speed takes.</summary>
     private const double Earliest = 0.7;
 
     private const int Rounds = 40;
@@ -38,7 +38,7 @@ internal sealed class ArrivalTimes
         _closest = default;
         int count = Scan();
 
-        // On the low arc the shortest time comes first.
+        // The low arc is the one with the shorter time: search from the shortest time.
         bool isLow = request.Arc == AimArc.Low;
         for (int pass = 0; pass < 3; pass++)
         {
@@ -84,7 +84,7 @@ internal sealed class ArrivalTimes
         return Insert(_aimer.SlowestTime(_request), count);
     }
 
-    /// <summary>Inserts one more time in order; with narrow bounds, the scan may miss all feasible times.</summary>
+    /// <summary>Inserts one more time in order, because the scan may miss all feasible times if the bounds are narrow.</summary>
     private int Insert(double time, int count)
     {
         int place = count;
@@ -111,7 +111,7 @@ internal sealed class ArrivalTimes
         return node;
     }
 
-    /// <summary>Finds the time at which the arrival speed matches, between a time that is too slow and one that is too fast.</summary>
+    /// <summary>Finds the time at which the arrival speed matches, between one with a slower and one with a faster arrival.</summary>
     private bool Between(in Node before, in Node after, out Node root)
     {
         root = Math.Abs(before.Off) < Math.Abs(after.Off) ? before : after;
@@ -124,7 +124,7 @@ internal sealed class ArrivalTimes
         Node high = after;
         for (int i = 0; i < Rounds && high.Time - low.Time > Closeness * high.Time && Math.Abs(root.Off) > Closeness; i++)
         {
-            // A secant step, limited so that the bracket shrinks from both ends.
+            // Take a secant step, limited so that the bracket shrinks from both ends.
             double share = Math.Min(0.9, Math.Max(0.1, low.Off / (low.Off - high.Off)));
             Node middle = At(low.Time + (share * (high.Time - low.Time)), isBetween: true);
             if (!middle.Hits)
@@ -174,7 +174,7 @@ internal sealed class ArrivalTimes
             hit = middle;
         }
 
-        // Accept the kick at the very end if its speed matches within the error of the end.
+        // Accept the kick at the very end if its arrival speed is within the error allowed.
         root = hit;
         return Math.Abs(hit.Off) <= Aimer.LargestArrivalError;
     }

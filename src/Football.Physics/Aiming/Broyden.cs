@@ -9,11 +9,11 @@ internal static class Broyden
     /// <param name="count">The number of unknowns that affect the residual.</param>
     /// <param name="dx">The change of the unknowns.</param>
     /// <param name="weight">The weights W, one per unknown.</param>
-    /// <param name="squared">Δxᵀ W Δx; without an update if it is not above 0.</param>
+    /// <param name="squared">Δxᵀ W Δx; the row is not updated if this is not above 0.</param>
     /// <param name="dr">The change of the residual.</param>
     public static void Update(double[] j, int row, int count, double[] dx, double[] weight, double squared, double dr)
     {
-        // Ignore the column of an unknown that was held: it may stem from another problem.
+        // Ignore the column of an unknown that was held: it may be left over from another problem.
         double error = dr;
         for (int k = 0; k < count; k++)
         {

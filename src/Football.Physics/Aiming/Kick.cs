@@ -1,12 +1,12 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A kick as the predictors use it: two angles and two spins.</summary>
+/// <summary>A kick as the solvers use it: two angles and two spins.</summary>
 internal struct Kick
 {
     /// <summary>The angle above the horizontal, in rad.</summary>
     public double Elevation;
 
-    /// <summary>The angle from the direction of the target, counter-clockwise seen from above, in rad.</summary>
+    /// <summary>The angle from the direction to the target, counter-clockwise as seen from above, in rad.</summary>
     public double Azimuth;
 
     /// <summary>The topspin, in rad/s.</summary>
@@ -26,7 +26,7 @@ internal struct Kick
     /// <param name="forward">The horizontal unit direction of the target.</param>
     public readonly Vector3d Direction(in Vector3d forward) => KickVectors.Flat(Azimuth, in forward);
 
-    /// <summary>Returns velocity and spin, within the limits of a launch.</summary>
+    /// <summary>Returns the velocity and spin, within the limits of a launch.</summary>
     public readonly void Vectors(double speed, in Vector3d forward, out Vector3d velocity, out Vector3d spin) =>
         KickVectors.FromAngles(speed, Elevation, Direction(in forward), Top, Side, out velocity, out spin);
 
@@ -91,7 +91,7 @@ internal readonly struct TargetFrame
 
     public TargetFrame(in Vector3d from, in Vector3d target)
     {
-        // Straight above or below there is no horizontal direction: use −z.
+        // A target straight above or below has no horizontal direction: use −z.
         Vector3d flat = (target - from).Horizontal;
         From = from;
         Target = target;

@@ -23,7 +23,7 @@ internal sealed class KickFlight
     /// <summary>Flies until the observer ends the flight, or until a time.</summary>
     public void Fly(ref BallState state, double last)
     {
-        // An unobserved step is fastest. If its ends leave a doubt, repeat the step and let the observer see its segments.
+        // An unobserved step is fastest. If its ends are inconclusive, repeat the step and pass its segments to the observer.
         Pieces = 0;
         bool isOver = false;
         while (!isOver && state.Time < last && Pieces < AimContext.MostPieces)
@@ -32,7 +32,7 @@ internal sealed class KickFlight
             double step = _observer.StepFrom(in before, out bool watches);
             bool ended = false;
 
-            // Take the step unobserved at first, and judge by its ends.
+            // Take the step unobserved first, and evaluate it from its ends.
             if (!watches)
             {
                 ended = Take(ref state, step, _log);
@@ -41,7 +41,7 @@ internal sealed class KickFlight
 
             if (watches)
             {
-                // Repeat from the same start, which makes the step bit-identical.
+                // Repeat from the same start, so that the step is bit-identical.
                 state = before;
                 ended = Take(ref state, step, _watched);
             }
@@ -59,7 +59,7 @@ internal sealed class KickFlight
     }
 }
 
-/// <summary>The purpose of a <see cref="KickFlight"/>: determines its steps, evaluates them, and ends the flight.</summary>
+/// <summary>Controls a <see cref="KickFlight"/>: chooses the steps, evaluates them, and ends the flight.</summary>
 internal abstract class KickObserver : PieceObserver
 {
     /// <summary>Returns the length of the next step, in s.</summary>

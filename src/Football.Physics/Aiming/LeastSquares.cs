@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A problem with bounded unknowns, whose residuals are to vanish.</summary>
+/// <summary>A problem with bounded unknowns; a solution makes its residuals zero.</summary>
 internal interface ILeastSquares
 {
     /// <summary>The maximum number of unknowns, which is the number of columns of the Jacobian.</summary>
@@ -25,7 +25,7 @@ internal interface ILeastSquares
     double Difference(int unknown);
 
     /// <summary>Computes the residuals.</summary>
-    /// <returns>False if there are none, because a flight ends too early.</returns>
+    /// <returns>False if a flight ends too early to have residuals.</returns>
     bool Fly(double[] x, double[] r);
 
     /// <summary>Sets the closed-form columns for the last flight.</summary>
@@ -47,12 +47,12 @@ internal sealed class LeastSquares
 
     /// <summary>The initial and the minimum damping.</summary>
     /// <remarks>
-    /// An initial value of 1e-5 loses four kicks with a waypoint instead of two (<c>football lab answers --only known --count 1000</c>).
+    /// With an initial value of 1e-5, four kicks with a waypoint are lost instead of two (<c>football lab answers --only known --count 1000</c>).
     /// </remarks>
     private const double FirstDamping = 1e-3;
     private const double LeastDamping = 1e-9;
 
-    /// <summary>The ratio of squares below which the Jacobian is updated after an iteration, instead of measured again.</summary>
+    /// <summary>The ratio of squares below which an iteration updates the Jacobian instead of measuring it again.</summary>
     /// <remarks>
     /// At 0.05 a bank shot takes a fifth more flights (<c>football lab bankshots --requests 60</c>), and no more known kicks are found (<c>football
     /// lab answers --only known --count 1000</c>).
@@ -104,8 +104,8 @@ internal sealed class LeastSquares
     /// <returns>True if the solution is a hit.</returns>
     public bool Solve(double[] x, bool isMeasured = false)
     {
-        // 1. Fly for the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Step, with more damping until it
-        // improves. 4. Give up after several slow steps: no solution is near.
+        // 1. Fly to compute the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Take a step, with more
+        // damping until it improves. 4. Give up after several slow steps: no solution is near.
         if (!_problem.Fly(x, Residuals))
         {
             return false;
@@ -123,7 +123,7 @@ internal sealed class LeastSquares
                 return true;
             }
 
-            // If a neighbouring kick does not reach the target, there is no difference quotient.
+            // Without a neighbouring kick that reaches the target, there is no difference quotient.
             if (measures && !Measure(x))
             {
                 return false;
@@ -215,7 +215,7 @@ internal sealed class LeastSquares
     /// <summary>Solves (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr for the unknowns that are free and do not push against a bound.</summary>
     private bool Step(double[] x, double damping)
     {
-        // Hold an unknown without effect too, such as the azimuth of a vertical kick.
+        // Also hold an unknown that has no effect, such as the azimuth of a vertical kick.
         for (int k = 0; k < N; k++)
         {
             _held[k] = !_problem.IsFree(k) || Product(k, k) == 0;
@@ -229,7 +229,7 @@ internal sealed class LeastSquares
                 return false;
             }
 
-            // Shorten a step that is too long as a whole, to keep its direction.
+            // If any change is too large, shorten the whole step, so that its direction stays the same.
             double share = 1;
             for (int k = 0; k < N; k++)
             {
@@ -259,7 +259,7 @@ internal sealed class LeastSquares
     /// <summary>Applies Broyden's update, with each unknown weighted by its effect: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
-        // Use the change within the bounds, not the one solved for. Set closed-form columns again: an update would degrade them.
+        // Use the change after clamping, not the one solved for. Then set closed-form columns again, because an update would degrade them.
         double squared = 0;
         for (int k = 0; k < N; k++)
         {

@@ -31,7 +31,7 @@ internal sealed class MissMeter
     /// <param name="request">The request.</param>
     /// <param name="velocity">The velocity of the kick, in m/s.</param>
     /// <param name="spin">The spin of the kick, in rad/s.</param>
-    /// <param name="time">The time of the measurement, or the first impact if earlier, in s after the kick; null for the closest approach.</param>
+    /// <param name="time">The time of the measurement, in s after the kick; an earlier impact ends it. Null measures at the closest approach.</param>
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin, double? time = null)
     {
         // Return the cached result: the solver and the report measure the same kick.
@@ -73,7 +73,7 @@ internal readonly record struct MeasuredMiss(double Distance, double? ThroughDis
 /// <summary>The step of a flight that measures a miss, with an error far below a millimetre.</summary>
 internal static class MeasuringStep
 {
-    /// <summary>The step of an ordinary flight, in s, and of one dominated by air, with fast spin, or in a storm.</summary>
+    /// <summary>The step of an ordinary flight, in s, and of a flight that is dominated by air, has fast spin, or is in a storm.</summary>
     private const double Ordinary = 0.02;
     private const double Fine = 0.005;
 
@@ -92,10 +92,10 @@ internal static class MeasuringStep
         IsRuledByAir(simulator, upward, speed, spinRate) || simulator.Scene.Air.Wind.Length > Storm
             || simulator.Scene.Ball.Radius * spinRate > speed ? Fine : Ordinary;
 
-    /// <summary>True if drag or lift exceed gravity so far that paths bend into loops, or end in the air.</summary>
+    /// <summary>True if drag or lift exceeds gravity so much that paths bend into loops, or end in the air.</summary>
     public static bool IsRuledByAir(Simulator simulator, double upward, double speed, double spinRate)
     {
-        // Drag or lift at the maximum airspeed, against weight minus buoyancy.
+        // Compare drag or lift at the maximum airspeed with weight minus buoyancy.
         double most = speed + simulator.Scene.Air.Wind.Length;
         simulator.AirFactors(most, spinRate, out double drag, out double lift);
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(upward);

@@ -1,14 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>The air's force and torque on a ball that something else moves: the rigid body of an engine, or your own integrator.</summary>
+/// <summary>Computes the air's force and torque on a ball that an engine's rigid body or your own integrator moves.</summary>
 /// <remarks>
-/// It applies the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces: the laws of a flight in <see cref="Simulator"/>.
+/// It applies the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in <see cref="Simulator"/>.
 /// Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it.
-/// Ground, obstacles and nets are ignored. It is immutable, allocates nothing and may be used by several threads at once, if the wind and the custom forces of the scene may.
+/// Ground, obstacles and nets are ignored. It is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene are.
 /// </remarks>
 public sealed class Aerodynamics
 {
-    /// <summary>The greatest distance that a ball can have flown, m.</summary>
+    /// <summary>The maximum distance that a ball can have flown, in m.</summary>
     private const double FarthestFlown = 1e45;
 
     private readonly double _mass;
@@ -22,7 +22,7 @@ public sealed class Aerodynamics
     private SceneAir _air;
 
     /// <summary>Compiles the air of a scene.</summary>
-    /// <param name="scene">The scene, of which ball, air, gravity and forces count; default <see cref="FootballPhysics.Scene.Default"/>.</param>
+    /// <param name="scene">The scene; only its ball, air, gravity and forces are used. Default <see cref="FootballPhysics.Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public Aerodynamics(Scene? scene = null)
     {
@@ -41,14 +41,14 @@ public sealed class Aerodynamics
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The buoyancy of the ball, in N: constant, 0.066 N upwards for a football. Zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
+    /// <summary>The constant buoyancy of the ball, in N: 0.066 upwards for a football, zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
     public Vector3d Buoyancy { get; }
 
     /// <summary>Computes the force and the torque on a ball at one instant.</summary>
-    /// <param name="position">Position of the centre, m; components within ±1e6. Only a wind that varies by place, and custom forces, depend on it.</param>
+    /// <param name="position">Position of the centre, m; components within ±1e6. Only custom forces and a wind that varies by position depend on it.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s; at most 10 000.</param>
-    /// <param name="time">Time, s; 0 … 1e12. Only a wind that varies in time, and custom forces, depend on it.</param>
+    /// <param name="time">Time, s; 0 … 1e12. Only custom forces and a wind that varies over time depend on it.</param>
     /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m; 0 … 1e45. Only the knuckle force depends on it.</param>
     /// <returns>The force, N, and the torque, N m, for the mass and the moment of inertia of the scene's ball.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
@@ -61,13 +61,13 @@ public sealed class Aerodynamics
         return At(in position, in velocity, in spin, time, airDistance);
     }
 
-    /// <summary>Computes the force and the torque on many balls at one instant. No ball affects another.</summary>
+    /// <summary>Computes the force and the torque on many balls at one instant. The balls do not affect each other.</summary>
     /// <param name="positions">Positions of the centres, m.</param>
-    /// <param name="velocities">As many velocities, m/s.</param>
-    /// <param name="spins">As many spins, rad/s.</param>
+    /// <param name="velocities">Velocities, m/s; one per ball.</param>
+    /// <param name="spins">Spins, rad/s; one per ball.</param>
     /// <param name="time">Time, s.</param>
-    /// <param name="loads">Receives as many forces and torques.</param>
-    /// <param name="airDistances">As many distances flown through the air, m; empty means 0 for all balls.</param>
+    /// <param name="loads">Receives the force and the torque of each ball.</param>
+    /// <param name="airDistances">Distances flown through the air, m; one per ball. Empty means 0 for all balls.</param>
     /// <exception cref="ArgumentException">The spans do not have the same length.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it. Nothing has been written.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite. The loads of earlier balls have been written.</exception>
@@ -87,7 +87,7 @@ public sealed class Aerodynamics
             SameLength("airDistances", airDistances.Length, positions.Length);
         }
 
-        // All of the input is checked before anything is written.
+        // Validate all input before writing any output.
         Check.Within("time", time, 0, Limits.Time);
         for (int i = 0; i < positions.Length; i++)
         {
@@ -105,10 +105,10 @@ public sealed class Aerodynamics
         }
     }
 
-    /// <summary>The velocity to give a rigid body at a kick, if its engine steps by the semi-implicit Euler method: the velocity half a step earlier.</summary>
+    /// <summary>Returns the velocity to set at a kick if an engine uses the semi-implicit Euler method: the velocity half a step earlier.</summary>
     /// <remarks>
-    /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without the correction a ball in vacuum lands short by the
-    /// way that it covers in one step. Use it once per kick.
+    /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without this correction, a ball in vacuum lands short by the
+    /// distance that it covers in one step. Call it once per kick.
     /// </remarks>
     /// <param name="position">Position of the centre, m.</param>
     /// <param name="velocity">The velocity that the kick gives the ball, m/s.</param>
@@ -125,13 +125,13 @@ public sealed class Aerodynamics
         return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
     }
 
-    /// <summary>Computes the force and the torque for the next step of an engine that steps by the semi-implicit Euler method, for a ball that was kicked with <see cref="KickVelocity"/>.</summary>
+    /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with <see cref="KickVelocity"/>.</summary>
     /// <remarks>
-    /// The velocity of such a body is half a step behind its position, so this method computes the air half a step ahead of that velocity. Both together make the steps of the
-    /// engine second-order accurate: 240 steps a second then miss the library's flight by millimetres at 30 m. It costs two evaluations.
+    /// The velocity of such a body is half a step behind its position, so this method evaluates the air half a step ahead of that velocity. Together, both corrections make
+    /// the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres at 30 m. It costs two evaluations.
     /// </remarks>
     /// <param name="position">Position of the centre, m.</param>
-    /// <param name="velocity">The velocity that the engine has for the body, m/s.</param>
+    /// <param name="velocity">The engine's velocity of the body, m/s.</param>
     /// <param name="spin">Spin, rad/s.</param>
     /// <param name="step">Length of the engine's step, s; 0 … 1.</param>
     /// <param name="gravity">The engine's gravitational acceleration, m/s².</param>

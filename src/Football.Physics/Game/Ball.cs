@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A ball that a game places, kicks and steps; reports position, motion and events.</summary>
-/// <remarks>Right-handed axes, y up, forward −z; SI units. Not thread-safe, but the <see cref="Simulator"/> behind it is.</remarks>
+/// <summary>A ball that your game places, kicks and steps; it reports its position, motion and events.</summary>
+/// <remarks>Right-handed axes, y up, forward −z; SI units. Not thread-safe, but its <see cref="Simulator"/> is.</remarks>
 public sealed class Ball
 {
     private readonly StepLog _log = new();
@@ -34,7 +34,7 @@ public sealed class Ball
     /// <summary>Gets or sets the compiled scene; setting it continues the motion in the new scene.</summary>
     /// <remarks>
     /// Set it between steps, for instance when rain begins or a wall is added. The ball keeps its position and motion. A ball at rest stays at rest
-    /// if rolling friction holds it in the new scene too. A ball below the new ground is raised to the ground. Obstacles that exist in both scenes
+    /// if rolling friction holds it in the new scene too. A ball below the new ground is raised onto it. Obstacles that exist in both scenes
     /// stay where they were pushed to; <see cref="Simulator.ResetObstacles"/> moves them back.
     /// </remarks>
     /// <exception cref="ArgumentNullException">The value is null; nothing has changed.</exception>
@@ -101,7 +101,7 @@ public sealed class Ball
 
     /// <summary>Places the ball without motion and resets its clock to 0.</summary>
     /// <remarks>A ball placed above the ground falls. Bodies keep their current positions and continue to move from there.</remarks>
-    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
     public void Place(Vector3d position)
     {
@@ -113,7 +113,7 @@ public sealed class Ball
 
     /// <summary>Places the ball in motion and resets its clock to 0.</summary>
     /// <remarks>Bodies keep their current positions and continue to move from there.</remarks>
-    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
@@ -125,7 +125,7 @@ public sealed class Ball
         _log.Clear();
     }
 
-    /// <summary>Predicts the path of the ball from its current state, which does not change.</summary>
+    /// <summary>Predicts the path of the ball from its current state, without changing that state.</summary>
     /// <remarks>Does not allocate once the trajectory is large enough.</remarks>
     /// <param name="request">The duration of the prediction and its stop conditions.</param>
     /// <param name="into">Receives the path and the events.</param>
@@ -181,7 +181,7 @@ public sealed class Ball
     /// <remarks>Does not allocate. An exception from a custom force propagates; the ball keeps its state from before the step, without
     /// events.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// <paramref name="dt"/> is out of range, or a body was moved since the last step for a time more than 0.25 s from the ball's time. The ball is
+    /// <paramref name="dt"/> is out of range, or a body was moved since the last step to a time more than 0.25 s from the ball's time. The ball is
     /// unchanged.
     /// </exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite; the message names it, and nothing has changed.</exception>
@@ -197,7 +197,7 @@ public sealed class Ball
     {
         BallState state = simulator.LaunchAt(in position, Vector3d.Zero, Vector3d.Zero, time);
 
-        // The ball rolls off if rolling friction cannot hold it on a slope or against the wind.
+        // The ball rolls away if rolling friction cannot hold it on a slope or against the wind.
         if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
         {
             state.Motion = MotionState.Rest;

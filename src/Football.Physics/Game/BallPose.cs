@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>The position and orientation at which to draw the ball.</summary>
+/// <summary>The position and orientation in which to draw the ball.</summary>
 public readonly struct BallPose : IFormattable
 {
     internal BallPose(in Vector3d position, in Quaterniond orientation)

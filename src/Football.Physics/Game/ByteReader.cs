@@ -7,7 +7,7 @@ internal struct ByteReader
     private readonly int _end;
     private int _at;
 
-    /// <summary>Starts at the first byte of a sequence that ends with its checksum.</summary>
+    /// <summary>Starts at the first byte of a byte sequence that ends with its checksum.</summary>
     /// <exception cref="FormatException">The checksum does not match.</exception>
     public ByteReader(ReadOnlySpan<byte> bytes)
     {
@@ -52,7 +52,7 @@ internal struct ByteReader
     {
         ulong value = 0;
 
-        // Groups of seven bits, lowest first; the top bit of each byte is set if another byte follows.
+        // Read groups of seven bits, lowest first; the top bit of each byte is set if another byte follows.
         for (int shift = 0; shift < 63; shift += 7)
         {
             Need(1);
@@ -73,7 +73,7 @@ internal struct ByteReader
         return value <= int.MaxValue ? (int)value : throw Broken("an integer beyond 31 bits");
     }
 
-    /// <summary>Reads a count of items of at least the given size; rejects a count that exceeds the bytes left, before allocating.</summary>
+    /// <summary>Reads a number of items of at least the given size; rejects it before allocating if it needs more bytes than are left.</summary>
     public int Count(int smallest)
     {
         int count = Int();

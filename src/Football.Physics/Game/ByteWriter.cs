@@ -16,7 +16,7 @@ internal struct ByteWriter
         }
     }
 
-    /// <summary>Appends an integer in groups of seven bits, as many as it needs.</summary>
+    /// <summary>Appends an integer in as many groups of seven bits as it needs.</summary>
     public void Integer(ulong value)
     {
         // 64 bits need at most ten groups of seven.

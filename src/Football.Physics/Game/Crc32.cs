@@ -21,7 +21,7 @@ internal static class Crc32
         {
             for (int i = 0; i < bytes.Length; i++)
             {
-                // One byte at a time; bits are reflected (lowest first), as in zip.
+                // Process one byte at a time; bits are reflected (lowest first), as in zip.
                 crc = (crc >> 8) ^ s_table[(byte)(crc ^ first[i])];
             }
         }
@@ -41,7 +41,7 @@ internal static class Crc32
         var table = new uint[256];
         for (uint i = 0; i < table.Length; i++)
         {
-            // The remainder of each byte value: shift out its eight bits.
+            // Compute the remainder of each byte value by shifting out its eight bits.
             uint crc = i;
             for (int bit = 0; bit < 8; bit++)
             {

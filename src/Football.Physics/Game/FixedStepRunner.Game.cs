@@ -35,9 +35,9 @@ public sealed partial class FixedStepRunner
     /// <param name="kick">The kick.</param>
     public void QueueKick(in AimResult kick) => QueueKick(kick.Velocity, kick.Spin);
 
-    /// <summary>Returns the pose at which to draw the ball, at a fraction of the last step.</summary>
-    /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events between. A bouncing
-    /// ball is therefore seen to touch the ground. The orientation turns at constant speed by the shorter rotation, which is correct below half a turn per step.</remarks>
+    /// <summary>Returns the pose in which to draw the ball, at a fraction of the last step.</summary>
+    /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events in between. A bouncing
+    /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per step.</remarks>
     /// <param name="fraction">0 is the start of the last step, 1 is its end. The value is clamped to this range.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
@@ -78,14 +78,14 @@ public sealed partial class FixedStepRunner
             p0 = happened.Position;
         }
 
-        // Linear between two events; the rotation is spread evenly over the whole step.
+        // Interpolate linearly between two events; spread the rotation evenly over the whole step.
         double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
         Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
     }
 
     /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes represent it exactly.</summary>
-    /// <remarks>The state is exact at the ticks of <see cref="QuantizationInterval"/>.</remarks>
+    /// <remarks>It succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
     /// <param name="state">The state: <see cref="State"/>, or one stored by a <see cref="Rollback"/>.</param>
     /// <param name="destination">The destination; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
     /// <param name="ball">The index of the ball; default 0.</param>

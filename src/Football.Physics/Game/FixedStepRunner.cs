@@ -1,11 +1,11 @@
 namespace FootballPhysics;
 
 /// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>
-/// <remarks>All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. For bodies, this is true only if
-/// <see cref="MoveBodies"/> positions them for every step. A game that moves bodies once per frame gets other times at another frame rate. Games with
+/// <remarks>All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. With bodies, this is true only if
+/// <see cref="MoveBodies"/> positions them for every step: bodies moved once per frame move at different times at another frame rate. Games with
 /// their own fixed update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw
-/// <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> keeps the last states. When a kick arrives late, it resimulates
-/// them with the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
+/// <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When a kick arrives late, it resimulates
+/// from there with the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
 public sealed partial class FixedStepRunner
 {
     /// <summary>The largest <see cref="QuantizationInterval"/>.</summary>
@@ -106,7 +106,7 @@ public sealed partial class FixedStepRunner
                 throw new InvalidOperationException("The new scene has another number of bodies and movable obstacles, and a Rollback is attached to this runner. Use a scene with as many of them as the old one.");
             }
 
-            // Ball.Simulator alone defines how a ball continues in another scene; use it here too.
+            // Only Ball.Simulator defines how a ball continues in another scene; use it here too.
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
@@ -123,11 +123,11 @@ public sealed partial class FixedStepRunner
     public int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
-    /// <remarks>It is called once at the start of every step, with the ball's clock in s, and again when steps are resimulated. It moves the bodies
-    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from where the game last put them, and a <see cref="Rollback"/> stores where they were.</remarks>
+    /// <remarks>It is called once at the start of every step, with the time of the ball's clock in s, and again when steps are resimulated. It moves the bodies
+    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores those positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
-    /// <summary>Gets or sets the number of ticks after which kicks are discarded. 1 … 1e15; default 36 000.</summary>
+    /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
     /// <remarks>Kicks that a rollback or a recording may still need are kept.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public long KickTicks
@@ -142,11 +142,11 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Gets or sets the interval, in ticks, at which the state is quantised. 0 … 1e6; default 0: never.</summary>
     /// <remarks>The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="TryWriteQuantized"/> is
-    /// lossless at these ticks. Every machine in the match rounds alike, also during rollback and replay. Each component changes by at most 0.5 mm in
-    /// position (just above the ground by 1 mm, upwards) and by 1 mm/s in velocity. Spin changes by less than 0.125 rad/s and rotation by at most
-    /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded. This is
-    /// the case in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
-    /// Of several balls all are rounded, or none. A look-ahead does not round. Setting a different value ends a recording.</remarks>
+    /// lossless at these ticks. Every machine in the match rounds in the same way, even in rollbacks and replays. Position changes by at most 0.5 mm
+    /// per component (just above the ground by 1 mm, upwards), velocity by 1 mm/s. Spin changes by less than 0.125 rad/s and rotation by at most
+    /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded: a ball
+    /// in a net, on ground that is not level, after a squeeze between objects, with a knuckle force, or beyond ±128 m, 64 m/s or 512 rad/s.
+    /// With several balls, either all are rounded or none. A look-ahead does not round. Setting a different value ends a recording.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range; nothing has changed.</exception>
     public int QuantizationInterval
     {
@@ -163,9 +163,9 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>A hash of everything that two machines must share before a match.</summary>
-    /// <remarks>It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first
-    /// message, and reject a peer with a different hash.</remarks>
+    /// <summary>A hash of all settings that must be equal on two machines before a match.</summary>
+    /// <remarks>It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first message, and reject a peer with a different hash.
+    /// </remarks>
     public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>The length of a step, in s.</summary>
@@ -174,7 +174,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The maximum simulated time per frame, in s.</summary>
     public double MaximumFrameTime { get; }
 
-    /// <summary>The number of steps made; the state is the one at the start of this tick.</summary>
+    /// <summary>The number of steps made; the current state is that at the start of this tick.</summary>
     public long Tick { get; private set; }
 
     /// <summary>The state of the first ball at the start of this tick; copy it to take a snapshot.</summary>
@@ -208,7 +208,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The interpolation fraction between the start of the last step and its end, 0 … 1.</summary>
     public double Fraction => _left / TimeStep;
 
-    /// <summary>The pose at which to draw the ball after <see cref="Advance"/>; at most one step behind the state.</summary>
+    /// <summary>The pose in which to draw the ball after <see cref="Advance"/>; at most one step behind the state.</summary>
     public BallPose Pose => PoseAt(Fraction);
 
     /// <summary>The position at which to draw the ball after <see cref="Advance"/>, in m.</summary>
@@ -226,7 +226,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The body positions of a recording that is replayed; null if the game positions the bodies.</summary>
     internal PlacementLog? Script { get; set; }
 
-    /// <summary>The last tick in which an engine's colliders moved; −1 if none has.</summary>
+    /// <summary>The last tick in which an engine's colliders moved; −1 if none have moved.</summary>
     internal long EngineMoved { get; private set; } = -1;
 
     /// <summary>The states of all balls at the start of this tick.</summary>
@@ -244,15 +244,15 @@ public sealed partial class FixedStepRunner
         return _states[ball];
     }
 
-    /// <summary>Returns the pose at which to draw a ball after <see cref="Advance"/>.</summary>
+    /// <summary>Returns the pose in which to draw a ball after <see cref="Advance"/>.</summary>
     /// <param name="ball">The index of the ball, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
 
     /// <summary>Places the ball without motion at this tick, and discards its pending kicks.</summary>
-    /// <remarks>The clock restarts at 0; a ball of several keeps the common clock. A ball placed above the ground falls. Pending kicks were aimed
+    /// <remarks>The clock restarts at 0; with several balls, the common clock continues. A ball placed above the ground falls. Pending kicks were aimed
     /// from the old position, so those for this tick and later ones are removed.</remarks>
-    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised out of it.</param>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component, or the index of the ball, is out of range; nothing has changed.</exception>
     public void Place(Vector3d position, int ball = 0)
@@ -277,7 +277,7 @@ public sealed partial class FixedStepRunner
         GoTo(Tick, _before);
     }
 
-    /// <summary>Makes as many steps as fit in the frame time; the remainder counts towards the next frame.</summary>
+    /// <summary>Makes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
@@ -302,7 +302,7 @@ public sealed partial class FixedStepRunner
         }
         catch
         {
-            // Otherwise the next frame would repeat the failed step and those after it.
+            // Drop the remaining steps: otherwise the next frame would repeat the failed step and those after it.
             DropWholeSteps();
             throw;
         }
@@ -320,7 +320,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Sets the tick and the state, to roll back, join a running match, or move the ball.</summary>
     /// <remarks><see cref="Kicks"/> stay, including those for this tick, so that the following steps can be resimulated; use <see cref="Place"/> to move the
-    /// ball without its kicks. The time kept for the next frame stays too. Interpolation restarts from this state.</remarks>
+    /// ball without its kicks. The time carried over to the next frame stays too. Interpolation restarts from this state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it, or no ball of this scene can have the
@@ -363,7 +363,7 @@ public sealed partial class FixedStepRunner
         GoTo(tick, states);
     }
 
-    /// <summary>Sets the tick and the states, which the runner produced itself or has validated.</summary>
+    /// <summary>Sets the tick and the states; the runner has produced or validated these states itself.</summary>
     internal void GoTo(long tick, BallState[] states)
     {
         // Interpolation must not start at the old position: draw the ball here until the next step.
@@ -420,7 +420,7 @@ public sealed partial class FixedStepRunner
                 SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 
-            // Interpolation starts after the kicks: their effect belongs to the start of the step.
+            // Interpolate from the state after the kicks, because kicks take effect at the start of the step.
             Array.Copy(_states, _previous, _states.Length);
             _log.Clear();
             if (_group is null)
@@ -463,7 +463,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Positions the bodies for this tick, and stores the positions for rollback and recording.</summary>
     private void MoveBodiesTo(World world)
     {
-        // MoveBodies comes first: it also positions the bodies at ticks that are resimulated.
+        // Prefer MoveBodies, because it can also position the bodies at resimulated ticks.
         if (MoveBodies is { } move)
         {
             move(Time);
@@ -475,7 +475,7 @@ public sealed partial class FixedStepRunner
             History?.PutBodies(Tick, bodies);
         }
 
-        // Store the final positions: a resimulation needs exactly those that this step sees.
+        // Store the final positions: a resimulation must use exactly the positions that this step uses.
         if (world.Bodies is { } moved)
         {
             History?.KeepBodies(Tick, moved);

@@ -8,7 +8,7 @@ namespace FootballPhysics.Aiming;
 /// </remarks>
 public sealed record Foot
 {
-    /// <summary>The number of fractions of a kick that are tried if the full kick is too fast for the leg.</summary>
+    /// <summary>The number of fractions of a kick to try if the full kick needs too fast a foot.</summary>
     private const int Shares = 16;
 
     private const int MostHalvings = 60;
@@ -19,13 +19,13 @@ public sealed record Foot
     /// <summary>The normal restitution e. 0 … 1; default 0.6 (guess, 0.5 … 0.6).</summary>
     public double Restitution { get; init; } = 0.6;
 
-    /// <summary>The tangential restitution e_t of a contact that grips. 0 … 1; default 0 (guess): no slip after contact.</summary>
+    /// <summary>The tangential restitution e_t of a gripping contact. 0 … 1; default 0 (guess): no slip after contact.</summary>
     public double TangentialRestitution { get; init; }
 
     /// <summary>The friction coefficient μ. Not negative; default 0.9.</summary>
     /// <remarks>
-    /// Leather measures 0.37 … 0.63. The default adds 0.5 for the deformation of the ball (guess). Spin then depends weakly on friction, as measured
-    /// by Asai et al. 2002.
+    /// Measured values for leather are 0.37 … 0.63. The default is higher to allow for the deformation of the ball (guess). Spin then depends only
+    /// weakly on friction, as measured by Asai et al. 2002.
     /// </remarks>
     public double Friction { get; init; } = 0.9;
 
@@ -39,7 +39,7 @@ public sealed record Foot
     /// <param name="spin">The spin ω of the ball before the strike, in rad/s.</param>
     /// <param name="footVelocity">The velocity U of the foot, in m/s.</param>
     /// <param name="normal">The direction n from the point of contact to the ball's centre; any length except zero.</param>
-    /// <returns>The strike; it changes nothing if the foot does not move towards the ball.</returns>
+    /// <returns>The strike; it has no effect if the foot does not move towards the ball.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FootStrike Strike(BallProperties ball, Vector3d velocity, Vector3d spin, Vector3d footVelocity, Vector3d normal)
@@ -47,7 +47,7 @@ public sealed record Foot
         Validate(ball, in velocity, in spin);
         Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
 
-        // A collision with a movable mass, by the same impact law as all contacts.
+        // Treat the strike as a collision with a movable mass, by the same impact law as all contacts.
         Vector3d n = Direction(normal);
         CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
 
@@ -62,9 +62,9 @@ public sealed record Foot
             spinAlongImpulse: 0);
     }
 
-    /// <summary>Computes the strike that gives a ball a velocity and a spin, or the closest possible.</summary>
+    /// <summary>Computes the strike that gives a ball a velocity and a spin, or comes as close as possible.</summary>
     /// <remarks>
-    /// The velocity is reached if the foot is fast enough. Spin about the direction of the impulse cannot be given, and friction limits the rest: see
+    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction, and friction limits the rest: see
     /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/>; <see cref="FootStrike.Spin"/> is the resulting spin. If
     /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed. Its change of
     /// spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
@@ -89,7 +89,7 @@ public sealed record Foot
             throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "a velocity that differs from the ball's");
         }
 
-        // The closed-form strike is final if the foot is fast enough for it.
+        // Use the closed-form strike if the foot is fast enough for it.
         FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         if (wanted.FootVelocity.Length <= MaximumSpeed)
         {
@@ -125,7 +125,7 @@ public sealed record Foot
         double size = impulse.Length;
         Vector3d direction = impulse / size;
 
-        // The impulse changes only spin across itself: Δω = (r/I) J × n. Spin along it is unchanged.
+        // The impulse changes only the spin perpendicular to it: Δω = (r/I) J × n. The spin along the impulse is unchanged.
         Vector3d turn = wantedSpin - spin;
         double lost = Vector3d.Dot(in turn, in direction);
         Vector3d across = turn - (lost * direction);
@@ -183,7 +183,7 @@ public sealed record Foot
         Check.Size("ball.spin", spin, Limits.Spin, "rad/s");
     }
 
-    /// <summary>A fraction of a wanted kick: scales its speed and its change of spin.</summary>
+    /// <summary>A fraction of a wanted kick: its speed and its change of spin are scaled.</summary>
     private readonly struct Part : ICondition
     {
         private readonly Foot _foot;

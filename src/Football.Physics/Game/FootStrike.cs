@@ -44,7 +44,7 @@ public readonly struct FootStrike
     /// <summary>The spin of the ball after the strike, in rad/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Spin { get; }
 
-    /// <summary>False if the wanted spin needs more friction than available; the strike then gives the maximum.</summary>
+    /// <summary>False if the wanted spin needs more friction than is available; the strike then gives as much spin as possible.</summary>
     public bool EnoughFriction { get; }
 
     /// <summary>False if the wanted kick needs a foot faster than <see cref="Foot.MaximumSpeed"/>; the strike then falls short.</summary>

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>The force and the torque of the air on a ball, as an engine's rigid body takes them.</summary>
+/// <summary>The force and the torque of the air on a ball, to apply to an engine's rigid body.</summary>
 public readonly struct ForceAndTorque
 {
-    /// <summary>Creates a pair.</summary>
+    /// <summary>Creates a pair of force and torque.</summary>
     /// <param name="force">The force at the centre, in N.</param>
     /// <param name="torque">The torque about the centre, in N m.</param>
     public ForceAndTorque(Vector3d force, Vector3d torque)

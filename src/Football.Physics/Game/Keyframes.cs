@@ -50,7 +50,7 @@ internal sealed class Keyframes(int balls, int movers)
     /// <summary>Reads keyframes written by <see cref="Write"/>.</summary>
     public void Read(ref ByteReader reader)
     {
-        // The minimum size of a keyframe: full states, and motions whose numbers are all zero and thus omitted.
+        // The smallest keyframe has full states, and motions whose numbers are all zero and thus omitted.
         for (int count = reader.Count((Snapshot.Size * balls) + (5 * movers)); count > 0; count--)
         {
             Grow();
@@ -71,7 +71,7 @@ internal sealed class Keyframes(int balls, int movers)
         Count++;
         if (Count * balls > _states.Length)
         {
-            // Grow both arrays together, so that a keyframe has the same index in each.
+            // Grow both arrays together, so that a keyframe has the same index in both.
             int room = Math.Max(16, 2 * (Count - 1));
             Array.Resize(ref _states, room * balls);
             Array.Resize(ref _motions, room * movers);

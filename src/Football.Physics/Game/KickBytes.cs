@@ -11,7 +11,7 @@ internal static class KickBytes
 
     public static void Write(in KickInput kick, ref ByteWriter writer)
     {
-        // Two bytes: 6 bits for the velocity, 6 for the spin, one that is set if the ball is not the first.
+        // Two bytes: 6 bits for the velocity, 6 for the spin, and one that is set if the kick is not for the first ball.
         ulong forms = PackedNumbers.Forms(kick.Velocity) | (PackedNumbers.Forms(kick.Spin) << 6) | (kick.Ball > 0 ? OtherBall : 0);
         writer.Bits(forms, 2);
         if (kick.Ball > 0)

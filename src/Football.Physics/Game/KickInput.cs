@@ -2,17 +2,17 @@ using System.Globalization;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>A kick at a tick: the only data besides the start that reproduces a match.</summary>
+/// <summary>A kick at a tick. The start state and the kicks reproduce a match; no other data is needed.</summary>
 public readonly struct KickInput : IFormattable
 {
     /// <summary>The maximum number of balls.</summary>
     internal const int MostBalls = 10_000;
 
     /// <summary>Creates a kick.</summary>
-    /// <param name="tick">The tick whose step begins with the kick; 0 … 1e15.</param>
+    /// <param name="tick">The tick at the start of whose step the ball is kicked; 0 … 1e15.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
-    /// <param name="player">The player who kicks, 0 or more; default 0. Of two kicks at one tick, the one with the higher number is applied last and
+    /// <param name="player">The player who kicks, 0 or more; default 0. If two kick at one tick, the one with the higher number is applied last and
     /// wins on every machine.</param>
     /// <param name="ball">The index of the ball, below 10 000; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
@@ -30,7 +30,7 @@ public readonly struct KickInput : IFormattable
         Ball = ball;
     }
 
-    /// <summary>The tick whose step begins with the kick.</summary>
+    /// <summary>The tick at the start of whose step the ball is kicked.</summary>
     public long Tick { get; }
 
     /// <summary>The velocity, in m/s.</summary>
@@ -58,7 +58,7 @@ public readonly struct KickInput : IFormattable
         return $"tick {Tick.ToString(culture)}: {Velocity.ToString(format, culture)} m/s, {Spin.ToString(format, culture)} rad/s, player {Player.ToString(culture)}";
     }
 
-    /// <summary>Compares the position of this kick in the order of tick, player and ball.</summary>
+    /// <summary>Compares two kicks by tick, then player, then ball.</summary>
     internal int Order(long tick, int player, int ball)
     {
         int byTick = Tick.CompareTo(tick);

@@ -4,8 +4,8 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Kicks are sorted by tick, then player, then ball, independent of the order in which they arrive. It allocates only to grow. Serialised, a kick
-/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take none. A 4-byte checksum follows
+/// Kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only to grow. A serialised kick
+/// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take no bytes. A 4-byte checksum follows
 /// all kicks.
 /// </remarks>
 public sealed class KickLog
@@ -22,7 +22,7 @@ public sealed class KickLog
         _kicks = new KickTree(capacity);
     }
 
-    /// <summary>Creates an empty log for a runner with a number of balls.</summary>
+    /// <summary>Creates an empty log for a runner with the given number of balls.</summary>
     internal KickLog(int capacity, int balls)
         : this(capacity) => _balls = balls;
 
@@ -53,7 +53,7 @@ public sealed class KickLog
         // A kick may come from the network: reject an unknown ball on arrival, not in the middle of a step.
         Check.Index("kick.ball", kick.Ball, _balls);
 
-        // Sorted on insertion: the order of arrival does not affect the order in which kicks apply.
+        // Sort on insertion, so that the order of arrival does not affect the order in which kicks are applied.
         _kicks.Put(in kick);
     }
 
@@ -65,11 +65,11 @@ public sealed class KickLog
     public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball);
 
     /// <summary>Removes the kicks before a tick, for instance those beyond the reach of a rollback.</summary>
-    /// <param name="tick">The first tick that is kept.</param>
+    /// <param name="tick">The first tick to keep.</param>
     public void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
 
     /// <summary>Removes the kicks at a tick and later, for instance when the ball is moved.</summary>
-    /// <param name="tick">The first tick that is removed.</param>
+    /// <param name="tick">The first tick to remove.</param>
     public void RemoveFrom(long tick)
     {
         int kept = FirstAt(tick);
@@ -128,7 +128,7 @@ public sealed class KickLog
         long tick = 0;
         for (int i = 0; i < count; i++)
         {
-            // A sum beyond 63 bits turns negative, and KickInput rejects it.
+            // A sum beyond 63 bits becomes negative, and KickInput rejects it.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
             if (i > 0 && log._kicks.At(i - 1).Order(kick.Tick, kick.Player, kick.Ball) >= 0)

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
-/// <summary>Encodes numbers: 0 takes no bytes, a single-precision value takes 4, any other takes 8. Two bits, written before, select the
-/// form.</summary>
+/// <summary>Encodes numbers: 0 takes no bytes, a single-precision value takes 4, and any other value takes 8. Two bits, written beforehand,
+/// select the form.</summary>
 internal static class PackedNumbers
 {
     private const int Zero = 0;

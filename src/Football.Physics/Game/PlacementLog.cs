@@ -53,7 +53,7 @@ internal sealed class PlacementLog
     /// <summary>Removes the entries at a tick and later.</summary>
     public void RemoveFrom(long tick) => _end = FirstAt(tick);
 
-    /// <summary>Writes the entries from a tick up to, but excluding, another.</summary>
+    /// <summary>Writes the entries from one tick up to, but excluding, another.</summary>
     public void Write(long from, long to, ref ByteWriter writer)
     {
         int start = FirstAt(from);
@@ -62,7 +62,7 @@ internal sealed class PlacementLog
         long last = 0;
         for (int i = start; i < end; i++)
         {
-            // Tick differences are small: mostly one byte.
+            // Tick differences are small, and mostly fit into one byte.
             writer.Integer((ulong)(_entries[i].Tick - last));
             writer.Integer((ulong)_entries[i].Body);
             Write(in _entries[i].Motion, ref writer);
@@ -132,7 +132,7 @@ internal sealed class PlacementLog
         Vector3d q = PackedNumbers.Vector(forms >> 18, ref reader);
         motion.Orientation = new Quaterniond(q.X, q.Y, q.Z, PackedNumbers.Number(forms >> 24, ref reader));
 
-        // Not stored: it follows from the rotation.
+        // This number is not stored, because it follows from the rotation.
         motion.IsTurned = motion.Orientation != Quaterniond.Identity;
         motion.IsWithdrawn = (forms >> 34 & 1) != 0;
         motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
@@ -168,7 +168,7 @@ internal sealed class PlacementLog
     /// <summary>Returns the index of the first entry at a tick or later.</summary>
     private int FirstAt(long tick)
     {
-        // Binary search: entries before low have earlier ticks, entries from high on do not.
+        // Binary search: entries before low have earlier ticks; entries from high on do not.
         int low = _first;
         int high = _end;
         while (low < high)

@@ -10,7 +10,7 @@ namespace FootballPhysics.Netcode;
 /// It contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per
 /// step, and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks it adds a complete state, from which
 /// <see cref="Seek"/> continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws
-/// <see cref="ArgumentException"/>. An engine's colliders are not included either; the replay must position them.
+/// <see cref="ArgumentException"/>. An engine's colliders are not included either, so you must position them in a replay.
 /// </remarks>
 public sealed class Recording
 {
@@ -106,7 +106,7 @@ public sealed class Recording
     /// <summary>Creates a runner at the start of the segment; stepping the runner replays the segment.</summary>
     /// <remarks>The runner has the recorded kicks and body positions.</remarks>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
-    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a time, in s. Default null: bodies follow the recording.</param>
+    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a given time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentException">The scene or its settings differ from those of the recording.</exception>
     /// <exception cref="InvalidOperationException">An engine's colliders moved, and <paramref name="bodiesAt"/> is null.</exception>
@@ -116,7 +116,7 @@ public sealed class Recording
     /// <summary>Creates a runner of several balls at the start of the segment; stepping the runner replays the segment.</summary>
     /// <remarks>The runner has the recorded kicks and body positions.</remarks>
     /// <param name="group">The balls of the match, with the same scene and settings.</param>
-    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a time, in s. Default null: bodies follow the recording.</param>
+    /// <param name="bodiesAt">Positions the bodies and an engine's colliders for a given time, in s. Default null: bodies follow the recording.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentException">The scene, the balls or the settings differ from those of the recording.</exception>
     /// <exception cref="InvalidOperationException">An engine's colliders moved, and <paramref name="bodiesAt"/> is null.</exception>
@@ -125,7 +125,7 @@ public sealed class Recording
 
     /// <summary>Moves a replay to any tick of the segment, forwards or backwards.</summary>
     /// <remarks>Simulates at most <see cref="KeyframeTicks"/> − 1 steps.</remarks>
-    /// <param name="replay">A runner of this segment, from <see cref="Replay(Simulator, Action{double})"/>.</param>
+    /// <param name="replay">A runner for this segment, from <see cref="Replay(Simulator, Action{double})"/>.</param>
     /// <param name="tick">From <see cref="StartTick"/> to <see cref="EndTick"/>.</param>
     /// <returns>The number of steps simulated.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="replay"/> is null.</exception>
@@ -143,10 +143,10 @@ public sealed class Recording
         int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
         long from = StartTick + ((long)keyframe * KeyframeTicks);
 
-        // Continue from the runner's current tick if it lies between and holds a recorded state.
+        // Continue from the runner's current tick if it is in between and its state is the recorded one.
         if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
         {
-            // Otherwise start at the last keyframe before the tick. Set bodies first: a rollback that follows the runner restarts with them.
+            // Otherwise start at the last keyframe before the tick. Set the bodies first: the runner's rollback then restarts from them.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
             if (world.Movers > 0)
@@ -293,7 +293,7 @@ public sealed class Recording
 
         try
         {
-            // Report values that a runner would reject as corrupt bytes.
+            // If a runner would reject a value, report the bytes as corrupt.
             Check.Within("wireTicks", wireTicks, 0, FixedStepRunner.MostWireTicks);
             Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
             Check.Advances("timeStep", timeStep, start[0].Time);
@@ -377,7 +377,7 @@ public sealed class Recording
             return false;
         }
 
-        // Later hashes, keyframes and body positions belong to a discarded timeline.
+        // The later hashes, keyframes and body positions belong to a discarded timeline.
         _count = (int)(tick - StartTick);
         _keyframes.Keep(_count / KeyframeTicks);
         Bodies.RemoveFrom(tick);
@@ -442,7 +442,7 @@ public sealed class Recording
 
         for (int i = 0; i < _keyframes.Count; i++)
         {
-            // A valid keyframe may still come from another match; Seek would then leave the recording.
+            // A valid keyframe may still come from another match, and Seek would then deviate from the recording.
             if (Snapshot.Hash(_keyframes.StatesOf(i).ToArray()) != _hashes[((i + 1) * KeyframeTicks) - 1])
             {
                 throw ByteReader.Broken("a keyframe is not the state of its tick");
@@ -455,7 +455,7 @@ public sealed class Recording
     {
         var key = new SceneKey();
 
-        // Everything that affects a step besides state, kicks and bodies: peers with equal hashes produce identical bits.
+        // Hash everything that affects a step apart from state, kicks and bodies: peers with equal hashes produce identical bits.
         key.Add(runner.TimeStep);
         key.Add(runner.QuantizationInterval);
         key.Add(runner.Balls);
@@ -472,7 +472,7 @@ public sealed class Recording
         ulong hash = 0;
         for (int i = 0; i < runner.Balls; i++)
         {
-            // Mix in order, so that exchanging two balls changes the hash; a single ball keeps its own hash.
+            // Mix in order, so that swapping two balls changes the hash; for a single ball, the result is its own hash.
             ulong own = runner.SimulatorOf(i).SceneHash;
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -500,7 +500,7 @@ public sealed class Recording
     /// <summary>Sets a runner to the start of the segment, with its kicks and body positions, after checking its scene.</summary>
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
-        // Reject a different scene or different settings now, instead of a divergence without explanation later.
+        // Reject a different scene or different settings now, because the replay would diverge later without explanation.
         ulong hash = HashOf(runner);
         World world = runner.Simulator.World;
         if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)

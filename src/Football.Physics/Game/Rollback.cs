@@ -2,10 +2,10 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>
 /// <remarks>
-/// It follows every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state is
-/// set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies: from
-/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. Colliders of an engine that moved require
-/// <see cref="FixedStepRunner.MoveBodies"/>; without it, resimulation throws. It allocates only when events, kicks or positions outgrow their
+/// It stores every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state is
+/// set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. They come from
+/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws
+/// without <see cref="FixedStepRunner.MoveBodies"/>. It allocates only when events, kicks or positions outgrow their
 /// buffers.
 /// </remarks>
 public sealed class Rollback
@@ -24,9 +24,9 @@ public sealed class Rollback
 
     private bool _replays;
 
-    /// <summary>Starts to follow a runner, from its current tick.</summary>
+    /// <summary>Attaches to a runner, and stores its states from the current tick on.</summary>
     /// <param name="runner">The runner; a new rollback replaces an earlier one.</param>
-    /// <param name="ticks">The number of ticks that it can go back. 1 … 1 000 000; default 32.</param>
+    /// <param name="ticks">The number of ticks that a rollback can go back. 1 … 1 000 000; default 32.</param>
     /// <param name="keepsBodies">True to store the bodies' positions at each tick; default true. Not needed if the game sets
     /// <see cref="FixedStepRunner.MoveBodies"/>.</param>
     /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
@@ -48,13 +48,13 @@ public sealed class Rollback
         Begin(runner.Tick);
     }
 
-    /// <summary>The runner that it follows.</summary>
+    /// <summary>The runner to which it is attached.</summary>
     public FixedStepRunner Runner { get; }
 
-    /// <summary>The number of ticks that it can go back.</summary>
+    /// <summary>The number of ticks that a rollback can go back.</summary>
     public int Ticks => _ticks;
 
-    /// <summary>The oldest tick that it can go back to.</summary>
+    /// <summary>The oldest tick to which a rollback can go back.</summary>
     public long OldestTick { get; private set; }
 
     /// <summary>The events of the steps that the last correction resimulated, in order of time.</summary>
@@ -150,7 +150,7 @@ public sealed class Rollback
         // Store it in the ring buffer, from which PlayAgain starts.
         _states[PlaceOf(tick) + ball] = state;
 
-        // No step follows the present tick: set the runner itself, but keep the history.
+        // There is nothing to resimulate at the present tick: set the runner itself, but keep the history.
         if (tick == Runner.Tick)
         {
             _replays = true;
@@ -164,7 +164,7 @@ public sealed class Rollback
     }
 
     /// <summary>Resimulates from a tick after changes to <see cref="FixedStepRunner.Kicks"/> or <see cref="FixedStepRunner.MoveBodies"/>.</summary>
-    /// <remarks>A single call handles any number of changes since that tick.</remarks>
+    /// <remarks>A single call covers any number of changes since that tick.</remarks>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not stored; nothing has changed.</exception>
@@ -179,10 +179,10 @@ public sealed class Rollback
 
     /// <summary>Resimulates the last ticks from a stored state, and compares the results.</summary>
     /// <remarks>
-    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Examples are a custom
-    /// force or a body that depends on more than time, and an engine's collider that moved.
+    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Likely causes are a custom
+    /// force or a body that depends on more than time, and a moving engine collider.
     /// </remarks>
-    /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. Fewer are resimulated if fewer are stored.</param>
+    /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. If fewer ticks are stored, only those are resimulated.</param>
     /// <returns>The first tick, ball and field that differ; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The number of ticks is out of range.</exception>
     /// <exception cref="InvalidOperationException">Bodies, or an engine's colliders, moved since, and their past positions are unknown; nothing has
@@ -199,7 +199,7 @@ public sealed class Rollback
     /// <summary>Restarts the history at the runner's new tick.</summary>
     internal void Begin(long tick)
     {
-        // A resimulation also calls this; its ring buffer still belongs to the match.
+        // A resimulation also calls this method, and must keep the ring buffer of the match.
         if (!_replays)
         {
             OldestTick = tick;

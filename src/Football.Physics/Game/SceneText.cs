@@ -3,7 +3,7 @@ using System.Text;
 
 namespace FootballPhysics;
 
-/// <summary>Writes a scene as scenario JSON with exact numbers; rejects parts that are code, by name.</summary>
+/// <summary>Writes a scene as scenario JSON with exact numbers; rejects parts that are code, and names them.</summary>
 internal sealed class SceneText
 {
     private readonly StringBuilder _text = new();
@@ -14,7 +14,7 @@ internal sealed class SceneText
     /// <summary>Returns the text so far.</summary>
     public override string ToString() => _text.ToString();
 
-    /// <summary>Adds the settings, scene and bodies of a simulator, as the members solver, scene and bodies.</summary>
+    /// <summary>Adds the settings, scene and bodies of a simulator as the members "solver", "scene" and "bodies".</summary>
     /// <exception cref="InvalidOperationException">A part of the scene is code.</exception>
     public SceneText Add(Simulator simulator)
     {
@@ -90,7 +90,7 @@ internal sealed class SceneText
             return;
         }
 
-        // The format supports the library's wind profile, but not a custom field, nor a steady wind added to one.
+        // The format supports the library's wind profile, but neither a custom wind field nor a profile with an added steady wind.
         if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != (ground.IsNone ? 0 : ground.Height))
         {
             throw Code("air.windField");
@@ -133,7 +133,7 @@ internal sealed class SceneText
         Numbers(SceneFields.GroundMaterial, ground.Material).Numbers(SceneFields.Ground, ground)
             .Numbers("tangentialRestitution", along, ground.TangentialRestitutionZ ?? along);
 
-        // JSON has no number for the height of missing ground: write the preset "none" instead.
+        // Missing ground has an infinite height, which JSON cannot express: write the preset "none" instead.
         SceneText place = ground.IsNone ? Text("surface", "none") : Number("height", ground.Height).Vector("normal", ground.Normal);
         place.Word("aerodynamics", ground.Aerodynamics);
         if (ground.Heights is { } heights)
@@ -175,7 +175,7 @@ internal sealed class SceneText
 
     private SceneText Number(string name, double value) => Raw(name, Digits(value));
 
-    /// <summary>Adds a number that may be infinite; JSON writes infinity as null.</summary>
+    /// <summary>Adds a number that may be infinite; infinity is written as null.</summary>
     private SceneText Limit(string name, double value) => Raw(name, double.IsPositiveInfinity(value) ? "null" : Digits(value));
 
     /// <summary>Adds all numeric fields of a part of the scene.</summary>
@@ -198,7 +198,7 @@ internal sealed class SceneText
     private SceneText Word<T>(string name, T value)
         where T : struct, Enum
     {
-        // Files keep the spelling of the scenario format.
+        // Use the spelling of the scenario format in files.
         string word = value is AerodynamicModel.Regularized ? "regularised" : value.ToString();
         return Text(name, char.ToLowerInvariant(word[0]) + word[1..]);
     }

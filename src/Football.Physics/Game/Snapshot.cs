@@ -124,7 +124,7 @@ public static class Snapshot
         words.Clear();
         for (int i = 0; i < Fields; i++)
         {
-            // Byte by byte, independent of the machine's byte order and alignment.
+            // Read byte by byte, independent of the machine's byte order and alignment.
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
@@ -173,7 +173,7 @@ public static class Snapshot
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Bits(ref ulong value)
         {
-            // Skip a zero field, so that fields unused by a plain ball leave its hash unchanged. Mix the index in with any other.
+            // Skip a zero field, so that fields unused by a plain ball leave its hash unchanged. Mix the index in with any other field.
             _place++;
             if (value != 0)
             {
@@ -183,7 +183,7 @@ public static class Snapshot
 
         private void Mix(ulong word)
         {
-            // Xor, multiply by an odd number, fold the high half down: each step is a bijection of the hash.
+            // Xor, multiply by an odd number, and fold the high half into the low one: each step is a bijection of the hash.
             ulong h = (Hash ^ word) * 0x9FB21C651E98DF25UL;
             Hash = h ^ (h >> 32);
         }

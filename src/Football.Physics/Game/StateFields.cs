@@ -144,7 +144,7 @@ internal static class StateFields
 
         public void Member(ref int value)
         {
-            // No enum value is that large or negative: StateCheck rejects −1.
+            // No enum value is that large or negative: return −1, which StateCheck rejects.
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }

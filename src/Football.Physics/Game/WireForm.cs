@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>A state in 24 bytes, with numbers as integer multiples of a unit.</summary>
+/// <summary>Encodes a state in 24 bytes, with numbers as integer multiples of a unit.</summary>
 /// <remarks>
-/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. Encoding and decoding a state until it no longer
-/// changes rounds the state; it is then stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
+/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. To round a state, it is encoded and decoded until it
+/// no longer changes; it is then stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
 /// z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of 1/8 rad/s; rotation 23 bits: the index of the largest
 /// component, and the other three with 7 bits each.
 /// </remarks>
@@ -22,13 +22,13 @@ internal static class WireForm
     /// <summary>The lowest height, in m below the ground; the range is 64 m.</summary>
     private const double Lowest = -4;
 
-    /// <summary>The tolerance, in units, within which a spin is not dithered: a spin from axis and magnitude has rounding errors.</summary>
+    /// <summary>A spin this close to an integer, in units, is not dithered: computed from axis and magnitude, it has rounding errors.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>The maximum number of rounding passes; nearly all states need one, some with two equal rotation components need two.</summary>
+    /// <summary>The maximum number of rounding passes; nearly all states need one; some with two equal rotation components need two.</summary>
     private const int MostRounds = 4;
 
-    /// <summary>The tolerance of the clock against a tick, relative to 1 s plus the time; a clock farther off is left unchanged.</summary>
+    /// <summary>The tolerance of the clock against a tick, relative to 1 s plus the time; a clock that is farther off is left unchanged.</summary>
     private const double ClockRounding = 1e-9;
 
     /// <summary>Rounds all balls of a runner, or none.</summary>
@@ -36,7 +36,7 @@ internal static class WireForm
     {
         BallState[] states = runner.States;
 
-        // Round every clock, even of a ball that is not quantised: bodies follow it, and it must agree after a mispredicted kick.
+        // Round every clock, even that of a ball that is not quantised: bodies depend on it, and it must agree after a mispredicted kick.
         for (int i = 0; i < states.Length; i++)
         {
             double tick = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
@@ -53,7 +53,7 @@ internal static class WireForm
             return;
         }
 
-        // Several balls share one clock: round all or none.
+        // Several balls share one clock: round all of them or none.
         for (int i = 0; i < states.Length; i++)
         {
             if (!TryRound(runner.SimulatorOf(i), runner.TimeStep, in states[i], out _))
@@ -78,7 +78,7 @@ internal static class WireForm
 
         var bits = default(WireBits);
 
-        // Write only states that decode bit-identically: an unrounded ball, or one with more state than the format, fails.
+        // Write only states that decode bit-identically: reject an unrounded ball, and one with state that the format cannot store.
         if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
         {
             return false;
@@ -151,7 +151,7 @@ internal static class WireForm
     {
         bool flies = s.Motion == MotionState.Airborne;
 
-        // The format has no bits for nets, contacts off level ground, an active knuckle force or a squeeze: do not round such balls.
+        // The format cannot store nets, contacts other than with level ground, an active knuckle force or a squeeze: do not round such balls.
         bool holds = (flies || (s.Motion != MotionState.Pinned && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
             && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
@@ -165,7 +165,7 @@ internal static class WireForm
         bits.Put(s.GoalsEntered, 2);
         bits.Put(s.GoalsPassed, 2);
 
-        // Time in whole steps. On the ground the height is the contact height, and its bits are 0.
+        // Store the time in whole steps. On the ground, the height is the contact height, and its bits are 0.
         double steps = Math.Round(s.Time / timeStep);
         holds = PutWhole(steps, 22, ref bits)
             & PutSigned(s.Position.X * PerMetre, 18, ref bits)
@@ -241,10 +241,10 @@ internal static class WireForm
         return true;
     }
 
-    /// <summary>Returns the height of an airborne ball in units; above the contact height if the ground is level.</summary>
+    /// <summary>Returns the height of an airborne ball in units; on level ground, it is above the contact height.</summary>
     private static double Height(Simulator simulator, double y)
     {
-        // At least one unit above contact: rounding down would start the next step inside the ground.
+        // Use at least one unit above the contact height: rounding down would start the next step inside the ground.
         double least = Math.Floor((simulator.World.LevelContact - Lowest) * PerMetre) + 1;
         return Math.Max(Math.Round((y - Lowest) * PerMetre), least);
     }
@@ -266,7 +266,7 @@ internal static class WireForm
 
     private static void PutRotation(Quaterniond q, ref WireBits bits)
     {
-        // Smallest three: omit the largest component, which follows from the norm 1; the others are within ±√½.
+        // Store the smallest three components. The largest follows from the norm 1; the others are within ±√½.
         Span<double> parts = stackalloc double[] { q.X, q.Y, q.Z, q.W };
         int largest = 0;
         for (int i = 1; i < 4; i++)
@@ -324,7 +324,7 @@ internal static class WireForm
             }
         }
 
-        // The squares sum to 1; the largest component was made positive.
+        // The squares add up to 1, and the encoder made the largest component positive.
         parts[largest] = Math.Sqrt(Math.Max(rest, 0));
         q = new Quaterniond(parts[0], parts[1], parts[2], parts[3]);
         return rest > 0;
@@ -344,7 +344,7 @@ internal struct WireBits
     {
         for (int i = 0; i < count; i++, _at++)
         {
-            // Three words without a branch: the bit goes to the word that contains position _at.
+            // Write without a branch: the bit goes to the one of three words that contains position _at.
             ulong bit = (word >> i & 1) << (_at & 63);
             _low |= _at < 64 ? bit : 0;
             _middle |= _at is >= 64 and < 128 ? bit : 0;
@@ -375,7 +375,7 @@ internal struct WireBits
     /// <summary>Reads a signed number.</summary>
     public long TakeSigned(int count) => (long)Take(count) - (1L << (count - 1));
 
-    /// <summary>True if two buffers have the same bits.</summary>
+    /// <summary>True if two buffers contain the same bits.</summary>
     public readonly bool Equals(in WireBits other) => _low == other._low && _middle == other._middle && _high == other._high;
 
     /// <summary>Writes all bits as bytes.</summary>

@@ -6,7 +6,7 @@ public enum CrossingDirection
     /// <summary>Either direction.</summary>
     Any = 0,
 
-    /// <summary>The direction of the plane's normal.</summary>
+    /// <summary>Along the plane's normal.</summary>
     AlongNormal = 1,
 
     /// <summary>Against the plane's normal.</summary>

@@ -4,7 +4,7 @@ namespace FootballPhysics.Prediction;
 /// <remarks>Step doubling: compares a full step with two half steps, and halves the step until they agree.</remarks>
 internal static class OwnForceSteps
 {
-    /// <summary>The tolerance between a step and its halves, in m; velocities, in m/s, are multiplied by 0.1 s.</summary>
+    /// <summary>The maximum difference between a step and its two halves, in m; velocities, in m/s, are multiplied by 0.1 s.</summary>
     private const double Tolerance = 1e-6;
     private const double VelocityTime = 0.1;
 
@@ -15,7 +15,7 @@ internal static class OwnForceSteps
     private const double FirstStep = 0.005;
     private const double Shortest = 1e-5;
 
-    /// <summary>The largest error that is accepted in the shortest step, in m.</summary>
+    /// <summary>The largest error to accept in the shortest step, in m.</summary>
     private const double Lost = 1e-3;
 
     /// <summary>Advances a ball to a time, or to the event that ends the look-ahead.</summary>
@@ -30,7 +30,7 @@ internal static class OwnForceSteps
         double shortest = request.TimeStep * Shortest;
         double end = state.Time + request.Duration;
 
-        // Stop within rounding of the end, so that no empty last step is made.
+        // Stop within a rounding error of the end, to avoid an empty last step.
         double last = end - (1e-9 * request.TimeStep);
         double step = Math.Min(FirstStep, request.TimeStep);
         log.Halted = false;
@@ -39,7 +39,7 @@ internal static class OwnForceSteps
         {
             double length = Math.Min(step, end - state.Time);
 
-            // Try the step on copies first, and make it only once it is short enough.
+            // Try the step on copies first, and make the real step only once it is short enough.
             double difference = Difference(simulator, in state, length, trial);
             if (difference > Tolerance && length > shortest)
             {

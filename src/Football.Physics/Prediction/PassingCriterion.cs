@@ -2,16 +2,16 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Decides if a ball that passed a point can no longer come closer.</summary>
 /// <remarks>
-/// The ball is horizontally farther away than at its closest, and recedes. Drag only slows the ball towards the wind. The Magnus force turns its
-/// velocity at Ω = lift |u|/|v|, and a bounce or a slide turns it only with fast backspin. If these effects could bring the ball back in the
-/// remaining time, it has not passed.
+/// The ball must be horizontally farther away than at its closest, and recede. Drag only brings its velocity closer to the wind's. The Magnus force
+/// turns the velocity at Ω = lift |u|/|v|, and a bounce or a slide can reverse it only with fast backspin. If these effects could bring the ball
+/// back in the remaining time, it has not passed.
 /// </remarks>
 internal sealed class PassingCriterion
 {
     /// <summary>The margin for a stronger turn by the Magnus force while the ball slows down.</summary>
     private const double TurnMargin = 1.5;
 
-    /// <summary>The margin for a fall that takes longer than in vacuum.</summary>
+    /// <summary>The margin for a fall, which takes longer than in vacuum.</summary>
     private const double FallMargin = 1.25;
 
     /// <summary>The share of the horizontal speed up to which a ball's surface speed cannot turn it back on the ground.</summary>
@@ -53,7 +53,7 @@ internal sealed class PassingCriterion
     /// <summary>True if the ball comes no closer after a segment.</summary>
     public bool HasPassed(in PathSegment piece)
     {
-        // Squared distances. Not passed while it approaches, is at its closest, or the wind blows it back.
+        // Compare squared distances. The ball has not passed while it approaches, is at its closest, or is blown back by the wind.
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
         Vector3d away = (piece.EndPosition - _point).Horizontal;
         Vector3d flat = piece.EndVelocity.Horizontal;
@@ -63,7 +63,7 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // The ground may turn a ball with fast backspin: now if it slides, later if it will bounce.
+        // The ground may turn back a ball with fast backspin: now if it slides, later if it bounces.
         double speed = flat.Length;
         bool flies = piece.Motion == MotionState.Airborne;
         double radius = _simulator!.Scene.Ball.Radius;
@@ -73,7 +73,7 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // The Magnus acceleration, lift · |u|, can turn the velocity as long as the ball flies.
+        // The Magnus acceleration, lift · |u|, can turn the velocity while the ball flies.
         double air = (piece.EndVelocity - _wind).Length;
         _simulator.AirFactors(air, _spinRate, out _, out double lift);
         double across = Math.Abs(lift) * air;
@@ -94,7 +94,7 @@ internal sealed class PassingCriterion
         return TurnMargin * across * left < receding / away.Length;
     }
 
-    /// <summary>Returns the flight time, in s: to the first impact, or including all hops, each lower by the restitution.</summary>
+    /// <summary>Returns the flight time, in s, up to the first impact or including all hops, each of which is lower by the restitution.</summary>
     private double TimeInAir(double height, double climb, double gravity)
     {
         // v² = c² + 2 g h; hops of 2 v eⁿ/g each sum to 2 v e/((1 − e) g).

@@ -1,9 +1,9 @@
 namespace FootballPhysics;
 
-/// <summary>Predicts paths with the simulation itself, on a copy of the state, and warms up a simulator.</summary>
+/// <summary>Predicts paths by simulating a copy of the state, and warms up a simulator.</summary>
 public static class SimulatorExtensions
 {
-    /// <summary>The longest step with custom forces that is not divided, in s.</summary>
+    /// <summary>The longest step, in s, that is not divided if there are custom forces.</summary>
     internal const double LongestOwnStep = 0.04;
 
     /// <summary>The step of a warm-up, in s, and the maximum number of steps until a ball rests.</summary>
@@ -30,7 +30,7 @@ public static class SimulatorExtensions
         BallState.Launched(in from);
         Run(simulator, in from, request, into, endsWhenFull: false);
 
-        // A path that exactly fills the buffer is complete. Only one that overflows is simulated again.
+        // A path that exactly fills the buffer is complete. Only a path that overflows it is simulated again.
         if (into.Overflows)
         {
             // Simulate again, up to the last segment that fits.
@@ -71,7 +71,7 @@ public static class SimulatorExtensions
 
         request.CheckClock(in from[0]);
 
-        // All balls share one step: with custom forces, at most the longest step that is not divided.
+        // All balls share one step; with custom forces, it is at most the longest step that is not divided.
         double step = group.SimulatorOf(0).Scene.HasOwnForces ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
         BallState[] states = [.. from];
         for (int i = 0; i < into.Length; i++)
@@ -89,7 +89,7 @@ public static class SimulatorExtensions
         }
         finally
         {
-            // Also after an exception: restore the bodies, and end each path where its ball is.
+            // Even after an exception, restore the bodies, and end each path at its ball's position.
             EndMoving(group.SimulatorOf(0), into[0]);
             for (int i = 0; i < into.Length; i++)
             {
@@ -99,10 +99,10 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Compiles the code and builds the tables in advance, so that no frame of a game has to.</summary>
+    /// <summary>Compiles the code and builds the tables in advance, so that no frame of your game has to do so.</summary>
     /// <remarks>
     /// It simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
-    /// look-ahead cost milliseconds each. Call it while a level loads; it has no visible effect, but it calls custom forces. A runtime optimises
+    /// look-ahead cost milliseconds each. Call it while a level loads. It has no visible effect, but calls custom forces. A runtime optimises
     /// frequently called code only after about a tenth of a second. A second call at the end of loading therefore makes the first roll and look-ahead
     /// several times faster.
     /// </remarks>
@@ -117,7 +117,7 @@ public static class SimulatorExtensions
         var log = new StepLog();
         Vector3d from = simulator.OnGround(0, 0);
 
-        // A shot, a drive without spin, a pass along the ground.
+        // Simulate a shot, a drive without spin, and a pass along the ground.
         foreach ((Vector3d velocity, Vector3d spin) in ((Vector3d, Vector3d)[])
             [(new Vector3d(2, 7, -22), new Vector3d(10, 30, 0)), (new Vector3d(0, 2, -12), Vector3d.Zero), (new Vector3d(0, 0, -8), Vector3d.Zero)])
         {
@@ -134,7 +134,7 @@ public static class SimulatorExtensions
             path.ClosestApproach(at.Position);
         }
 
-        // Contacts of several objects, pushes and nets only occur in scenes with objects.
+        // Contacts with several objects, pushes and nets only occur in scenes with objects.
         if (!simulator.World.IsBare)
         {
             WarmUpScenes.Press(simulator.Settings, log);
@@ -144,7 +144,7 @@ public static class SimulatorExtensions
         WarmUpScenes.Group(simulator.Settings, log);
     }
 
-    /// <summary>Runs a look-ahead: in fixed steps if bodies move, in adaptive steps if custom forces meet a long step, otherwise as requested.</summary>
+    /// <summary>Runs a look-ahead: in fixed steps if bodies move, in adaptive steps for custom forces with a long step, or as requested.</summary>
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
         into.Begin(simulator, in from, request, endsWhenFull);
@@ -152,7 +152,7 @@ public static class SimulatorExtensions
         BeginMoving(simulator, into, in state);
         try
         {
-            // With moving bodies the steps must be known in advance, so use short ones for custom forces. Otherwise stiff forces may divide a step.
+            // With moving bodies, the steps must be known in advance, so use short steps for custom forces. Otherwise stiff forces may divide a step.
             if (into.OnStep is { } move)
             {
                 double longest = simulator.Scene.HasOwnForces ? LongestOwnStep : request.TimeStep;
@@ -191,7 +191,7 @@ public static class SimulatorExtensions
         {
             world.KeepMotions();
 
-            // Move the bodies to the start time: the game may have moved them for another time.
+            // Move the bodies to the start time: the game may have set them to another time.
             path.OnStep?.Invoke(in from);
         }
     }

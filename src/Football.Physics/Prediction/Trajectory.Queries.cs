@@ -3,7 +3,7 @@ namespace FootballPhysics.Prediction;
 /// <content>Queries on a path: apex, plane crossings, closest approaches and samples.</content>
 public sealed partial class Trajectory
 {
-    /// <summary>The number of parts of a segment that are searched separately for the closest approach.</summary>
+    /// <summary>The number of parts into which a segment is divided in the search for the closest approach.</summary>
     private const int Parts = 8;
     private const int MostHalvings = 60;
 
@@ -27,7 +27,7 @@ public sealed partial class Trajectory
 
     /// <summary>Finds a crossing of a plane by its index.</summary>
     /// <param name="plane">The plane.</param>
-    /// <param name="index">The index, from 0, among the crossings in the direction.</param>
+    /// <param name="index">The index, from 0, among the crossings in this direction.</param>
     /// <param name="direction">The direction of the crossing.</param>
     /// <param name="crossing">The point of the crossing.</param>
     /// <returns>False if there are fewer crossings.</returns>
@@ -46,7 +46,7 @@ public sealed partial class Trajectory
                 continue;
             }
 
-            // The first crossing of a segment leaves the side on which it starts; a second one returns.
+            // The first crossing in a segment leaves the side on which the segment starts; a second one returns to it.
             bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
             if (IsWanted(direction, along) && index-- == 0)
             {
@@ -162,7 +162,7 @@ public sealed partial class Trajectory
         Vector3d along = to - from;
         double squared = along.LengthSquared;
 
-        // The foot of the perpendicular, clamped to the segment.
+        // Use the foot of the perpendicular, clamped to the segment.
         double share = squared > 0 ? Vector3d.Dot(point - from, in along) / squared : 0;
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         return Vector3d.Distance(in point, from + (share * along));

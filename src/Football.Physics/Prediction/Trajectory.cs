@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A predicted path of the ball, dense in time.</summary>
+/// <summary>A predicted path of the ball, available at any time.</summary>
 /// <remarks>Create one and reuse it: a look-ahead overwrites the path without allocating.</remarks>
 public sealed partial class Trajectory
 {
@@ -56,7 +56,7 @@ public sealed partial class Trajectory
 
     internal StepLog Log { get; } = new();
 
-    /// <summary>The log for trial steps that are not part of the path.</summary>
+    /// <summary>The log of trial steps, which are not part of the path.</summary>
     internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
     internal int Count { get; private set; }
@@ -75,7 +75,7 @@ public sealed partial class Trajectory
     {
         get
         {
-            // Each segment stores its own apex; without segments the ball stays in place.
+            // Each segment stores its own apex. If there are no segments, the ball does not move.
             double apex = Count > 0 ? double.NegativeInfinity : _final.Position.Y;
             for (int i = 0; i < Count; i++)
             {
@@ -130,7 +130,7 @@ public sealed partial class Trajectory
             return _final.Position;
         }
 
-        // At a boundary use the end of the earlier segment: a body placed over the ball moves it between steps.
+        // At a boundary, use the end of the earlier segment: a body placed over the ball displaces the ball between steps.
         bool isBetween = i > 0 && time == _pieces[i].Time && _pieces[i - 1].EndTime == time;
         return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
@@ -171,7 +171,7 @@ public sealed partial class Trajectory
     /// <param name="point">The point, m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
-        // Compare squared distances; take the root of the best only.
+        // Compare squared distances, and take the square root of the best one only.
         var best = new PathPoint(_final.Time, _final.Position, _final.Velocity, Vector3d.Distance(_final.Position, in point));
         double bestSquared = best.Distance * best.Distance;
         for (int i = 0; i < Count; i++)
@@ -192,15 +192,15 @@ public sealed partial class Trajectory
     /// <param name="simulator">The scene.</param>
     /// <param name="from">The initial state.</param>
     /// <param name="request">The duration and stop conditions.</param>
-    /// <param name="endsWhenFull">True to end with the last segment that fits; false to end at the first that does not, and report an
+    /// <param name="endsWhenFull">True to end with the last segment that fits; false to end at the first one that does not, and report an
     /// overflow.</param>
-    /// <param name="goesOn">True if the ball continues without a path once the buffer is full, as one of several does.</param>
+    /// <param name="goesOn">True if the ball continues without a path once the buffer is full, as in a group of balls.</param>
     internal void Begin(Simulator simulator, in BallState from, LookAheadRequest request, bool endsWhenFull, bool goesOn = false)
     {
         _recorder.EndsWhenFull = endsWhenFull;
         _recorder.GoesOn = goesOn;
 
-        // Reuse the delegate while the request has the same one, so that a look-ahead does not allocate.
+        // Reuse the delegate while the request contains the same one, so that a look-ahead does not allocate.
         if (_bodiesAt != request.MoveBodies)
         {
             Action<double>? bodiesAt = request.MoveBodies;
@@ -293,7 +293,7 @@ public sealed partial class Trajectory
 
     private static double Clamp(double time, in PathSegment piece) => Math.Min(Math.Max(time, piece.Time), piece.EndTime);
 
-    /// <summary>Returns the index of the segment that contains a time; the later one at a boundary; −1 if there are none.</summary>
+    /// <summary>Returns the index of the segment that contains a time; at a boundary, that of the later one; −1 if there are no segments.</summary>
     private int Find(double time)
     {
         // Binary search for the last segment that starts at or before the time; earlier times give the first.
@@ -328,7 +328,7 @@ public sealed partial class Trajectory
 
         public override bool WantsEndAcceleration => true;
 
-        /// <summary>True to end with the last segment that fits; false to end at the first that does not.</summary>
+        /// <summary>True to end with the last segment that fits; false to end at the first one that does not.</summary>
         public bool EndsWhenFull { get; set; } = true;
 
         /// <summary>True if the ball continues without a path once the buffer is full.</summary>
@@ -354,8 +354,8 @@ public sealed partial class Trajectory
         {
             PathSegment[] pieces = _owner._pieces;
 
-            // No room: end the step; the caller may repeat the look-ahead with less. One of several balls continues: ending after every segment would
-            // restart the step each time, possibly without end.
+            // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
+            // after every segment would restart the step each time, possibly forever.
             if (_owner.Count == pieces.Length)
             {
                 Overflows = true;
@@ -364,7 +364,7 @@ public sealed partial class Trajectory
 
             pieces[_owner.Count++] = piece;
 
-            // End at the last segment that fits, at the plane, or when the ball comes no closer.
+            // End at the last segment that fits, at the plane, or when the ball comes no closer to the point.
             bool full = EndsWhenFull && _owner.Count == pieces.Length;
             _owner.IsComplete = !full;
             return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));

@@ -2,8 +2,8 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>
 /// <remarks>
-/// While the ball follows the predicted path, an update only drops the past and extends the end. A kick, or a deviation above the tolerance,
-/// recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the future.
+/// While the ball follows the predicted path, an update only drops the past and extends the end. After a kick, or a deviation above the
+/// tolerance, it recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the later simulation.
 /// </remarks>
 public sealed class TrajectoryCache
 {
@@ -54,7 +54,7 @@ public sealed class TrajectoryCache
         _request.CheckClock(in real);
         bool keeps = _valid && OnPath(in real);
 
-        // If an exception interrupts the update, the path is not reused.
+        // Mark the path invalid first, so that it is not reused if an exception interrupts the update.
         _valid = false;
         if (!keeps)
         {
@@ -79,7 +79,7 @@ public sealed class TrajectoryCache
 
     private bool OnPath(in BallState real)
     {
-        // No comparison is possible before the path, or beyond an end in motion.
+        // No comparison is possible before the start of the path, or after its end if the ball is still moving there.
         if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Rest)))
         {
             return false;

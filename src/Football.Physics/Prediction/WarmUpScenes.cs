@@ -17,7 +17,7 @@ internal static class WarmUpScenes
         BallState ball = squeezing.Launch(new Vector3d(0.02, squeezing.ContactHeight, 0), Vector3d.Zero, Vector3d.Zero);
         Play(squeezing, ref ball, PressedFrames, log);
 
-        // A board with and without wind, and a corner. The last scenes use the general solver for several contacts, and two balls.
+        // Use a board with and without wind, and a corner. The last scenes need the general solver for several contacts, and two balls.
         var side = new Obstacle { Name = "side", Shape = new PlaneShape(new Vector3d(-0.5, 0, 0), new Vector3d(1, 0, 0)), Surface = SurfaceMaterial.Board };
         var corner = new Scene { Obstacles = [side], Air = new Air { Wind = new Vector3d(-6, 0, -3) } };
         Walk(new Scene(), settings, double.PositiveInfinity, 1, log);

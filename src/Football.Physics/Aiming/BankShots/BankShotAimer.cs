@@ -4,16 +4,16 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds kicks that reach a target after given impacts, for instance one bounce, a wall or a post.</summary>
 /// <remarks>
-/// A kick is divided into legs: from the ball to a guess of the first contact, from there to the next, and to the target. Newton's method adjusts the
-/// kick and the contacts until all legs join (multiple shooting), and the result is simulated. If that finds no hit, it tries kicks in all
-/// directions. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
+/// A kick is divided into legs: from the ball to a guess of the first contact, from there to the next contact, and finally to the target. Newton's
+/// method adjusts the kick and the contacts until all legs join (multiple shooting), and the result is simulated. If that finds no hit, kicks in
+/// all directions are tried. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class BankShotAimer
 {
     /// <summary>The step of a leg, as a multiple of the step of a measurement.</summary>
     private const double LegStep = 4;
 
-    /// <summary>The difference below which two kicks are the same, in rad.</summary>
+    /// <summary>The difference below which two kicks count as the same, in rad.</summary>
     private const double Same = 1e-3;
 
     private readonly Simulator _simulator;
@@ -59,9 +59,9 @@ public sealed class BankShotAimer
     /// <see cref="AimRequest.MaximumIterations"/> limits the iterations from each of many starts.
     /// </param>
     /// <param name="after">The names of the objects to hit first, in order, such as "ground", "left post" or "crossbar"; at least one. If several
-    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. They are ordered as the obstacles and goals of the
+    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. Their order is that of the obstacles and goals in the
     /// scene.</param>
-    /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is not converged:
+    /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is "not converged":
     /// other kicks are not excluded.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, no object is given, or the scene has no object, or several, with a
@@ -112,7 +112,7 @@ public sealed class BankShotAimer
         }
     }
 
-    /// <summary>Sets up the legs that lead over the objects.</summary>
+    /// <summary>Sets up the legs from object to object.</summary>
     private BankShotProblem Legs(int[] things)
     {
         // A leg includes its bounces off the ground; only the other objects are contacts.
@@ -182,7 +182,7 @@ public sealed class BankShotAimer
         return things;
     }
 
-    /// <summary>Returns the object with a name, or the k-th of several with "name[k]".</summary>
+    /// <summary>Returns the object with a name, or for "name[k]" the k-th of several objects with that name.</summary>
     private int Thing(string name, int place)
     {
         int found = Find(name, 0, out int same);
@@ -210,7 +210,7 @@ public sealed class BankShotAimer
         return found;
     }
 
-    /// <summary>Returns the object of a name at an index, and the number of objects with that name.</summary>
+    /// <summary>Returns the index-th object with a name, and the number of objects with that name.</summary>
     private int Find(string name, int index, out int same)
     {
         int found = -1;

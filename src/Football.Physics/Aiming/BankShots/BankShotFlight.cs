@@ -2,14 +2,14 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Flies bank shots in the full scene; their miss by elevation and azimuth is a least-squares problem.</summary>
 /// <remarks>
-/// A kick flies until it has hit the required objects and come closest to the target. The best of all kicks is stored.
+/// A kick flies until it has hit the required objects and passed its closest point to the target. The best of all kicks is stored.
 /// </remarks>
 internal sealed class BankShotFlight : ILeastSquares
 {
     /// <summary>The step of a coarse flight, in s.</summary>
     public const double CoarseStep = 0.04;
 
-    /// <summary>The miss that needs no correction, as a share of the tolerance.</summary>
+    /// <summary>The miss below which a kick needs no correction, as a share of the tolerance.</summary>
     public const double Enough = 0.1;
 
     /// <summary>The maximum duration of a flight, in s.</summary>
@@ -45,7 +45,7 @@ internal sealed class BankShotFlight : ILeastSquares
     /// <summary>The number of corrections since the search began.</summary>
     public int Iterations { get; set; }
 
-    /// <summary>The closest kick in fine steps or, if none met all objects, in coarse steps.</summary>
+    /// <summary>The closest kick in fine steps or, if none of those hit all objects, in coarse steps.</summary>
     public Kick Best { get; private set; }
 
     /// <summary>The miss of the best kick.</summary>
@@ -63,7 +63,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public bool IsSpent => _solver.Iterations >= _request.MaximumIterations;
 
-    /// <summary>The fine step, which a measurement uses, in s.</summary>
+    /// <summary>The fine step, which is also that of a measurement, in s.</summary>
     public double FineStep { get; private set; }
 
     /// <summary>Begins a search.</summary>
@@ -77,14 +77,14 @@ internal sealed class BankShotFlight : ILeastSquares
         Simulations = 0;
         Iterations = 0;
 
-        // A default kick, in case no kick meets the objects.
+        // Start with a default kick, in case no kick hits the objects.
         IsFine = false;
         Best = Kick.Of(request, _bounds.Clamp(0.3), 0);
         Miss = new MeasuredMiss(Vector3d.Distance(frame.From, in frame.Target), null, 0, frame.From);
     }
 
     /// <summary>Flies a kick in coarse steps.</summary>
-    /// <returns>The miss; infinite if the kick does not meet the required objects.</returns>
+    /// <returns>The miss; infinite if the kick does not hit the required objects.</returns>
     public double Look(double elevation, double azimuth) => Fly(elevation, azimuth, CoarseStep) ? _flight.Miss : double.PositiveInfinity;
 
     /// <summary>Corrects a kick by its miss.</summary>

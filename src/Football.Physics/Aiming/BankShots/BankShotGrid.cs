@@ -1,12 +1,12 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The fallback for bank shots: a grid search over all directions that can meet the first object.</summary>
+/// <summary>The fallback for bank shots: a grid search over all directions that can hit the first object.</summary>
 /// <remarks>
-/// Kicks fly in coarse steps, and the grid is refined while it finds no hit. Newton's method continues from the closest kicks that meet all objects.
+/// Kicks fly in coarse steps, and the grid is refined while it finds no hit. Newton's method continues from the closest kicks that hit all objects.
 /// </remarks>
 internal sealed class BankShotGrid
 {
-    /// <summary>The number of grids, the directions and elevations of the first one, and the kicks kept as starts; each grid halves the
+    /// <summary>The number of grids, of directions and elevations in the first grid, and of kicks kept as starts; each grid halves the
     /// spacing.</summary>
     private const int Looks = 4;
     private const int Directions = 5;
@@ -29,7 +29,7 @@ internal sealed class BankShotGrid
     /// <summary>Searches for a kick closer than the best so far.</summary>
     public void Find(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // Each grid halves the spacing; the best kicks that meet all objects are the starts of corrections.
+        // Each grid halves the spacing; corrections start from the best kicks that hit all objects.
         var bounds = ElevationBounds.Of(request);
         Azimuths(in frame, things, out double from, out double to);
         for (int closeness = 1; closeness < 1 << Looks && !_flight.Hits; closeness *= 2)
@@ -41,7 +41,7 @@ internal sealed class BankShotGrid
             {
                 (int column, int row) = (i / (elevations + 1), i % (elevations + 1));
 
-                // Skip the kicks that a coarser grid has flown.
+                // Skip the kicks that a coarser grid has already simulated.
                 if (closeness == 1 || (column & 1) != 0 || (row & 1) != 0)
                 {
                     Look(bounds.Lowest + ((bounds.Highest - bounds.Lowest) * row / elevations), from + ((to - from) * column / directions));
@@ -62,7 +62,7 @@ internal sealed class BankShotGrid
         int thing = Array.Find(things, item => item != 0);
         if (thing == 0)
         {
-            // Ground only: towards the target, with a margin for a ball that bends.
+            // Ground only: search towards the target, with a margin because the ball may bend.
             from = -0.5;
             to = 0.5;
             return;
@@ -92,7 +92,7 @@ internal sealed class BankShotGrid
     /// <summary>Flies a kick, and stores it as a start if it is one of the closest.</summary>
     private void Look(double elevation, double azimuth)
     {
-        // Insertion sort: the list is short, and most kicks meet nothing.
+        // Use insertion sort: the list is short, and most kicks hit nothing.
         double miss = _flight.Look(elevation, azimuth);
         int place = miss < double.PositiveInfinity ? Math.Min(_count, Starts - 1) : -1;
         if (place < 0 || (_count == Starts && miss >= _starts[place].Miss))

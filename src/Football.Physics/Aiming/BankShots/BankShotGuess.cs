@@ -2,12 +2,12 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Guesses the contacts of a bank shot; <see cref="BankShotProblem"/> refines them.</summary>
 /// <remarks>
-/// Hops on the ground get shorter by a ratio. Other contacts minimise the path length between the points before and after, as in a mirror (Fermat's
-/// principle).
+/// Each hop on the ground is a fixed share of the previous one. Other contacts minimise the path length between the points before and after, as in
+/// a mirror (Fermat's principle).
 /// </remarks>
 internal sealed class BankShotGuess
 {
-    /// <summary>Typical ratios: of a hop to the previous one, and of the speed after an impact to the speed before.</summary>
+    /// <summary>Typical ratios of a hop to the previous one, and of the speed after an impact to the speed before it.</summary>
     private const double NextHop = 0.6;
     private const double Kept = 0.65;
 
@@ -20,7 +20,7 @@ internal sealed class BankShotGuess
     /// <summary>The maximum rotation of a contact's normal in one step, in rad.</summary>
     private const double LargestBend = 0.7;
 
-    /// <summary>The additional elevation of a kick that may land behind a throw, in rad.</summary>
+    /// <summary>The additional elevation of a kick that may land farther than planned, in rad.</summary>
     private const double Steeper = 0.15;
 
     /// <summary>The guesses: the share of the last hop, true for a lob as the last leg, and the additional elevation.</summary>
@@ -49,7 +49,7 @@ internal sealed class BankShotGuess
     /// <param name="frame">Ball and target.</param>
     /// <param name="index">The index of the guess.</param>
     /// <param name="kick">The kick.</param>
-    /// <returns>False if the guess equals an earlier one.</returns>
+    /// <returns>False if the guess is the same as an earlier one.</returns>
     public bool Make(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, out Kick kick)
     {
         // 1. Move each contact to the nearest point of its object. 2. In turn, move each to the mirror point between its neighbours. 3. Throw the

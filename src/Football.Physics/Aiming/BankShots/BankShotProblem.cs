@@ -17,11 +17,11 @@ internal sealed class BankShotProblem : ILeastSquares
     private const double ShortestLeg = 1e-4;
     private const double LongestLeg = 8;
 
-    /// <summary>The minimum speed of a leg in the guess of its duration, as a share of the ball's speed.</summary>
+    /// <summary>The minimum speed used to guess the duration of a leg, as a share of the ball's speed.</summary>
     private const double LeastShare = 0.3;
 
     /// <summary>The maximum changes per iteration.</summary>
-    /// <remarks>They limit the angles of the kick and the normal of a contact, in rad; a contact, as a share of its leg; and a time, in s.</remarks>
+    /// <remarks>They limit the kick's angles and a contact's normal, in rad; a contact's position, as a share of its leg; and a time, in s.</remarks>
     private const double LargestTurn = 1;
     private const double LargestBend = 1.2;
     private const double LargestShare = 2;
@@ -137,8 +137,8 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Fly(double[] x, double[] r)
     {
-        // Per leg: 1. Project its end onto the surface, from the tangent plane at the guess. 2. Fly for its duration, and store the gap. 3. Apply the
-        // impact at the assumed contact, so that a miss still has a next leg. 4. Start the next leg there.
+        // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Fly for its duration, and store the gap. 3. Apply
+        // the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.
         _counts!.Simulations++;
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
@@ -195,7 +195,7 @@ internal sealed class BankShotProblem : ILeastSquares
         }
     }
 
-    /// <summary>Flies a leg: through its bounces, and then for its duration.</summary>
+    /// <summary>Flies a leg through its bounces, and then for its duration.</summary>
     /// <returns>False if the ball does not bounce that often.</returns>
     private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
     {
@@ -209,7 +209,7 @@ internal sealed class BankShotProblem : ILeastSquares
             }
         }
 
-        // After its last bounce a leg continues without ground, so that a gap below the ground still changes smoothly.
+        // After its last bounce, a leg continues without ground, so that the gap changes smoothly even below the ground.
         if (Bounces[leg] > 0)
         {
             state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
@@ -217,7 +217,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
         if (double.IsNaN(duration))
         {
-            // Estimate the duration from the distance and the speed along it, with a minimum for a sideways or backward direction.
+            // Estimate the duration from the distance and the speed along it, with a minimum in case the ball moves sideways or backwards.
             Vector3d way = end - state.Position;
             double length = way.Length;
             double along = Vector3d.Dot(in way, state.Velocity) / length;

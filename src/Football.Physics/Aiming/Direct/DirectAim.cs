@@ -2,19 +2,19 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>The library's solver for one target: Newton's method on the crossing of the target's plane, usually with one flight.</summary>
 /// <remarks>
-/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach, which is a hit or the
-/// verdict that there is none.
+/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach. It is a hit, or shows
+/// that no kick hits.
 /// </remarks>
 internal sealed class DirectAim
 {
-    /// <summary>The error of the solver's own steps, in m; a smaller miss counts as zero, even with a smaller tolerance.</summary>
+    /// <summary>The error of the solver's own steps, in m; a smaller miss counts as zero, even if it exceeds the tolerance.</summary>
     private const double StepError = 1e-4;
 
     /// <summary>The miss that counts as close, as a share of the distance, and the slope above which a target is steep.</summary>
     private const double CloseMiss = 0.001;
     private const double Steep = 1.2;
 
-    /// <summary>The relative accuracy of the slowest roll's speed.</summary>
+    /// <summary>The relative accuracy of the speed of the slowest roll.</summary>
     private const double RollWidth = 1e-4;
 
     private readonly PlaneProblem _problem;
@@ -37,10 +37,10 @@ internal sealed class DirectAim
     /// <summary>Finds a kick with a speed, an arc and spins that may differ from the request's.</summary>
     public AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
-        // 1. Newton's method on the plane crossing. 2. On bent paths, the steeper kick may arrive first. 3. In wind or for a moving target, search
-        // over the time of flight, at a quarter of the cost of scanning all directions for the same hits (4). 5. Search over the elevation. 6. If
-        // that is inconclusive, search over the time of flight: without this step, known kicks in still air are lost on both arcs. 7. The closest
-        // kick is the verdict. (football lab answers --only known --count 300, and --only verdicts)
+        // 1. Use Newton's method on the plane crossing. 2. On bent paths, try the steeper kick too, which may arrive first. 3. In wind or for a moving
+        // target, search over the time of flight, which finds the same hits as a scan of all directions (4) at a quarter of the cost. 5. Search over
+        // the elevation. 6. If that is inconclusive, search over the time of flight: without this step, known kicks in still air are lost on both
+        // arcs. 7. Return the closest kick. (football lab answers --only known --count 300, and --only verdicts)
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
         bool separates = _context.Turns(request.TargetVelocity);
@@ -51,12 +51,12 @@ internal sealed class DirectAim
                 return solution;
             }
 
-            // On bent paths the steep kick may arrive first; the low arc is the kick that does.
+            // On bent paths the steep kick may arrive first; the low arc is whichever kick arrives first.
             Approach steeper = _closest.Find(_problem, AimArc.High);
             return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
 
-        // No flights left: return a kick straight at the target.
+        // If no flights are left, return a kick straight at the target.
         if (_context.IsSpent)
         {
             return new AimSolution
@@ -99,7 +99,7 @@ internal sealed class DirectAim
                 : AimStatus.OutOfReach);
     }
 
-    /// <summary>Finds the slowest kick along the ground; a slower one stops short.</summary>
+    /// <summary>Finds the slowest kick along the ground that reaches the target.</summary>
     public bool SlowestRoll(AimRequest request, double fastest, out AimSolution solution)
     {
         solution = default;
@@ -107,7 +107,7 @@ internal sealed class DirectAim
         double high = fastest;
         for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
         {
-            // Bisection, starting at the fastest kick: if that one stops short, there is none.
+            // Bisect, starting at the fastest kick: if it stops short, no roll reaches the target.
             bool hits = Rolls(request, speed, out _);
             if (!hits && speed == fastest)
             {
@@ -117,7 +117,7 @@ internal sealed class DirectAim
             (low, high) = hits ? (low, speed) : (speed, high);
         }
 
-        // Slightly faster, so that the ball passes the target instead of stopping there.
+        // Kick slightly faster, so that the ball passes the target instead of stopping there.
         return Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out solution);
     }
 
@@ -161,7 +161,7 @@ internal sealed class DirectAim
         return true;
     }
 
-    /// <summary>True if a miss from the elevation search is inconclusive: a close one, or on bent paths.</summary>
+    /// <summary>True if a miss from the elevation search is inconclusive, because it is close or the paths bend.</summary>
     private bool IsDoubtful(in TargetFrame frame, double miss) =>
         miss < CloseMiss * frame.Distance || IsBent(in frame);
 

@@ -43,7 +43,7 @@ internal sealed class DirectTwoPointAim
             return solution;
         }
 
-        // The general search may find a kick that is too far from the closed-form guess.
+        // Use the general search, because the kick may be too far from the closed-form guess.
         return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
@@ -61,7 +61,7 @@ internal sealed class DirectTwoPointAim
             && (Math.Abs(kick.Top) >= request.MaximumTopSpin * NearLimit || Math.Abs(kick.Side) >= request.MaximumSideSpin * NearLimit);
     }
 
-    /// <summary>Finds a kick for the target only, with the spins closest to both points or, if that fails, with the maximum lift.</summary>
+    /// <summary>Finds a kick for the target only, with the spins that came closest to both points or, if that fails, with the maximum lift.</summary>
     private AimSolution TargetFirst(in AimSolution nearest)
     {
         AimRequest request = _problem.Request;

@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>An approximate flight: drag and lift are quadratics in |u|² through the exact laws at three speeds.</summary>
 /// <remarks>
-/// Both coefficients fall as the spin decays. The error is millimetres at 25 m, for a quarter of the time of a full flight. The solvers rehearse
-/// their first corrections in it.
+/// Both coefficients fall as the spin decays. The error is millimetres at 25 m, and the cost is a quarter of a full flight. The solvers rehearse
+/// their first corrections in this flight.
 /// </remarks>
 internal struct FittedFlight
 {
@@ -17,7 +17,7 @@ internal struct FittedFlight
     /// <summary>The relative change of spin that measures its effect on drag and lift.</summary>
     private const double SpinChange = 0.02;
 
-    /// <summary>The relative difference of spin for which a fit is valid, with an error of a few 1e-4.</summary>
+    /// <summary>The relative difference in spin for which a fit is valid; its error is then a few 1e-4.</summary>
     private const double CloseSpin = 0.05;
 
     /// <summary>The minimum spin of a fit, in rad/s.</summary>
@@ -68,7 +68,7 @@ internal struct FittedFlight
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
 
-        // The exact laws at three speeds, and at the middle one with slightly less spin.
+        // Evaluate the exact laws at three speeds, and at the middle speed with slightly less spin.
         context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
         context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
         context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
@@ -110,7 +110,7 @@ internal struct FittedFlight
         _time = 0;
     }
 
-    /// <summary>Flies to about a time, and from there to a plane.</summary>
+    /// <summary>Flies to an approximate time, and from there to a plane.</summary>
     /// <returns>False if the plane is not near.</returns>
     public bool Fly(double time, ref PlaneCrossing crossing)
     {
@@ -135,7 +135,7 @@ internal struct FittedFlight
         return true;
     }
 
-    /// <summary>Advances with the classical Runge–Kutta method; the rates depend on the velocity only, which makes the path cheap.</summary>
+    /// <summary>Advances with the classical Runge–Kutta method; the rates depend on the velocity only, so the path costs little more.</summary>
     private void AdvanceTo(double time)
     {
         double left = time - _time;

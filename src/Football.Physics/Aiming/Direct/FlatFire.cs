@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>A closed-form flight, accurate to a few centimetres at 20 m; the initial guess of the solvers.</summary>
 /// <remarks>
-/// Quadratic drag acts along the path. Gravity and Magnus force are displacements across it, damped by the same drag. All coefficients are means.
+/// Quadratic drag acts along the path. Gravity and Magnus force displace the ball across the path, damped by the same drag. All coefficients are means.
 /// </remarks>
 internal struct FlatFire
 {
@@ -24,7 +24,7 @@ internal struct FlatFire
     /// <summary>Returns the path length, its rate, and the two damped displacements, for launch speed x after time t.</summary>
     public readonly void Ways(double x, double t, out double along, out double speed, out double fall, out double bend)
     {
-        // τ: the path length relative to the length at which drag reduces the speed by a factor e. Use a series if it is small, against rounding.
+        // τ is the path length relative to the length over which drag reduces the speed by a factor e. If τ is small, a series avoids rounding errors.
         double tau = Drag * x * t;
         double log;
         double half;
@@ -48,7 +48,7 @@ internal struct FlatFire
         bend = x * t * t * third; // w' + k v w = v
     }
 
-    /// <summary>Returns the time that a kick takes for a path length, in s.</summary>
+    /// <summary>Returns the time in which a kick covers a path length, in s.</summary>
     public readonly double TimeFor(double speed, double way) =>
         Drag * way > 1e-6 ? (Elementary.Exp(Math.Min(Drag * way, MostDamping)) - 1.0) / (Drag * speed) : way / speed;
 
@@ -61,7 +61,7 @@ internal struct FlatFire
     /// <param name="across">The derivative of the position across the velocity, in s.</param>
     public readonly Vector3d Launch(in Vector3d way, in Vector3d axis, double time, out Vector3d direction, out double along, out double across)
     {
-        // Fixed-point iteration: the direction determines fall and bend, and these determine the direction.
+        // Iterate: the direction determines the displacements by gravity and Magnus force, and these determine the direction.
         double x = Math.Max(way.Length, 1e-3) / time;
         Vector3d air = Vector3d.Zero;
         for (int i = 0; i < 5; i++)
@@ -107,8 +107,8 @@ internal struct FlatFire
     public readonly bool Solve(
         in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Kick spins, ref Vector3d direction, ref double time)
     {
-        // Newton's method for the time. At each time, the direction follows from the displacement left after gravity, wind and bend; the excess is
-        // the distance to go minus the path length. Stop within the error of the model.
+        // Solve for the time by Newton's method. Subtract the displacements by gravity, wind and Magnus force from the vector to the target: the
+        // rest gives the direction, and its length minus the path length is the excess. Stop within the error of the model.
         double x = (v * direction - launchWind).Length;
         Vector3d air = x > 0 ? (v * direction - launchWind) / x : direction;
         double spinRate = spins.SpinRate;

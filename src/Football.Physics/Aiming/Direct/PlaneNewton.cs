@@ -3,16 +3,16 @@ namespace FootballPhysics.Aiming;
 /// <summary>Newton's method on the plane crossings of a <see cref="PlaneProblem"/>.</summary>
 /// <remarks>
 /// It starts from the closed form, and rehearses the first corrections in fitted air. The first Jacobian is computed from the flight itself, and
-/// Broyden's updates improve it, so an iteration costs one flight and no differences.
+/// Broyden's updates improve it. So an iteration costs one flight, and needs no difference quotients.
 /// </remarks>
 internal sealed class PlaneNewton
 {
     private const int N = PlaneProblem.Most;
 
-    /// <summary>The ratio to the smallest miss so far above which an iteration counts as stalled.</summary>
+    /// <summary>An iteration counts as stalled if its miss exceeds this multiple of the smallest miss so far.</summary>
     private const double Progress = 0.7;
 
-    /// <summary>The number of flights after which the last correction predicts the next; with four unknowns, one update is not enough.</summary>
+    /// <summary>The number of flights after which one correction predicts the next; with four unknowns, one update is not enough.</summary>
     private const int LeastFlights = 3;
 
     /// <summary>The miss at which rehearsals end, in m, and the contraction per correction that is sufficient.</summary>
@@ -46,9 +46,9 @@ internal sealed class PlaneNewton
     /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one flown.</returns>
     public bool Solve()
     {
-        // 1. A closed-form guess, corrected in fitted air, which also measures the contraction per correction. 2. One full flight. 3. If it misses by
-        // more than the guess, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below the tolerance.
-        // 5. Otherwise apply Broyden's update and fly again, while misses shrink.
+        // 1. Correct a closed-form guess in fitted air, which also measures the contraction per correction. 2. Make one full flight. 3. If it misses
+        // by more than the guess did, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below the
+        // tolerance. 5. Otherwise apply Broyden's update and fly again, while misses shrink.
         Miss = 0;
         ThroughMiss = double.NaN;
         Time = 0;
@@ -105,7 +105,7 @@ internal sealed class PlaneNewton
                 TakeStep();
                 Array.Copy(_nextX, X, N);
 
-                // Estimate the remaining miss by the last contraction, without a flight.
+                // Estimate the remaining miss from the last contraction, without a flight.
                 Miss *= left;
                 R[PlaneProblem.TargetUp] *= left;
                 return true;
@@ -139,7 +139,7 @@ internal sealed class PlaneNewton
     /// <summary>Corrects the guess in fitted air.</summary>
     /// <param name="first">The miss of the guess, in m.</param>
     /// <param name="contraction">The share of a miss that a correction leaves.</param>
-    /// <returns>False if nothing was learnt; the kick is then the guess.</returns>
+    /// <returns>False if the rehearsal failed or barely converged; the kick is then the guess.</returns>
     private bool Rehearse(out double first, out double contraction)
     {
         // A correction in fitted air costs a quarter of a flight: repeat while the miss shrinks, down to the error of the fit.
@@ -182,13 +182,13 @@ internal sealed class PlaneNewton
             size = next;
         }
 
-        // Nothing was learnt: return to the guess.
+        // The rehearsal did not help: return to the guess.
         Array.Copy(_guess, X, N);
         _problem.ForgetRehearsals();
         return false;
     }
 
-    /// <summary>Returns the combined miss at target and waypoint, in m, without the directions of spins at their limit.</summary>
+    /// <summary>Returns the combined miss at target and waypoint, in m. It ignores the directions whose spin is at its limit.</summary>
     private double Asked(double[] r)
     {
         double miss = PlaneProblem.MissOf(r);
@@ -238,13 +238,13 @@ internal sealed class PlaneNewton
     private static double Norm(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]) + (r[3] * r[3]));
 }
 
-/// <summary>The limits of Newton's method: a kick to a target converges at once or never, one with a waypoint takes longer.</summary>
+/// <summary>The limits of Newton's method: a kick to a target converges at once or never; a kick with a waypoint takes longer.</summary>
 /// <param name="Flights">The maximum number of flights.</param>
 /// <param name="Stalled">The number of stalled iterations in a row after which it gives up.</param>
 /// <param name="Tries">The number of times that a step which does not reach its planes is halved.</param>
 /// <param name="Rehearsals">The maximum number of corrections in fitted air.</param>
-/// <param name="LeastContraction">The minimum contraction of a rehearsed correction that is trusted.</param>
-/// <param name="MostContraction">The contraction above which nothing is learnt.</param>
+/// <param name="LeastContraction">The lower bound applied to the contraction of a rehearsed correction.</param>
+/// <param name="MostContraction">The contraction above which a rehearsal is discarded.</param>
 internal readonly record struct NewtonPatience(int Flights, int Stalled, int Tries, int Rehearsals, double LeastContraction, double MostContraction)
 {
     public static NewtonPatience Target => new(Flights: 10, Stalled: 1, Tries: 1, Rehearsals: 1, LeastContraction: 0.03, MostContraction: 0.2);
@@ -256,7 +256,7 @@ internal readonly record struct NewtonPatience(int Flights, int Stalled, int Tri
 internal static class Convergence
 {
     /// <summary>True if the corrected kick certainly hits, so that its flight can be skipped.</summary>
-    /// <remarks>The last correction shrank the miss by a factor, and the next correction will shrink it at least as much.</remarks>
+    /// <remarks>The last correction shrank the miss by a factor; assume that the next correction shrinks it at least as much.</remarks>
     /// <param name="miss">The current miss, in m.</param>
     /// <param name="before">The miss before the last correction, in m; infinite before the first.</param>
     /// <param name="tolerance">The tolerance, in m.</param>

@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>The boundary-value problem of a kick at a given speed: elevation and azimuth for a target, plus spins for a waypoint.</summary>
 /// <remarks>
-/// The kick must cross the vertical plane through the target at the target itself, and the plane through the waypoint at the waypoint.
+/// The kick must cross the target's vertical plane at the target itself, and the waypoint's plane at the waypoint.
 /// </remarks>
 internal sealed class PlaneProblem
 {
@@ -128,7 +128,7 @@ internal sealed class PlaneProblem
             return true;
         }
 
-        // The mean drag gives a first time; the closed form then solves for direction and time together.
+        // Estimate the time from the mean drag; the closed form then solves for direction and time together.
         FlatFire model = _context.Model(Speed, Spins.SpinRate, _frame.Distance);
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d direction = toTarget / toTarget.Length;
@@ -191,7 +191,7 @@ internal sealed class PlaneProblem
     /// <summary>True if the last flight leaves the ground and stays above it up to the target.</summary>
     public bool StaysClear(double[] x, double[] r)
     {
-        // A kick that stays on the ground rolls, which is a different problem.
+        // A kick that stays on the ground is a roll, which is a different problem.
         Elementary.SinCos(x[Elevation], out double sine, out _);
         double lowest = Math.Min(_context.Planes.Lowest, _frame.Target.Y + (Time * _targetVelocity.Y) + r[TargetUp]);
         return !_context.StaysDown(in _frame.From, Speed * sine) && lowest >= _context.Game.ContactHeight - 1e-9;

@@ -2,11 +2,11 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Flies kicks without ground to the vertical planes through the target and a waypoint.</summary>
 /// <remarks>
-/// Without ground the crossing changes smoothly with the kick, so Newton's method finds its root.
+/// Without ground, the crossing changes smoothly with the kick, so Newton's method converges.
 /// </remarks>
 internal sealed class PlaneShooter : KickObserver
 {
-    /// <summary>The remaining time that is too short for a step, as a share of the longest step.</summary>
+    /// <summary>A remaining time below this share of the longest step is too short for a step of its own.</summary>
     private const double ShortestStep = 1e-3;
 
     private readonly AimContext _context;
@@ -36,7 +36,7 @@ internal sealed class PlaneShooter : KickObserver
     /// <summary>The crossing of the waypoint's plane.</summary>
     public ref readonly PlaneCrossing Through => ref _through;
 
-    /// <summary>The lowest end of a segment before the target's plane, in m.</summary>
+    /// <summary>The lowest height at the end of any segment before the target's plane, in m.</summary>
     public double Lowest { get; private set; }
 
     /// <summary>Prepares for flights to a target that may move.</summary>
@@ -79,7 +79,7 @@ internal sealed class PlaneShooter : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // Equal steps, of which one ends at the expected crossing: the interpolation is most accurate there.
+        // Use equal steps, one of which ends at the expected crossing: the interpolation is most accurate there.
         watches = false;
         if (state.Time > _end - (ShortestStep * _longestStep))
         {
@@ -92,8 +92,8 @@ internal sealed class PlaneShooter : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // Interpolate a crossing within a single-segment step. Repeat a step of several segments (at the jump of the drag law) and inspect each one.
-        // Without a crossing, only store the height.
+        // Interpolate a crossing within a single-segment step. Repeat a step with several segments (at the jump of the drag law), and inspect each
+        // segment. If there is no crossing, only store the height.
         bool whole = !ended && log.Steps == 1;
         if (whole && _wantsThrough && !_through.Crossed)
         {
@@ -142,10 +142,10 @@ internal sealed class PlaneShooter : KickObserver
 /// <summary>The crossing of a flight and a vertical plane through a point that may move.</summary>
 internal struct PlaneCrossing
 {
-    /// <summary>The extrapolation after the end of a step, as a share of the step, up to which a crossing is accepted.</summary>
+    /// <summary>A crossing may lie beyond the end of a step by up to this share of the step.</summary>
     private const double Reach = 0.05;
 
-    /// <summary>The relative change at which Newton's method ends; the rest is rounding.</summary>
+    /// <summary>The relative change at which Newton's method ends; smaller changes are rounding errors.</summary>
     private const double Closeness = 1e-9;
 
     private readonly Vector3d _point;

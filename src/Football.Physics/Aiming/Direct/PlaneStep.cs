@@ -9,13 +9,13 @@ internal sealed class PlaneStep
 {
     private const int N = PlaneProblem.Most;
 
-    /// <summary>The largest corrections of elevation and azimuth, in rad; a larger one is far from the model. With a waypoint, both have the same
+    /// <summary>The largest corrections of elevation and azimuth, in rad; the linear model does not hold beyond. With a waypoint, both have the same
     /// limit.</summary>
     private const double LargestElevation = 0.35;
     private const double LargestAzimuth = 0.5;
     private const double LargestTurn = 1.0;
 
-    /// <summary>The change of spin that measures its effect, in rad/s; large against the error of a rehearsal.</summary>
+    /// <summary>The change of spin that measures its effect, in rad/s; large enough to exceed the error of a rehearsal.</summary>
     private const double SpinChange = 0.5;
 
     /// <summary>The squared angle, in rad², that weighs as much as 1 rad/s of spin.</summary>
@@ -41,7 +41,7 @@ internal sealed class PlaneStep
         Array.Clear(Change, 0, N);
     }
 
-    /// <summary>Returns the miss at the waypoint, in m, without the directions of spins at their limit.</summary>
+    /// <summary>Returns the miss at the waypoint, in m. It ignores the directions whose spin is at its limit.</summary>
     public double ThroughAsked(double[] r)
     {
         double left = _held[PlaneProblem.Side] ? 0 : r[PlaneProblem.ThroughLeft];
@@ -56,7 +56,7 @@ internal sealed class PlaneStep
     /// <returns>False if a kick with slightly more spin does not reach both planes.</returns>
     public bool Measure(PlaneProblem problem, double[] x, double[] r)
     {
-        // The angles rotate the whole path, so the flight itself yields their columns; the spins need a flight with slightly more spin.
+        // The angles rotate the whole path, so the flight itself yields their columns. Each spin needs a flight with slightly more of it.
         _angles = problem.JacobianAtTarget(x);
         if (!problem.HasThrough)
         {
@@ -246,7 +246,7 @@ internal struct CrossingJacobian
         Elementary.SinCos(kick.Elevation, out double sine, out double cosine);
         if (kick.Side != 0 && cosine > 0.1)
         {
-            // The sidespin axis stays vertical: its bend depends on the horizontal velocity only, which a steeper kick has less of.
+            // The sidespin axis stays vertical, so its Magnus force depends on the horizontal velocity only, which is smaller for a steeper kick.
             Vector3d across = new(d.Z, 0, -d.X); // ŷ × d
             byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
         }

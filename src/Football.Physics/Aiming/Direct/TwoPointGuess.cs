@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>The closed-form initial guess of a kick with a waypoint.</summary>
 /// <remarks>
-/// The path bends sideways like a parabola in time, so the two bearings yield azimuth and lateral curvature. The vertical direction is the same after
-/// the fall by gravity is removed. The curvatures are then converted to spins.
+/// The path bends sideways like a parabola in time, so the two bearings yield azimuth and lateral curvature. The same applies vertically, once the
+/// fall by gravity is removed. The curvatures are then converted to spins.
 /// </remarks>
 internal static class TwoPointGuess
 {
@@ -16,7 +16,7 @@ internal static class TwoPointGuess
     /// <returns>The drag per length, in 1/m.</returns>
     public static double Make(AimContext context, PlaneProblem problem, double[] x, out double throughTime, out double targetTime)
     {
-        // Three rounds: times from the drag, bearings and curvatures from both points, spin from curvature. Each round updates the drag.
+        // Each of three rounds computes times from the drag, bearings and curvatures from both points, spin from curvature, and then the drag again.
         AimRequest request = problem.Request;
         ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d wind = context.Scene.Air.Wind;
@@ -41,7 +41,7 @@ internal static class TwoPointGuess
             model.Ways(request.Speed, t1, out double s1, out _, out double fall1, out double bend1);
             model.Ways(request.Speed, t2, out double s2, out _, out double fall2, out double bend2);
 
-            // Offsets after gravity and wind: s · slope + bend · c at both points
+            // Without gravity and wind, the offset at both points is s · slope + bend · c.
             double left1 = Vector3d.Dot(problem.Through - frame.From - (t1 * wind), in frame.Left);
             double left2 = Vector3d.Dot(frame.Target - frame.From - (t2 * wind), in frame.Left);
             double up1 = problem.Through.Y - frame.From.Y - (t1 * wind.Y) - (model.Upward * fall1);
@@ -59,7 +59,7 @@ internal static class TwoPointGuess
             spinRate = Math.Min(Math.Max(grown, 0.5), 1.5 * mostSpin);
             if (!double.IsFinite(lift + slopeUp + slopeLeft))
             {
-                // The model has no path through the point: aim straight at the target, and leave the rest to the single-target solver.
+                // In the model, no path passes the waypoint: aim straight at the target, and leave the rest to the single-target solver.
                 side = 0;
                 top = 0;
                 break;

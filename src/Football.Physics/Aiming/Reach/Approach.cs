@@ -3,19 +3,19 @@ namespace FootballPhysics.Aiming;
 /// <summary>A kick, and its closest approach to the target before its first impact.</summary>
 internal struct Approach
 {
-    /// <summary>The kick; in still air, already turned so that its closest point is towards the target.</summary>
+    /// <summary>The kick; in still air, it is already turned so that its closest point lies in the direction of the target.</summary>
     public Kick Kick;
 
     /// <summary>The distance of the closest approach, in m.</summary>
     public double Miss;
 
-    /// <summary>True if the kick passes above the target, rather than below or short of it.</summary>
+    /// <summary>True if the kick passes above the target, rather than below it, and does not end short of it.</summary>
     public bool Above;
 
     /// <summary>The time of the closest approach, in s.</summary>
     public double Time;
 
-    /// <summary>The position relative to the target at the closest approach, in m.</summary>
+    /// <summary>The ball's position relative to the target at the closest approach, in m.</summary>
     public Vector3d Gap;
 
     /// <summary>The miss, negative if the kick is too low or too short: smooth in the elevation, and zero at a hit.</summary>
@@ -64,12 +64,12 @@ internal struct ApproachBracket
 
             Parabola(out double slope, out double curvature);
 
-            // The vertex if the parabola opens upwards and has it between the outer kicks; otherwise the smallest of the three.
+            // Use the vertex if the parabola opens upwards and its vertex is between the outer kicks; otherwise use the smallest of the three misses.
             double x = curvature > 0 ? -slope / curvature : 0;
             bool within = curvature > 0 && x > -left && x < right;
             double vertex = within ? Middle.Miss - (0.5 * slope * slope / curvature) : LeastMiss;
 
-            // The error is ½ |q| (l r)², if the third derivative is of the size of the second.
+            // The error is ½ |q| (l r)² if the third derivative is about as large as the second.
             double doubt = left * right;
             return vertex - (0.5 * Math.Abs(curvature) * doubt * doubt);
         }
@@ -98,10 +98,10 @@ internal struct ApproachBracket
         slope = ((High.Miss - Middle.Miss) / right) - (0.5 * curvature * right);
     }
 
-    /// <summary>Inserts a kick between the middle one and a neighbour, and drops one.</summary>
+    /// <summary>Inserts a kick between the middle kick and a neighbour, and drops one of the outer kicks.</summary>
     public void Insert(in Approach next, bool becomesMiddle)
     {
-        // Keep the smallest miss in the middle; at a bound, where an outer kick is closer, move towards that kick.
+        // Keep the smallest miss in the middle. At a bound an outer kick may be closer: then move towards that kick.
         bool left = next.Elevation < Middle.Elevation;
         double outer = left ? Low.Miss : High.Miss;
         if (becomesMiddle || next.Miss < Middle.Miss || outer < Middle.Miss)

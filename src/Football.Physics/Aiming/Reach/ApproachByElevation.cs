@@ -6,13 +6,13 @@ internal sealed class ApproachByElevation
     /// <summary>The maximum number of flights for the azimuth of one elevation.</summary>
     private const int MostTurns = 12;
 
-    /// <summary>The lateral offset that is accepted, as a share of the miss; the miss is then accurate to a millionth.</summary>
+    /// <summary>The lateral offset to accept, as a share of the miss; the miss is then accurate to a millionth.</summary>
     private const double SmallOffset = 2e-3;
 
-    /// <summary>The initial estimate of a ball's drift, as a share of the distance that the wind travels.</summary>
+    /// <summary>The first estimate of a ball's drift in wind, as a share of the distance that the air moves.</summary>
     private const double Drift = 0.3;
 
-    /// <summary>The miss, in tolerances, below which a flight is repeated in shorter steps.</summary>
+    /// <summary>The miss, as a multiple of the tolerance, below which a flight is repeated in shorter steps.</summary>
     private const double NearHit = 10;
 
     private readonly AimContext _context;
@@ -37,7 +37,7 @@ internal sealed class ApproachByElevation
     /// <summary>The speed of the kicks, in m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>True if flights rotate with their azimuth, so that one flight yields the azimuth of an elevation.</summary>
+    /// <summary>True if flights rotate with their azimuth, so that one flight yields the best azimuth for its elevation.</summary>
     public bool TurnWithAzimuth => _context.Turns(in _targetVelocity);
 
     /// <summary>True if the search budget is used up.</summary>
@@ -67,17 +67,17 @@ internal sealed class ApproachByElevation
         return true;
     }
 
-    /// <summary>Flies an elevation, starting with the last azimuth.</summary>
+    /// <summary>Flies a kick at an elevation, starting with the last azimuth.</summary>
     public Approach At(double elevation) => At(elevation, _context.Steps.Search);
 
-    /// <summary>Flies an elevation, starting with the azimuth of another approach.</summary>
+    /// <summary>Flies a kick at an elevation, starting with the azimuth of another approach.</summary>
     public Approach At(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
         return At(elevation);
     }
 
-    /// <summary>Returns the closest approach of an elevation, in the shorter steps of a hit.</summary>
+    /// <summary>Returns the closest approach at an elevation, in the shorter steps of a hit.</summary>
     public Approach HitAt(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
@@ -92,14 +92,14 @@ internal sealed class ApproachByElevation
         return Fly(_context.Steps.Search);
     }
 
-    /// <summary>Rolls along the ground, at first straight towards the target.</summary>
+    /// <summary>Simulates a roll along the ground, starting straight towards the target.</summary>
     public Approach Roll(double elevation)
     {
         _kick.Azimuth = 0;
         return At(elevation);
     }
 
-    /// <summary>Returns the closest approach of an elevation over all azimuths; starts with the last azimuth.</summary>
+    /// <summary>Returns the closest approach at an elevation over all azimuths, starting with the last azimuth.</summary>
     private Approach At(double elevation, double step)
     {
         // In still air one flight yields the azimuth too. In wind, turn the kick until the target lies in the direction of the path.
@@ -107,7 +107,7 @@ internal sealed class ApproachByElevation
         Approach approach = Fly(step);
         if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
         {
-            // Do not decide a hit in long steps.
+            // Long steps are too inaccurate to decide whether a kick hits.
             step = _context.Steps.Hit;
             approach = Fly(step);
         }
@@ -122,7 +122,7 @@ internal sealed class ApproachByElevation
         approach = Turned(approach, step);
         if (approach.Time == 0 && approach.Kick.Azimuth != 0)
         {
-            // A kick in the wrong direction is closest at its start, which gives no direction to turn: try straight.
+            // A kick in the wrong direction is closest at its start, and gives no hint which way to turn it: try azimuth 0.
             _kick.Azimuth = 0;
             Approach straight = Turned(Fly(step), step);
             approach = straight.Miss < approach.Miss ? straight : approach;
@@ -158,7 +158,7 @@ internal sealed class ApproachByElevation
         return approach;
     }
 
-    /// <summary>Returns the point about which a turn moved the closest point: p₂ − c = R (p₁ − c).</summary>
+    /// <summary>Returns the centre c about which a turn of the kick rotated the closest point: p₂ − c = R (p₁ − c).</summary>
     private void Centre(in Vector3d one, in Vector3d other, double turn, ref Vector3d c)
     {
         if (!(Math.Abs(turn) > 1e-3))
@@ -168,7 +168,7 @@ internal sealed class ApproachByElevation
 
         Elementary.SinCos(turn, out double sin, out double cos);
 
-        // In complex numbers: forward is the real axis, left the imaginary axis.
+        // Use complex numbers: forward is the real axis, and left is the imaginary axis.
         double f1 = Vector3d.Dot(in one, in _frame.Forward);
         double l1 = Vector3d.Dot(in one, in _frame.Left);
         double f2 = Vector3d.Dot(in other, in _frame.Forward);
@@ -206,7 +206,7 @@ internal sealed class HitSearch
     /// <summary>The minimum number of flights that a search may use.</summary>
     private const int LeastShots = 8;
 
-    /// <summary>The slope of the signed miss, in path lengths per rad, above which it jumps: its closest point is then a different one.</summary>
+    /// <summary>The slope of the signed miss, in path lengths per rad, above which it jumps because another point of the path is now closest.</summary>
     private const double Jump = 100;
 
     private readonly ApproachByElevation _approaches;
@@ -218,7 +218,7 @@ internal sealed class HitSearch
     public void Begin(AimRequest request) => _mostShots = Math.Max(LeastShots, request.MaximumIterations);
 
     /// <summary>Finds the hit between two elevations.</summary>
-    /// <returns>False if there is none, or it was not found.</returns>
+    /// <returns>False if there is no hit, or none was found.</returns>
     public bool Between(in Approach one, in Approach other)
     {
         if (_approaches.Accept(in one) || _approaches.Accept(in other))
@@ -226,7 +226,7 @@ internal sealed class HitSearch
             return true;
         }
 
-        // Without a change of sign there is no root in between.
+        // If the sign does not change, there is no root in between.
         if (one.SignedMiss < 0 == other.SignedMiss < 0)
         {
             return false;
@@ -237,14 +237,14 @@ internal sealed class HitSearch
         return miss.Hits;
     }
 
-    /// <summary>Finds a hit on one arc, or otherwise on the other, near three elevations of which at least one passes above the target.</summary>
+    /// <summary>Finds a hit on one arc or, failing that, on the other, near three elevations of which at least one passes above the target.</summary>
     public bool Beside(in ApproachBracket at, AimArc arc) =>
         arc == AimArc.Low ? BelowLowArc(in at) || AboveHighArc(in at) : AboveHighArc(in at) || BelowLowArc(in at);
 
     /// <summary>Finds the hit at the lower end of the elevations that pass above.</summary>
     private bool BelowLowArc(in ApproachBracket at)
     {
-        // The lowest kick that passes above, and the one below it; if there is none, search to the bound.
+        // Use the lowest kick that passes above, and the next lower one; if there is none, search down to the bound.
         Approach above = at.Low.Above ? at.Low : at.Middle.Above ? at.Middle : at.High;
         Approach below = at.Low.Above || at.Middle.Above ? at.Low : at.Middle;
         return FromBound(in below, in above, _approaches.Bounds.Lowest);
@@ -260,7 +260,7 @@ internal sealed class HitSearch
 
     private bool FromBound(in Approach outer, in Approach above, double bound)
     {
-        // If even the outer kick passes above, fly the bound itself: nothing is allowed beyond it.
+        // If even the outer kick passes above, fly a kick at the bound itself, because nothing is allowed beyond it.
         Approach below = outer.Above && outer.Elevation != bound ? _approaches.At(bound) : outer;
         return !below.Above && Between(in below, in above);
     }
@@ -284,10 +284,10 @@ internal sealed class HitSearch
 
         public bool Evaluate(double x, out double value)
         {
-            // Start with the azimuth of the closer of the two kicks that enclose it.
+            // Start with the azimuth of the closer of the two enclosing kicks.
             Approach next = _approaches.HitAt(x, _one.Miss < _other.Miss ? _one : _other);
 
-            // Keep the two kicks that enclose the root, for the azimuth and to detect a jump.
+            // Keep the two kicks that enclose the root: they provide the azimuth, and reveal a jump.
             value = next.SignedMiss;
             Hits = _approaches.Accept(in next);
             if (value < 0 == _one.SignedMiss < 0)
@@ -302,7 +302,7 @@ internal sealed class HitSearch
             return Hits || _approaches.IsSpent || Jumps;
         }
 
-        /// <summary>True if the miss jumps over zero between the two kicks, so that there is no root.</summary>
+        /// <summary>True if the miss jumps across zero between the two kicks, so that there is no root.</summary>
         private readonly bool Jumps =>
             _one.Miss + _other.Miss > Jump * Math.Abs(_one.Elevation - _other.Elevation) * _approaches.Speed * Math.Max(_one.Time, _other.Time);
     }

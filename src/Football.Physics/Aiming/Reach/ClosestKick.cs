@@ -3,7 +3,7 @@ namespace FootballPhysics.Aiming;
 /// <summary>Finds the kick that comes closest to a target, over all elevations within the bounds.</summary>
 /// <remarks>
 /// The signed miss is a smooth function of the elevation: zero at a hit, negative if a kick is too low or too short. If it is negative everywhere,
-/// its maximum is the verdict: out of reach.
+/// the target is out of reach, and the maximum belongs to the closest kick.
 /// </remarks>
 internal sealed class ClosestKick
 {
@@ -29,7 +29,7 @@ internal sealed class ClosestKick
     /// <returns>A hit within the problem's tolerance, or the closest kick.</returns>
     public Approach Find(PlaneProblem problem, AimArc arc)
     {
-        // 1. Flights. 2. The roll, if it may be closer. 3. In wind, which couples elevation and azimuth, a search around the closest kick.
+        // 1. Search flights. 2. Try a roll if it may be closer. 3. In wind, which couples elevation and azimuth, search around the closest kick.
         _approaches.Aim(problem);
         _hits.Begin(problem.Request);
         _roll.Begin(problem);
@@ -75,7 +75,7 @@ internal sealed class ClosestKick
 }
 
 /// <summary>The kick along the ground; its miss is at least the height of the target above the ball.</summary>
-/// <remarks>Its elevation has no effect, so it is flown once.</remarks>
+/// <remarks>Its elevation has no effect, so it is simulated only once.</remarks>
 internal sealed class RollingKick
 {
     private readonly AimContext _context;
@@ -90,10 +90,10 @@ internal sealed class RollingKick
     /// <summary>The elevation, in rad.</summary>
     public double Elevation { get; private set; }
 
-    /// <summary>The lower bound of the miss, in m; infinite if the ball does not roll, or has been flown.</summary>
+    /// <summary>The lower bound of the miss, in m; infinite if the ball does not roll, or the roll has already been simulated.</summary>
     public double LowerBound { get; private set; }
 
-    /// <summary>Prepares for a problem, and restricts the elevations of flights to those that leave the ground.</summary>
+    /// <summary>Prepares for a problem, and restricts the elevations of flights to those at which the ball leaves the ground.</summary>
     public void Begin(PlaneProblem problem)
     {
         ElevationBounds bounds = problem.Bounds;
@@ -105,10 +105,10 @@ internal sealed class RollingKick
             return;
         }
 
-        // On the ground a ball either rolls, at any low elevation, or leaves the ground at a steeper one.
+        // A ball on the ground rolls at any low elevation, and leaves the ground at a steeper one.
         LowerBound = problem.Request.TargetVelocity.Y == 0 ? Math.Abs(problem.Frame.Target.Y - _context.Game.ContactHeight) : 0;
 
-        // sin ε = climb: a ball faster than the minimum bounce speed leaves the ground.
+        // sin ε = climb: a ball whose upward speed exceeds the minimum bounce speed leaves the ground.
         double climb = _context.Scene.Ground.MinimumBounceSpeed / problem.Speed;
         double steepEnough = climb < 1 ? Elementary.Atan2(climb, Math.Sqrt(1.0 - (climb * climb))) * (1.0 + 1e-9) : double.PositiveInfinity;
         _approaches.Bounds = new ElevationBounds(Math.Max(bounds.Lowest, steepEnough), bounds.Highest);
@@ -149,7 +149,7 @@ internal sealed class CoarseSearch
     {
         hit = false;
         // 1. Move downhill to three elevations around the closest. 2. If none passes above, descend to the minimum between them, and to the waves
-        // near it. 3. Otherwise find the hit between that one and one that passes below.
+        // near it. 3. If a kick passes above, find the hit between it and a kick that passes below.
         Vector3d way = frame.Target - frame.From;
         double sight = Elementary.Atan2(way.Y, Math.Max(frame.Distance, 1e-9));
         ApproachBracket at = Downhill(sight);
@@ -159,19 +159,19 @@ internal sealed class CoarseSearch
             return hit;
         }
 
-        // A clear miss is conclusive; near the target the parabola may hide a hit.
+        // A large miss is conclusive; near the target, the parabola may hide a hit.
         return at.LeastMiss > ClearMiss * frame.Distance && at.LeastMiss > 10 * _approaches.Tolerance;
     }
 
     /// <summary>Finds three elevations: the closest in the middle or at a bound, or one that passes above.</summary>
-    /// <param name="sight">The elevation of the line to the target, in rad.</param>
+    /// <param name="sight">The elevation of the line of sight to the target, in rad.</param>
     private ApproachBracket Downhill(double sight)
     {
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         double span = highest - lowest;
 
-        // In vacuum the farthest kick is half-way between the line of sight and the vertical; in air it is lower.
+        // In vacuum, the kick that goes farthest is half-way between the line of sight and the vertical; in air it is lower.
         double middle = Math.Min(Math.Max(0.55 + (0.5 * sight), lowest + (0.25 * span)), highest - (0.25 * span));
         Approach a = _approaches.At(Math.Max(lowest, middle - 0.3));
         Approach b = _approaches.At(middle);
@@ -241,8 +241,8 @@ internal sealed class CloseSearch
     /// <returns>True if a hit was found.</returns>
     public bool Find(AimArc arc)
     {
-        // 1. Sample all elevations. 2. Find a hit between neighbours on opposite sides, from the end of the wanted arc. 3. Descend into every valley:
-        // it may reach above the target between two samples. 4. Return the closest kick.
+        // 1. Sample all elevations. 2. Find a hit between neighbours on opposite sides, starting at the requested arc. 3. Descend into every valley,
+        // because a kick between two samples may pass above the target. 4. Return the closest kick.
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         for (int i = 0; i < Looks; i++)

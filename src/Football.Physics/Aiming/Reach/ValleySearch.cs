@@ -1,12 +1,12 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Minimises the miss around three elevations by successive parabolas; at a bound, through the two nearest kicks.</summary>
+/// <summary>Minimises the miss around three elevations by successive parabolas; at a bound, it uses the two kicks nearest to the bound.</summary>
 internal sealed class ValleySearch
 {
     /// <summary>The maximum number of flights for one valley.</summary>
     private const int MostShots = 30;
 
-    /// <summary>The distance to a bound, in rad, within which a kick farther off is ignored: the jump of the drag law causes small waves.</summary>
+    /// <summary>The distance to a bound, in rad, at which the search ends if the miss falls up to the bound, despite small waves.</summary>
     private const double NearBound = 0.06;
 
     private readonly ApproachByElevation _approaches;
@@ -18,18 +18,18 @@ internal sealed class ValleySearch
 
     /// <summary>Descends to the minimum.</summary>
     /// <param name="at">Three elevations; on return, those around the minimum.</param>
-    /// <param name="enough">A miss that is available elsewhere, in m; a shallower valley need not be searched further.</param>
-    /// <returns>True if a new middle kick passes the target on the other side than its neighbours: there are hits in between.</returns>
+    /// <param name="enough">The miss, in m, that a valley must undercut; a shallower valley is not searched further.</param>
+    /// <returns>True if a new middle kick passes the target on the opposite side from its neighbours, so that there are hits in between.</returns>
     public bool Descend(ref ApproachBracket at, double enough)
     {
-        // Iterate until the minimum is accurate enough or too shallow, or the target changes sides.
+        // Iterate until the minimum is accurate enough or too shallow, or a kick passes on the other side of the target.
         bool above = at.Middle.Above;
         for (int i = 0; i < MostShots && !_approaches.IsSpent; i++)
         {
             double left = at.Left;
             double right = at.Right;
 
-            // Stop if the three are too close to each other, too shallow, or accurate enough.
+            // Stop if the three kicks are too close together, the valley is too shallow, or the minimum is accurate enough.
             if (!(left > 0 && right > 0) || Math.Max(left, right) < 1e-6 || at.LowerBound > enough || !Move(in at, out double move))
             {
                 return false;
@@ -37,7 +37,7 @@ internal sealed class ValleySearch
 
             Approach next = _approaches.At(at.Middle.Elevation + move, in at.Middle);
 
-            // On the other side of the path: the signed miss has roots towards both neighbours.
+            // The kick passes on the other side: the signed miss has a root towards each neighbour.
             bool crossed = next.Above != above;
             at.Insert(in next, becomesMiddle: crossed);
             if (crossed)
@@ -58,7 +58,7 @@ internal sealed class ValleySearch
         at.Parabola(out double slope, out double curvature);
         if (at.Low.Miss < at.Middle.Miss || at.High.Miss < at.Middle.Miss)
         {
-            // At a bound: does the miss fall up to the bound? The error of the slope assumes a third derivative of the size of the second.
+            // At a bound, check whether the miss falls up to the bound. The error of the slope assumes a third derivative as large as the second.
             bool atRight = at.High.Miss < at.Low.Miss;
             double near = atRight ? right : left;
             double atBound = atRight ? slope + (curvature * right) : (curvature * left) - slope;
@@ -78,7 +78,7 @@ internal sealed class ValleySearch
         double least = 0.05 * Math.Max(left, right);
         if (Math.Abs(move) < least)
         {
-            // Too close to the middle to be useful: move towards the farther neighbour instead.
+            // The step is too short to be useful: move towards the farther neighbour instead.
             least = Math.Max(least, 0.06);
             move = left > right ? -Math.Min(0.5 * left, least) : Math.Min(0.5 * right, least);
         }
@@ -89,7 +89,7 @@ internal sealed class ValleySearch
     }
 }
 
-/// <summary>Searches for the effects of the drag law's jump on the minimum of a valley.</summary>
+/// <summary>Checks whether the jump of the drag law hides a closer kick near the minimum of a valley.</summary>
 /// <remarks>
 /// A flight that grazes the jump suddenly takes another path, so the miss over the elevation has waves near the minimum, and steps in a descent.
 /// Without this search, a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>); with it, for none.
@@ -100,7 +100,7 @@ internal sealed class WaveSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
-    /// <summary>The depth that a step in the miss may hide, in m or as a share of the miss; and the number of bisections.</summary>
+    /// <summary>The gain below which a step is not searched, in m or as a share of the miss; and the maximum number of bisections.</summary>
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 
@@ -118,8 +118,8 @@ internal sealed class WaveSearch
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     public bool Find(ref ApproachBracket at)
     {
-        // 1. Sample both sides. 2. If one sample is deeper, descend into it. 3. If three in a row predict less than the fourth has, find the step
-        // between.
+        // 1. Sample both sides. 2. If one sample is deeper, descend into its wave. 3. If three samples in a row predict a smaller miss than the fourth
+        // has, find the step between them.
         Approach best = _approaches.Best;
         double miss = best.Miss;
         Approach wave = default;
@@ -156,7 +156,7 @@ internal sealed class WaveSearch
 
         for (int i = 3; i < count; i++)
         {
-            // In both directions: three samples in a row, and the next.
+            // In both directions, extrapolate from three samples in a row to the next one.
             int k = count - 1 - i;
             if (FindStep(_looks[i - 3], _looks[i - 2], _looks[i - 1], _looks[i], ref at)
                 || FindStep(_looks[k + 3], _looks[k + 2], _looks[k + 1], _looks[k], ref at))
@@ -170,7 +170,7 @@ internal sealed class WaveSearch
 
     /// <summary>Finds the minimum at an upward step of the miss in a descent, by bisection towards the step.</summary>
     /// <remarks>
-    /// It continues as long as the descent predicts less than the best found.
+    /// It continues while the descent predicts a smaller miss than the best one found.
     /// </remarks>
     /// <param name="one">The first of three kicks on the descent.</param>
     /// <param name="two">The second.</param>
@@ -184,7 +184,7 @@ internal sealed class WaveSearch
         {
             double best = _approaches.Best.Miss;
 
-            // The prediction of the descent at that elevation, without the step.
+            // Extrapolate the descent to that elevation, as if there were no step.
             double promised = ApproachBracket.Extrapolate(in one, in two, in three, beyond.Elevation);
             if (!(Math.Max(0, promised) < best - (StepCloseness * Math.Max(1.0, best))))
             {
@@ -199,7 +199,7 @@ internal sealed class WaveSearch
                 return true;
             }
 
-            // If the sample matches the prediction, the step lies farther on; otherwise it lies before.
+            // If the sample matches the prediction, the step is farther on; otherwise the step is before it.
             if (Math.Abs(look.Miss - ApproachBracket.Extrapolate(in one, in two, in three, middle)) < 0.25 * (beyond.Miss - promised))
             {
                 (one, two, three) = (two, three, look);
@@ -216,7 +216,7 @@ internal sealed class WaveSearch
 
 /// <summary>In wind, where elevation and azimuth do not separate, searches around the closest kick in four directions.</summary>
 /// <remarks>
-/// The step is halved when none of the four neighbours is closer. Without this search, 3 of 193 verdicts in wind can be improved; with it, 1
+/// The step is halved when none of the four neighbours is closer. Without this search, 3 of 193 misses in wind can be improved; with it, only 1
 /// (<c>football lab answers --only verdicts --count 300</c>).
 /// </remarks>
 internal sealed class CompassSearch
@@ -235,7 +235,7 @@ internal sealed class CompassSearch
     /// <param name="rolls">True if the closest kick rolls, so that its elevation has no effect.</param>
     public void Find(bool rolls)
     {
-        // Up, down, left, right: the first closer kick becomes the centre; if none is closer, halve the step.
+        // Try up, down, left and right. The first closer kick becomes the centre; if none is closer, halve the step.
         int shots = 0;
         for (double step = FirstStep; step > LastStep && shots < MostShots && !_approaches.IsSpent; step *= 0.5)
         {
@@ -248,7 +248,7 @@ internal sealed class CompassSearch
                     Approach best = _approaches.Best;
                     Kick kick = best.Kick;
 
-                    // Elevations first; they have no effect on a rolling ball.
+                    // Try elevations first, but not for a rolling ball, on which they have no effect.
                     double move = i % 2 == 0 ? step : -step;
                     kick.Elevation = i < 2 ? _approaches.Bounds.Clamp(kick.Elevation + move) : kick.Elevation;
                     kick.Azimuth += i < 2 ? 0 : move;

@@ -36,7 +36,7 @@ internal sealed class DirectionScan
     /// <param name="time">The time at which the miss is measured, in s; null for the closest approach.</param>
     public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
     {
-        // A grid over all directions; a single row if the bounds allow only one elevation.
+        // Fly a grid over all directions; use a single row if the bounds allow only one elevation.
         double lowest = _problem.Clamp(ShootingProblem.Elevation, double.NegativeInfinity);
         double highest = _problem.Clamp(ShootingProblem.Elevation, double.PositiveInfinity);
         _rows = highest > lowest ? rows : 1;
@@ -62,7 +62,7 @@ internal sealed class DirectionScan
         }
     }
 
-    /// <summary>Returns a start; the closest has index 0.</summary>
+    /// <summary>Returns a start; index 0 is the closest.</summary>
     public void Start(int index, double[] x) => Array.Copy(_starts, index * N, x, 0, N);
 
     /// <summary>True if no neighbour comes closer.</summary>

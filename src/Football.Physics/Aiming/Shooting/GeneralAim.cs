@@ -1,21 +1,21 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The general solver, used if <see cref="DirectAim"/> finds no kick: any quantity may be unknown.</summary>
+/// <summary>The general solver, used if <see cref="DirectAim"/> finds no kick; any quantity may be unknown.</summary>
 /// <remarks>
-/// If the closed form is too far from a solution, the Levenberg–Marquardt method starts from scans over all directions. Without the scan for a given
-/// speed, 8 kicks of five balls in a storm are lost; without that for the slowest kick, 26 slower ones; without that for a time, 4; without that with
-/// a waypoint, 14 of 176 (<c>football lab answers --only known --count 300</c>).
+/// If the closed form is too far from a solution, the Levenberg–Marquardt method starts from scans over all directions. For five balls in a storm,
+/// omitting the scan at a given speed loses 8 kicks; the scan for the slowest kick, 26 slower kicks; the scan at a given time, 4; the scan with a
+/// waypoint, 14 of 176 (<c>football lab answers --only known --count 300</c>).
 /// </remarks>
 internal sealed class GeneralAim
 {
     private const int N = ShootingProblem.Most;
 
-    /// <summary>The number of elevations and azimuths in a scan for a given speed, and of its starts that are used.</summary>
+    /// <summary>The number of elevations and azimuths in a scan at a given speed, and the number of its starts to use.</summary>
     private const int Rows = 13;
     private const int Columns = 12;
     private const int MostStarts = 8;
 
-    /// <summary>The range of times for closed-form kicks, relative to that of the slowest kick, and the number of bisections.</summary>
+    /// <summary>The range of times for closed-form kicks, relative to the time of the slowest kick, and the number of bisections.</summary>
     private const double Earliest = 0.1;
     private const double Latest = 8;
     private const int Halvings = 7;
@@ -60,12 +60,12 @@ internal sealed class GeneralAim
         Slowest,
     }
 
-    /// <summary>Finds the kick of a speed that hits the target.</summary>
-    /// <returns>True if there is one, confirmed by measurement.</returns>
+    /// <summary>Finds the kick at a given speed that hits the target.</summary>
+    /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
-        // 1. From the closed form on the wanted arc, then on the other. 2. If the air dominates, or the result is on the other arc, from a scan over
-        // all directions: the earliest or latest hit. Leave half of the budget to later searches.
+        // 1. Start from the closed form on the requested arc, then on the other arc. 2. If the air dominates, or the arc is uncertain, take the
+        // earliest or latest hit of a scan over all directions. Leave half of the budget for later searches.
         solution = default;
         if (_context.IsHalfSpent)
         {
@@ -84,7 +84,7 @@ internal sealed class GeneralAim
         return Follow(MostStarts, arc == AimArc.Low ? Wanted.Earliest : Wanted.Latest, leavesHalf: true, ref solution, ref found);
     }
 
-    /// <summary>Finds the kick of a speed that hits the target, starting from a close one.</summary>
+    /// <summary>Finds the kick at a given speed that hits the target, starting from a nearby kick.</summary>
     public bool From(AimRequest request, double speed, in Kick kick, double time, out AimSolution solution)
     {
         _problem.Begin(request, speed, through: false);
@@ -92,13 +92,13 @@ internal sealed class GeneralAim
         return _problem.Hit(_x, out solution);
     }
 
-    /// <summary>Finds the kick that reaches the target at a time, in flight or along the ground, no faster than requested.</summary>
-    /// <remarks>If there is none, the solution is a close one.</remarks>
-    /// <returns>True if there is one, confirmed by measurement.</returns>
+    /// <summary>Finds the kick that reaches the target at a given time, in flight or along the ground, no faster than requested.</summary>
+    /// <remarks>If there is none, the solution is a kick that comes close.</remarks>
+    /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool AtTime(AimRequest request, double time, out AimSolution solution)
     {
-        // 1. From the closed-form flight: Lambert's problem for a ball, whose solution changes smoothly with time. 2. Along the ground. 3. From
-        // scans, if the result is not at a bound or paths bend, because there may be other kicks.
+        // 1. Start from the closed-form flight. This is Lambert's problem for a ball; its solution changes smoothly with time. 2. Try a roll. 3. If
+        // the result is not at a bound, or paths bend, there may be other kicks: start from scans.
         BeginAtTime(request, rolls: false);
         if (FromModel(time, out solution))
         {
@@ -116,7 +116,7 @@ internal sealed class GeneralAim
             }
         }
 
-        // The kick is unique if it is at a bound, in still air that does not dominate, without a spin that turns the ball back.
+        // The kick is unique if it is at a bound, the air is still and does not dominate, and no spin turns the ball back.
         bool turnsBack = request.TopSpin != 0 && closest.Kick.Elevation > Steep;
         if (!isBound || _problem.IsRuledByAir || !_context.Scene.Air.IsStill || turnsBack)
         {
@@ -137,7 +137,7 @@ internal sealed class GeneralAim
         set => _problem.IsTimely = value;
     }
 
-    /// <summary>Finds the kick that flies to the target in a time, no faster than requested, or a close one, from the closed form only.</summary>
+    /// <summary>Finds the kick that flies to the target in a given time, or a close one, no faster than requested, from the closed form only.</summary>
     public AimSolution FlightAtTime(AimRequest request, double time)
     {
         BeginAtTime(request, rolls: false);
@@ -145,10 +145,10 @@ internal sealed class GeneralAim
     }
 
     /// <summary>Finds the slowest kick that flies to the target, no faster than requested.</summary>
-    /// <returns>True if there is one, confirmed by measurement.</returns>
+    /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // 1. Start from the slowest closed-form kick, or from the bound of the elevations if that is outside. 2. Follow the curve of hits to the
+        // 1. Start from the slowest closed-form kick; if it is outside the elevation bounds, start at the bound. 2. Follow the curve of hits to the
         // minimum speed. 3. Scan if there may be other minima.
         Begin(request, rolls: false);
         bool found = FromSlowestModel(request, out solution);
@@ -159,7 +159,7 @@ internal sealed class GeneralAim
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
     {
-        // Within the bounds, hold the time at that of the slowest closed-form kick; at a bound, hold the elevation.
+        // Within the bounds, fix the time to that of the slowest closed-form kick. At a bound, fix the elevation.
         double time = SlowestOfModel(request.TopSpin, request.SideSpin, request.Speed, out _);
         double elevation = ElevationOf(Model(time, request.TopSpin, request.SideSpin));
         double bound = _problem.Clamp(ShootingProblem.Elevation, elevation);
@@ -170,7 +170,7 @@ internal sealed class GeneralAim
             _x[ShootingProblem.Elevation] = bound;
         }
 
-        // Three unknowns for three residuals.
+        // Three unknowns remain for three residuals.
         _problem.Free(held, false);
         bool found = _problem.Solver.Solve(_x, isMeasured: true);
         _problem.Free(held, true);
@@ -178,7 +178,7 @@ internal sealed class GeneralAim
         return found && Descended(out solution);
     }
 
-    /// <summary>Finds the slowest kick on the curve of a hit; only the final kick is measured.</summary>
+    /// <summary>Follows the curve of hits from one hit to the slowest kick; only the final kick is measured.</summary>
     private bool Descended(out AimSolution solution)
     {
         solution = _problem.Solution(_x);
@@ -186,7 +186,7 @@ internal sealed class GeneralAim
         return _problem.IsMeasuredHit(_x, out solution);
     }
 
-    /// <summary>Returns the arc of a kick that hits: low if longer kicks are slower, high if they are faster.</summary>
+    /// <summary>Returns the arc of a hit: low if a longer flight needs a slower kick, high if it needs a faster one.</summary>
     public AimArc ArcOf(AimRequest request, in AimSolution hit)
     {
         Begin(request, rolls: false);
@@ -195,11 +195,11 @@ internal sealed class GeneralAim
     }
 
     /// <summary>Finds the kick that passes the waypoint and hits the target; everything except its speed is free.</summary>
-    /// <returns>True if there is one, confirmed by measurement.</returns>
+    /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool Through(AimRequest request, in Kick near, out AimSolution solution)
     {
-        // 1. Start from the nearby kick. 2. Start from scans with several spins, closest first. A solution near both points continues with the target
-        // only.
+        // 1. Start from the nearby kick. 2. Start from scans with several spins, closest first. If a search ends near both points, continue with the
+        // target only.
         _problem.Begin(request, request.Speed, through: true);
         Put(in near, request.Speed, 1);
         _problem.Approach(_x);
@@ -212,7 +212,7 @@ internal sealed class GeneralAim
         _scan.Clear();
         for (int spin = 0; spin < Spins; spin++)
         {
-            // No spin, strong spin about one axis, and strong spin about both.
+            // Try no spin, strong spin about one axis, and strong spin about both.
             double top = spin is 0 or 3 or 4 ? 0 : spin is 1 or 5 or 6 ? -0.6 : 0.6;
             double side = spin is 0 or 1 or 2 ? 0 : spin is 3 or 5 or 7 ? -0.6 : 0.6;
             _scan.Fly(ThroughRows, ThroughColumns, request.Speed, top * request.MaximumTopSpin, side * request.MaximumSideSpin);
@@ -239,7 +239,7 @@ internal sealed class GeneralAim
 
     /// <summary>Continues with the target only if a search ended close to both points.</summary>
     /// <remarks>
-    /// Angles and spins with nearly the same effect form a valley, in which the search would converge too slowly.
+    /// If angles and spins have nearly the same effect, they form a valley in which the search would converge too slowly.
     /// </remarks>
     private bool Near(out AimSolution solution)
     {
@@ -302,7 +302,7 @@ internal sealed class GeneralAim
         return _problem.Hit(_x, out solution);
     }
 
-    /// <summary>Solves from the closed-form kicks of a speed: the one of the wanted arc, then the other.</summary>
+    /// <summary>Solves from the closed-form kicks at a given speed: first the one on the requested arc, then the other.</summary>
     /// <param name="speed">The speed, in m/s.</param>
     /// <param name="arc">The arc.</param>
     /// <param name="top">The topspin, in rad/s.</param>
@@ -333,14 +333,14 @@ internal sealed class GeneralAim
     /// <summary>Returns the approximate time of the slowest closed-form kick.</summary>
     private double SlowestOfModel(double top, double side, double fastest, out double speed)
     {
-        // In vacuum it is t² = 2 d/g; continue to the vertex of a parabola over the logarithm of the time.
+        // In vacuum, t² = 2 d/g; from there, move to the vertex of a parabola over the logarithm of the time.
         double way = _problem.Way;
         double fall = Math.Abs(_context.Upward) > 1e-3 ? Math.Sqrt(2.0 * way / Math.Abs(_context.Upward)) : double.PositiveInfinity;
         double time = Math.Min(Math.Max(fall, 1.2 * way / fastest), AimContext.LongestFlight);
         speed = 0;
         for (double width = 0.3; width > 0.1; width *= 0.5)
         {
-            // A parabola through three times; if it has no minimum, move in the direction in which it falls.
+            // Fit a parabola through three times; if it has no minimum, move in the direction in which it falls.
             double ratio = Elementary.Exp(width);
             double below = Model(time / ratio, top, side).Length;
             speed = Model(time, top, side).Length;
@@ -354,7 +354,7 @@ internal sealed class GeneralAim
         return time;
     }
 
-    /// <summary>Returns the time, before or after the slowest, at which a closed-form kick has a speed or an elevation.</summary>
+    /// <summary>Returns the time, before or after that of the slowest kick, at which a closed-form kick has a given speed or elevation.</summary>
     private double TimeOfModel(double slowest, bool isEarlier, double top, double side, double speed, double? elevation)
     {
         double near = slowest;

@@ -1,9 +1,9 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>The boundary-value problem of a kick in its most general form: to be at the target at a time.</summary>
+/// <summary>The boundary-value problem of a kick in its most general form: the ball must be at the target at a given time.</summary>
 /// <remarks>
 /// A waypoint before the target is optional. The unknowns are elevation, azimuth, speed, spins and times; each is free within bounds, or held. The
-/// residuals are the gaps at those times, which change smoothly with all unknowns, however the path bends.
+/// residuals are the gaps at those times. They change smoothly with all unknowns, however the path bends.
 /// </remarks>
 internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
@@ -22,7 +22,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>The maximum number of residuals: the gaps at the target and at the waypoint.</summary>
     public const int MostEquations = 6;
 
-    /// <summary>The miss of a timely hit, in m; a ball falls through it in less than the allowed delay.</summary>
+    /// <summary>The maximum miss of a timely hit, in m; a ball falls this far in less than the allowed time error.</summary>
     private const double TimelyMiss = 2e-5;
 
     /// <summary>The step of a flight dominated by air, and the longest step of a scan, in s.</summary>
@@ -88,10 +88,10 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>True if the search budget is used up.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>True if the air dominates, so that several kicks may have the same time.</summary>
+    /// <summary>True if the air dominates, so that several kicks may arrive at the same time.</summary>
     public bool IsRuledByAir { get; private set; }
 
-    /// <summary>True if a hit must be so close that a descending ball touches the ground at its target no earlier than due.</summary>
+    /// <summary>True if a hit must be so close that a descending ball does not touch the ground before it is due at its target.</summary>
     public bool IsTimely { get; set; }
 
     /// <summary>The distance from the ball to the target, in m.</summary>
@@ -120,7 +120,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
         ElevationBounds bounds = ElevationBounds.Of(request);
 
-        // The bounds of the unknowns. Hold the elevation of a roll, and the speed of a kick with a given speed.
+        // Set the bounds of the unknowns. Hold the elevation of a roll, and the speed if it is given.
         Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
         Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
         Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
@@ -142,7 +142,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         _isFree[Share] = through;
     }
 
-    /// <summary>True if the residuals are a hit, with a margin for the error of the steps.</summary>
+    /// <summary>True if the residuals are small enough for a hit, with a margin for the error of the steps.</summary>
     public bool IsHit(double[] r)
     {
         double tolerance = Closeness(Request);
@@ -180,7 +180,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return true;
     }
 
-    /// <summary>True if a ball along the ground can hit the target of a request at all.</summary>
+    /// <summary>True if a ball that rolls along the ground can hit the target of a request at all.</summary>
     public bool CanRoll(AimRequest request)
     {
         TargetFrame frame = _context.Frame(request);
@@ -189,8 +189,8 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
             && request.TargetVelocity.Y == 0 && frame.Distance > request.Tolerance;
     }
 
-    /// <summary>Sets the unknowns to the closed-form kick that reaches the target at a time, and computes the Jacobian.</summary>
-    /// <returns>The velocity without bounds, in m/s.</returns>
+    /// <summary>Sets the unknowns to the closed-form kick that reaches the target at a given time, and computes the Jacobian.</summary>
+    /// <returns>The velocity before clamping, in m/s.</returns>
     public Vector3d Model(double time, double top, double side, double[] x)
     {
         Vector3d wind = _context.Scene.Air.Wind;
@@ -213,7 +213,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
         else
         {
-            // Relative to the wind, with the mean drag and lift over the path.
+            // Compute relative to the air, with the mean drag and lift over the path.
             Vector3d air = toTarget - (time * wind);
             Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
             double spinRate = spins.SpinRate;
@@ -256,7 +256,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public double Difference(int unknown) => unknown >= LogTime ? 0 : unknown is Top or Side ? SpinDifference : AngleDifference;
 
-    /// <summary>Sets the columns of the times, which follow from the velocities.</summary>
+    /// <summary>Sets the columns of the time unknowns, which follow from the velocities.</summary>
     public void KnownColumns(double[] x, double[] j)
     {
         // p(e^τ): ∂p/∂τ = t v; at the waypoint, at s t: ∂p/∂τ = s t v, ∂p/∂s = t v
@@ -270,7 +270,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
     }
 
-    /// <summary>Flies a kick while it may come closer, and sets its times to those of its closest approaches.</summary>
+    /// <summary>Flies a kick while it may come closer, and sets its time unknowns to the times of its closest approaches.</summary>
     /// <returns>The sum of the squared misses, in m².</returns>
     public double Approach(double[] x)
     {
@@ -294,7 +294,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // Use long steps, each treated as straight, until the ball falls below both ends.
+        // Use long steps, each treated as straight, until the ball falls well below its start and the target.
         double time;
         if (_passesThrough)
         {
@@ -308,7 +308,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return false;
     }
 
-    /// <summary>Flies a kick to a time, and sets its time unknown.</summary>
+    /// <summary>Flies a kick to a given time, and sets the time unknown to it.</summary>
     /// <returns>The squared miss at the target at this time, in m².</returns>
     public double GapAt(double[] x, double time)
     {
@@ -342,7 +342,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         solution.Miss = measured.Distance;
         solution.ThroughMiss = measured.ThroughDistance ?? double.NaN;
 
-        // Accept a blocked kick for a given time, so that the blocking object is reported.
+        // If the arrival time is fixed, accept a blocked kick, so that the blocking object is reported.
         bool isBlocked = !_isFree[LogTime] && measured.Blocker != MeasuredFlight.NoThing;
         return (measured.Distance <= Request.Tolerance || isBlocked) && (!_passesThrough || measured.ThroughDistance <= Request.WaypointTolerance);
     }
@@ -359,7 +359,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     private BallState Launch(double[] x)
     {
-        // The logarithm keeps the speed positive, and makes a step relative to it.
+        // The logarithm keeps the speed positive, and makes steps proportional to the speed.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
     }
@@ -423,7 +423,7 @@ internal sealed class TimedFlight : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // In the air, equal steps that end at the given time; on the ground, as long as the motion allows.
+        // In the air, use equal steps that end at the given time. On the ground, use shorter steps for a fast ball.
         watches = false;
         bool isFast = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll;
         return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);

@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Follows the curve of kicks that hit a target with free speed, in elevation, azimuth, speed and time.</summary>
 /// <remarks>
-/// It uses pseudo-arclength continuation: a step along the tangent, and the shortest correction back to the curve. So the curve may turn back in any
-/// of the unknowns.
+/// It uses pseudo-arclength continuation: a step along the tangent, then the shortest correction back to the curve. So the curve may turn back in
+/// any of the unknowns.
 /// </remarks>
 internal sealed class SolutionCurve
 {
@@ -36,7 +36,7 @@ internal sealed class SolutionCurve
     /// <summary>Follows the curve to slower kicks, until the speed is minimal or the kicks no longer hit.</summary>
     public void Descend(double[] x, ref AimSolution solution)
     {
-        // If the updated Jacobian clearly shows that slower kicks are beyond a bound, skip the measurement.
+        // If the updated Jacobian clearly shows that slower kicks are out of bounds, skip the measurement.
         double step = FirstStep;
         double before = Tangent(measures: false, x);
         if (before < -ClearSlope && !Goes(x, step))
@@ -46,7 +46,7 @@ internal sealed class SolutionCurve
 
         before = Tangent(measures: true, x);
         // 1. Step along the tangent, and correct back to the curve. 2. Shorten the step if it gives no hit or no slower kick. 3. Otherwise compute
-        // the tangent there: if the speed rises along it, the minimum lies behind. 4. Step to the zero of the slope, or stop if the gain is
+        // the tangent there: if it points back, the minimum has been passed. 4. Step to the zero of the slope, or stop if the gain is
         // negligible.
         for (int i = 0; i < MostSteps && step > SmallestStep && !_problem.IsSpent; i++)
         {
@@ -102,7 +102,7 @@ internal sealed class SolutionCurve
         return true;
     }
 
-    /// <summary>True if longer kicks on the curve are slower.</summary>
+    /// <summary>True if a longer time means a slower kick at this point of the curve.</summary>
     public bool SlowsWithTime(double[] x)
     {
         _problem.Fly(x, _solver.Residuals);
@@ -122,7 +122,7 @@ internal sealed class SolutionCurve
         double squared = 0;
         for (int k = 0; k < 4; k++)
         {
-            // The null vector of a 3 × 4 matrix, from its minors.
+            // The minors of a 3 × 4 matrix give its null vector.
             Vector3d a = Column(s_unknowns[k == 0 ? 1 : 0]);
             Vector3d b = Column(s_unknowns[k <= 1 ? 2 : 1]);
             Vector3d c = Column(s_unknowns[k <= 2 ? 3 : 2]);

@@ -16,7 +16,7 @@ public sealed record ShieldRequest
     /// <summary>The radius of his body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
     public double BodyRadius { get; init; } = 0.3;
 
-    /// <summary>The time from which the opponents' reaction times count, in s. Default 0.</summary>
+    /// <summary>The time at which the opponents' reaction times start, in s. Default 0.</summary>
     public double Time { get; init; }
 
     internal void Validate()
@@ -95,7 +95,7 @@ public sealed class ShieldResult
     /// <remarks>The directions are equally spaced, from −z counter-clockwise seen from above.</remarks>
     public IReadOnlyList<double> Margins => _margins;
 
-    /// <summary>Returns the time by which the player reaches a position before the first opponent, in s.</summary>
+    /// <summary>Returns how much earlier than the first opponent the player reaches a position, in s.</summary>
     /// <remarks>Negative if an opponent is first; 3600 if no opponent comes.</remarks>
     /// <param name="place">The position, in m; its height is ignored.</param>
     public double MarginAt(Vector3d place)
@@ -135,13 +135,13 @@ public sealed class ShieldResult
         double first = a.Length;
         double second = b.Length;
 
-        // An opponent at the body does not need to run around it.
+        // An opponent who touches the body does not need to run around it.
         if (!(straight > 0) || !(first > radius) || !(second > radius))
         {
             return straight;
         }
 
-        // The closest approach of the straight line to the body.
+        // Compute the distance of the straight line from the body.
         double along = -Vector3d.Dot(in a, b - a) / (straight * straight);
         double passes = (a + (Math.Min(1, Math.Max(0, along)) * (b - a))).Length;
         if (passes >= radius)
@@ -149,7 +149,7 @@ public sealed class ShieldResult
             return straight;
         }
 
-        // The angle between the two positions, minus the tangent angles: cos τ = r/d
+        // The arc is the angle between the two positions, minus the tangent angles: cos τ = r/d
         double firstTangent = Math.Sqrt((first * first) - (radius * radius));
         double secondTangent = Math.Sqrt((second * second) - (radius * radius));
         double between = Elementary.Atan2(Math.Abs((a.X * b.Z) - (a.Z * b.X)), Vector3d.Dot(in a, in b));

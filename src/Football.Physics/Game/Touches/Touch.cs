@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a touch: the strike, its effect on the ball, and its chance of success.</summary>
-/// <remarks>With any status, it is the best touch found, and finite.</remarks>
+/// <remarks>Whatever the status, it contains the best touch found, and that touch is finite.</remarks>
 public readonly struct Touch : IFormattable
 {
     internal Touch(TouchStatus status, in FootStrike strike, in Vector3d place, in Vector3d ballVelocity, double time, double miss, double paceMiss, double chance)
@@ -46,13 +46,13 @@ public readonly struct Touch : IFormattable
 
     /// <summary>The distance of the ball from its target at the evaluated moment, in m.</summary>
     /// <remarks>
-    /// For a dribble it is measured over the ground, for a shot in space. For a trap it is the distance from the point of the touch, in the frame of
-    /// the player.
+    /// For a dribble, it is the horizontal distance; for a shot, the distance in three dimensions. For a trap, it is the horizontal distance from the
+    /// point of the touch, which moves with the player.
     /// </remarks>
     public double Miss { get; }
 
     /// <summary>The error of the ball's horizontal velocity at the evaluated moment, in m/s; 0 for a shot.</summary>
-    /// <remarks>For a dribble it is the error of the speed.</remarks>
+    /// <remarks>For a dribble, it is the error of the speed.</remarks>
     public double SpeedError { get; }
 
     /// <summary>The share of touches with the player's errors (<see cref="TouchSpread"/>) that succeed, 0 … 1.</summary>

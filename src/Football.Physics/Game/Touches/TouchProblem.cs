@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A touch as a least-squares problem: the unknowns are the velocity and spin to give, the residuals come from the simulated path.</summary>
+/// <summary>A touch as a least-squares problem: the unknowns are the ball's new velocity and spin; its simulated path gives the residuals.</summary>
 internal abstract class TouchProblem : ILeastSquares
 {
     /// <summary>The step of the simulated path, in s.</summary>
@@ -57,7 +57,7 @@ internal abstract class TouchProblem : ILeastSquares
         Wanted(x, out Vector3d velocity, out Vector3d spin);
         if (!((velocity - Ball.Velocity).Length > 1e-9))
         {
-            // The ball already moves as required, so the foot barely touches it.
+            // The ball already moves as required: let the foot barely touch it.
             velocity += 1e-6 * Vector3d.Up;
         }
 
@@ -104,7 +104,7 @@ internal abstract class TouchProblem : ILeastSquares
     protected Vector3d Rolling(in Vector3d velocity) => Vector3d.Cross(Vector3d.Up, velocity.Horizontal) / Simulator.Scene.Ball.Radius;
 }
 
-/// <summary>A dribbling touch: solves for the horizontal velocity, and then also for the topspin, from position and speed.</summary>
+/// <summary>A dribbling touch: solves for the horizontal velocity and, if necessary, the topspin, that give the wanted position and speed.</summary>
 internal sealed class DribbleProblem : TouchProblem
 {
     private const double Close = 2e-4;
@@ -163,7 +163,7 @@ internal sealed class DribbleProblem : TouchProblem
         Vector3d rolling = Rolling(in velocity);
         double rate = rolling.Length;
 
-        // The rolling spin, plus a topspin x₂ about the same axis.
+        // Add a topspin x₂ to the rolling spin, about the same axis.
         spin = rolling + (rate > 0 ? x[2] / rate * rolling : Vector3d.Zero);
     }
 }
@@ -214,7 +214,7 @@ internal sealed class TrapProblem : TouchProblem
     }
 }
 
-/// <summary>A first-time shot: solves for elevation and azimuth at a given speed, from where the ball crosses the target plane.</summary>
+/// <summary>A first-time shot: solves for elevation and azimuth at a given speed, from the point at which the ball crosses the target plane.</summary>
 internal sealed class FirstTimeProblem : TouchProblem
 {
     private const double Degree = Math.PI / 180.0;
@@ -247,13 +247,13 @@ internal sealed class FirstTimeProblem : TouchProblem
         _request = request;
         _speed = speed;
 
-        // The plane through the target, perpendicular to the direction there; the residuals are the height and lateral offsets in it.
+        // Use the plane through the target, perpendicular to the direction there. The residuals are the vertical and lateral offsets in that plane.
         Vector3d flat = (request.Target - ball.Position).Horizontal;
         Vector3d forward = flat / flat.Length;
         _plane = new Plane3d(request.Target, forward);
         _aside = Vector3d.Cross(Vector3d.Up, in forward);
 
-        // Fly slightly beyond the plane: a descending ball may come closest behind it.
+        // Fly slightly beyond the plane: a descending ball may come closest behind the plane.
         _look = new LookAheadRequest
         {
             Duration = Longest,
@@ -276,7 +276,7 @@ internal sealed class FirstTimeProblem : TouchProblem
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
-        // The full flight. The solver uses the offsets in the plane; the result reports the closest approach.
+        // Search the full flight: the solver uses the offsets in the plane, but the result reports the closest approach.
         Simulator.LookAhead(in End, _look, _path);
         End = _path.Final;
         Closest = _path.ClosestApproach(_request.Target);

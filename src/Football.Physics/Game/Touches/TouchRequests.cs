@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A dribbling touch: a running player pushes the ball ahead to meet it again.</summary>
+/// <summary>A dribbling touch: a running player pushes the ball ahead, and reaches it again later.</summary>
 public sealed record DribbleRequest
 {
     /// <summary>The position of the player at the touch, in m; components within ±1e6. Its height is ignored.</summary>
@@ -85,7 +85,7 @@ public sealed record FirstTimeRequest
     /// <summary>The maximum elevation of the shot, in degrees. 0 … 80; default 45.</summary>
     public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>The choice between the two kicks of one speed that reach a target. Default: the low one.</summary>
+    /// <summary>The choice between the two kicks at this speed that reach a target. Default: the low one.</summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
     /// <summary>The tolerance of the distance to the target, in m; above 0. Default 0.01.</summary>
@@ -113,7 +113,7 @@ public sealed record TouchSpread
     /// <summary>The standard deviation of the foot's speed, in %. 0 … 100; default 4.</summary>
     public double SpeedPercent { get; init; } = 4;
 
-    /// <summary>The standard deviation of its direction about each of two axes, in degrees. 0 … 45; default 2.</summary>
+    /// <summary>The standard deviation of the foot's direction about each of two axes, in degrees. 0 … 45; default 2.</summary>
     public double DirectionDegrees { get; init; } = 2;
 
     /// <summary>The standard deviation of the point of contact on each axis, in m. 0 … 0.1; default 0.005.</summary>

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Finds touches of a ball at a player's feet: dribbling touch, trap, first-time shot and shielding.</summary>
+/// <summary>Finds a player's touches of the ball: dribbling touch, trap, first-time shot and shielding.</summary>
 /// <remarks>
-/// Each result contains the motion of the foot, the simulated path of the ball, the error against the request, and the chance of success. The foot is
-/// a <see cref="Foot"/>: the result contains no more speed or spin than it can give. The game's bodies and an engine's colliders are ignored, because
-/// they include the player's own legs. Not thread-safe: create one per thread.
+/// Each result contains the motion of the foot, the simulated path of the ball, the error against the request, and the chance of success. The result
+/// contains no more speed or spin than the <see cref="Foot"/> can give. The game's bodies and an engine's colliders are ignored, because they include
+/// the player's own legs. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class Touches
 {
@@ -66,7 +66,7 @@ public sealed class Touches
         // 1. Solve for the horizontal velocity that reaches the position on time. 2. If the speed is then wrong, try topspin.
         _dribble.Set(in ball, request);
 
-        // First guess: the mean velocity over the ground.
+        // As a first guess, use the mean velocity over the ground.
         Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.Duration;
         _x[0] = mean.X;
         _x[1] = mean.Z;
@@ -77,7 +77,7 @@ public sealed class Touches
         {
             (double x, double z) = (_x[0], _x[1]);
 
-            // Three unknowns for position and speed. Keep the result if it hits, or is within tolerance with a better speed.
+            // Solve for three unknowns from position and speed. Keep the result if it hits, or is within tolerance at a better speed.
             _dribble.Free(spin: true);
             bool helps = _dribble.Solve(_x) || (Off(_dribble.Residuals) < request.Tolerance && Math.Abs(_dribble.Residuals[2]) < pace);
             _dribble.Free(spin: false);
@@ -116,7 +116,7 @@ public sealed class Touches
         _x[0] = velocity.X;
         _x[1] = velocity.Z;
 
-        // First guess: the ball takes the player's velocity at once.
+        // As a first guess, the ball takes the player's velocity at once.
         _trap.Solve(_x);
         _trap.Fly(_x, _residuals);
         double off = Off(_residuals);
@@ -131,8 +131,8 @@ public sealed class Touches
     }
 
     /// <summary>Finds the strike that sends a moving ball to a target without a trap.</summary>
-    /// <remarks>The shot is slower if the foot is not fast enough. A strike cannot remove incoming spin about its own direction; the search accounts
-    /// for this spin.</remarks>
+    /// <remarks>The shot is slower if the foot is not fast enough. A strike cannot remove incoming spin about the impulse direction; the search takes
+    /// this spin into account.</remarks>
     /// <param name="ball">The ball at the touch.</param>
     /// <param name="request">The target, and the speed and spin of the shot.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
@@ -148,7 +148,7 @@ public sealed class Touches
             return new Touch(TouchStatus.Degenerate, default, ball.Position, ball.Velocity, 0, (request.Target - ball.Position).Length, 0, double.NaN);
         }
 
-        // 1. Aim a ball at rest. 2. Solve for the strike, with the spin that remains. 3. Retry slower if the foot is too slow.
+        // 1. Aim as if the ball were at rest. 2. Solve for the strike, with the incoming spin that remains. 3. Retry slower if the foot is too slow.
         double speed = request.Speed;
         bool fast = false;
         for (int i = 0; i < MostSpeeds && !fast; i++)
@@ -159,7 +159,7 @@ public sealed class Touches
             SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
 
-            // Go below the speed that the foot achieved, by at least 5 %, so that a few tries suffice.
+            // Retry 5 % slower, or just below the speed that the foot achieved if that is slower still, so that a few tries suffice.
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
 
@@ -172,7 +172,7 @@ public sealed class Touches
     }
 
     /// <summary>Finds the position at which a player shields the ball from his opponents.</summary>
-    /// <remarks>Opponents must run around him; he wants to play the ball before any of them can.</remarks>
+    /// <remarks>Opponents must run around him, and he must be able to play the ball before any of them.</remarks>
     /// <param name="request">The player, the opponents, and the maximum distance of the ball from him.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
@@ -222,7 +222,7 @@ public sealed class Touches
 
     private static double Off(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]));
 
-    /// <summary>Returns the share of touches with random errors that succeed; each is simulated like the intended one.</summary>
+    /// <summary>Returns the share of touches with random errors that succeed; each is simulated like the intended touch.</summary>
     private double Chance(TouchProblem problem, in FootStrike meant, Func<double[], bool> comesOff)
     {
         if (Spread.Draws == 0)
@@ -233,7 +233,7 @@ public sealed class Touches
         int good = 0;
         for (int i = 0; i < Spread.Draws; i++)
         {
-            // Five independent errors per draw, with the same seeds for every touch, so that touches are comparable.
+            // Draw five independent errors each time, with the same seeds for every touch, so that touches are comparable.
             NormalDistribution.Draw(SplitMix64.At(Seed, 6 * i), SplitMix64.At(Seed, (6 * i) + 1), out double a, out double b);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 2), SplitMix64.At(Seed, (6 * i) + 3), out double c, out double d);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 4), SplitMix64.At(Seed, (6 * i) + 5), out double e, out _);
@@ -264,7 +264,7 @@ public sealed class Touches
 
         Vector3d along = vector / length;
 
-        // Two axes perpendicular to it, from the y axis, or from x if the vector is nearly vertical.
+        // Construct two perpendicular axes from the y axis, or from the x axis if the vector is nearly vertical.
         Vector3d across = Vector3d.Cross(Math.Abs(along.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0), in along);
         across /= across.Length;
         Vector3d turned = along + (first * across) + (second * Vector3d.Cross(in along, in across));

@@ -2,13 +2,13 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Finds the players who can meet the ball on a predicted path, and when.</summary>
 /// <remarks>
-/// Create one and reuse it: a query allocates only to grow. The results are exact for the dense path: no window or gap of a microsecond or more is
-/// lost. Bounds on the speeds and accelerations of ball and player ensure this. Interval ends are accurate to a nanosecond. The look-ahead determines
-/// how far the path differs from the game's own steps.
+/// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path: bounds on the speeds and
+/// accelerations of ball and player ensure that no window or gap of a microsecond or more is lost. Interval ends are accurate to a nanosecond. The
+/// look-ahead determines how far the path differs from the game's own steps.
 /// </remarks>
 public sealed class Interception
 {
-    /// <summary>Times closer than this are equal, in s.</summary>
+    /// <summary>Times closer together than this, in s, count as equal.</summary>
     private const double Instant = 1e-9;
 
     private readonly PathSpans _path = new();
@@ -20,14 +20,14 @@ public sealed class Interception
     private InterceptWindow[] _earliest = new InterceptWindow[22];
     private int _runners;
 
-    /// <summary>Creates an object without results.</summary>
+    /// <summary>Creates an object that has no results yet.</summary>
     public Interception() => _shares = new ShareSearch(_path, _windows);
 
     /// <summary>The windows of all players from the last <see cref="Find"/>: sorted by player, then by time.</summary>
     public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
 
     /// <summary>The index of the player who meets the ball first; −1 if nobody does.</summary>
-    /// <remarks>Of several within the same nanosecond, it is the lowest index.</remarks>
+    /// <remarks>If several players meet it within the same nanosecond, this is the lowest index.</remarks>
     public int First { get; private set; } = -1;
 
     /// <summary>The time between the first meeting and that of the next player, in s.</summary>
@@ -44,12 +44,12 @@ public sealed class Interception
     }
 
     /// <summary>Finds all time intervals in which each player can meet the ball.</summary>
-    /// <param name="path">The path of the ball. After an end at rest, the ball stays there.</param>
-    /// <param name="runners">The players, in their state at <paramref name="now"/>.</param>
+    /// <param name="path">The path of the ball. If it ends at rest, the ball stays there.</param>
+    /// <param name="runners">The players, in their states at <paramref name="now"/>.</param>
     /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
     /// <param name="until">The end of the search, in s since the launch; default: the end of the path.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number of a player is out of range; the message names the field, the value and the
+    /// <exception cref="ArgumentOutOfRangeException">A player's number is out of range; the message names the field, the value and the
     /// range.</exception>
     public void Find(Trajectory path, Player[] runners, double? now = null, double? until = null)
     {
@@ -69,14 +69,14 @@ public sealed class Interception
 
     /// <summary>Finds the player who meets the ball first.</summary>
     /// <remarks>Cheaper than <see cref="Find"/>, and leaves <see cref="Windows"/> unchanged.</remarks>
-    /// <param name="path">The path of the ball. After an end at rest, the ball stays there.</param>
-    /// <param name="runners">The players, in their state at <paramref name="now"/>.</param>
+    /// <param name="path">The path of the ball. If it ends at rest, the ball stays there.</param>
+    /// <param name="runners">The players, in their states at <paramref name="now"/>.</param>
     /// <param name="at">The point at which he meets the ball.</param>
     /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
     /// <param name="until">The end of the search, in s since the launch; default: the end of the path.</param>
     /// <returns>The index of the player; −1 if nobody meets the ball. Also sets <see cref="First"/> and <see cref="TimeMargin"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number of a player is out of range; the message names the field, the value and the
+    /// <exception cref="ArgumentOutOfRangeException">A player's number is out of range; the message names the field, the value and the
     /// range.</exception>
     public int FindFirst(Trajectory path, Player[] runners, out PathPoint at, double? now = null, double? until = null)
     {
@@ -85,7 +85,7 @@ public sealed class Interception
         double second = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
-            // Players later than the second do not matter. Use the same search as Find, so that both return the same player.
+            // Players who arrive after the second do not matter. Use the same search as Find, so that both return the same player.
             _firsts.Count = 0;
             new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, _path.End, second + Instant);
             _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
@@ -101,7 +101,7 @@ public sealed class Interception
         return First;
     }
 
-    /// <summary>Divides the ball's path among the players, by who can be at each point first.</summary>
+    /// <summary>Divides the ball's path among the players; each point belongs to the player who can be there first.</summary>
     /// <remarks>
     /// Call <see cref="Find"/> first; this uses its players and path. Only players who can meet the ball at a point compete for it. A lead that
     /// begins and ends between two check points, which are window edges and ends of path segments, is not found.
@@ -155,7 +155,7 @@ public sealed class Interception
             _motions[i] = new RunnerMotion(in runners[i], start);
         }
 
-        // A ball at rest stays until the requested end; otherwise stop at the end of the path.
+        // A ball at rest stays there until the requested end; otherwise stop at the end of the path.
         _path.Take(path, until ?? path.EndTime);
         return Math.Max(start, _path.Start);
     }
@@ -175,7 +175,7 @@ public sealed class Interception
         {
             double from = _earliest[i].From;
 
-            // The lowest index within a nanosecond of the earliest; all others are behind.
+            // Choose the lowest index within a nanosecond of the earliest; all others are later.
             if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
             {
                 First = i;

@@ -10,18 +10,18 @@ public readonly struct KeeperResult
     public PathPoint Crossing { get; init; }
 
     /// <summary>The distance of the crossing to the right of the goal's centre, in m.</summary>
-    /// <remarks>Right is seen from the goal, facing the pitch.</remarks>
+    /// <remarks>Right is as seen from the goal, facing the pitch.</remarks>
     public double LateralOffset { get; init; }
 
     /// <summary>True if the ball's centre crosses between the posts and below the bar.</summary>
-    /// <remarks>A goal goes through this opening; see <see cref="BallEventKind.Goal"/>.</remarks>
+    /// <remarks>A goal is scored through this opening; see <see cref="BallEventKind.Goal"/>.</remarks>
     public bool IsOnTarget { get; init; }
 
-    /// <summary>The left end of the goal line that he can cover by then, in m right of the centre.</summary>
-    /// <remarks>Greater than <see cref="ReachRight"/> if he covers none of the line.</remarks>
+    /// <summary>The left end of the part of the goal line that he can cover by then, in m to the right of the centre.</summary>
+    /// <remarks>Greater than <see cref="ReachRight"/> if he cannot cover any of the line.</remarks>
     public double ReachLeft { get; init; }
 
-    /// <summary>The right end of the goal line that he can cover by then, in m right of the centre.</summary>
+    /// <summary>The right end of the part of the goal line that he can cover by then, in m to the right of the centre.</summary>
     public double ReachRight { get; init; }
 
     /// <summary>The height up to which he covers the line, in m: the lower of his reach and the bar.</summary>
@@ -30,12 +30,12 @@ public readonly struct KeeperResult
     /// <summary>True if he can meet the ball before it crosses.</summary>
     public bool Saves { get; init; }
 
-    /// <summary>The first point at which he can meet the ball, if he can.</summary>
+    /// <summary>The first point at which he can meet the ball, if there is one.</summary>
     public PathPoint Save { get; init; }
 
     /// <summary>The latest time at which he can react and still save, in s since the launch.</summary>
-    /// <remarks>NaN if he cannot meet the ball. Before the reaction he keeps his motion, so a later reaction may succeed where earlier ones fail;
-    /// this is the latest of all. Successful reactions within less than a microsecond may be missed.</remarks>
+    /// <remarks>NaN if he cannot meet the ball. He keeps his motion until he reacts, so a later reaction may succeed where earlier ones fail; this is
+    /// the latest that succeeds. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>

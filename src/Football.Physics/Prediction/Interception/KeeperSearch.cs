@@ -6,7 +6,7 @@ internal readonly struct KeeperSearch
     /// <summary>The shortest interval of successful reactions that is always found, in s.</summary>
     private const double Shortest = 1e-6;
 
-    /// <summary>The number of bisections of that interval, down to a nanosecond.</summary>
+    /// <summary>The number of bisections that shorten that interval to a nanosecond.</summary>
     private const int Halvings = 10;
 
     /// <summary>The maximum number of reactions tried; a path that stays within nanometres of his reach would need unlimited tries.</summary>
@@ -26,7 +26,7 @@ internal readonly struct KeeperSearch
     {
         var mouth = new GoalMouth(goal);
 
-        // The shot crosses the goal's plane from the pitch; he may meet it until then.
+        // The shot crosses the goal's plane from the pitch; he can meet it until then.
         bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
         _spans.Take(path, path.EndTime);
         double end = crosses ? crossing.Time : _spans.End;
@@ -34,7 +34,7 @@ internal readonly struct KeeperSearch
         bool saves = Meets(in keeper, now, begin, end);
         InterceptWindow first = saves ? _found.Items[0] : default;
 
-        // His coverage: the part of the goal line within his circle when the ball arrives.
+        // He covers the part of the goal line that is within his circle when the ball arrives.
         var motion = new RunnerMotion(in keeper, now);
         motion.MiddleAt(end, out double x, out double z);
         var middle = new Vector3d(x, 0, z);
@@ -43,7 +43,7 @@ internal readonly struct KeeperSearch
         double radius = motion.RadiusAt(end);
         double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
 
-        // Lateral offset and height of the crossing decide if the shot is on target.
+        // The lateral offset and height of the crossing decide whether the shot is on target.
         mouth.Place(crossing.Position, out double ballAside, out double height);
         return new KeeperResult
         {
@@ -70,16 +70,16 @@ internal readonly struct KeeperSearch
 
     /// <summary>Returns the latest reaction time with which he still meets the ball.</summary>
     /// <remarks>
-    /// A player who keeps running may come closer, so a later reaction may succeed where an earlier one fails. But a change by Δ changes the distance
-    /// by at most (v + |v₀|) Δ. So if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and the later half is
-    /// searched first.
+    /// A player who keeps running may come closer, so a later reaction may succeed where an earlier one fails. But a change of the reaction time by Δ
+    /// changes the distance by at most (v + |v₀|) Δ. So if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and
+    /// the later half is searched first.
     /// </remarks>
     private double Latest(in Player keeper, double now, double begin, double end)
     {
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
 
-        // The latest possible reaction succeeds: he meets the ball without reacting at all.
+        // Even the latest possible reaction succeeds: he meets the ball without reacting at all.
         if (Meets(keeper.Reacting(high), now, begin, end))
         {
             return now + high;
@@ -120,7 +120,7 @@ internal readonly struct KeeperSearch
         return later >= low ? later : Latest(in keeper, now, begin, end, low, low + half, rate, shortest, ref tries);
     }
 
-    /// <summary>Holds if he no longer meets the ball with this reaction.</summary>
+    /// <summary>True if he no longer meets the ball with this reaction.</summary>
     private readonly struct TooLate : ICondition
     {
         private readonly KeeperSearch _search;

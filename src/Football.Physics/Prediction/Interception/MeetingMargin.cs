@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A condition of a meeting over a path segment as a function that falls through zero: the squared distance, or the height.</summary>
+/// <summary>A condition for a meeting on a path segment, as a function that falls through zero: the squared distance, or the height.</summary>
 internal readonly struct MeetingMargin : IDifferentiableFunction
 {
     /// <summary>The size of a correction at which a root is accepted, in s.</summary>

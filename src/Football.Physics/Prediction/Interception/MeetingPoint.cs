@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>The conditions of a meeting at one time, and their rates.</summary>
+/// <summary>The conditions for a meeting at one time, and their rates of change.</summary>
 internal struct MeetingPoint
 {
     private double _near;

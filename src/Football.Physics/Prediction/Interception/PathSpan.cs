@@ -35,7 +35,7 @@ internal struct PathSpan
     private Vector3d _c5;
     private double _perLength;
 
-    /// <summary>Creates a segment of rest, or of straight motion at constant speed.</summary>
+    /// <summary>Creates a segment in which the ball is at rest, or moves straight at constant speed.</summary>
     public static PathSpan Straight(double start, double end, in Vector3d from, in Vector3d to)
     {
         PathSpan span = default;
@@ -74,7 +74,7 @@ internal struct PathSpan
                 span._c3 = turn - (2.0 * rise);
                 break;
             default:
-                // As QuinticHermite3d: the end position, velocity and acceleration that remain after the quadratic part.
+                // As in QuinticHermite3d, use the end position, velocity and acceleration that remain after the quadratic part.
                 span._c2 = 0.5 * h * h * piece.StartAcceleration;
                 Vector3d p = rise - span._c2;
                 Vector3d v = (h * (piece.EndVelocity - piece.StartVelocity)) - (2.0 * span._c2);

@@ -3,7 +3,7 @@ namespace FootballPhysics.Prediction;
 /// <summary>A path as contiguous segments up to a time; a ball that came to rest stays there. The buffer is reused.</summary>
 internal sealed class PathSpans
 {
-    /// <summary>The gap between two segments that counts as none, in s; a larger gap is a rest without a segment.</summary>
+    /// <summary>The gap between two segments, in s, up to which they count as contiguous; in a larger gap, the ball is at rest.</summary>
     private const double Meeting = 1e-9;
 
     /// <summary>The segments.</summary>
@@ -26,11 +26,11 @@ internal sealed class PathSpans
         Count = 0;
         Start = path.StartTime;
 
-        // A ball at rest stays; a ball in motion is unknown after the end of the path.
+        // A ball that ends at rest stays there. If it is still moving, its position after the end of the path is unknown.
         End = path.Final.Motion == MotionState.Rest ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
 
-        // At most one rest after each segment, and one at the end.
+        // There is at most one rest after each segment, and one at the end.
         if (Items.Length < (2 * pieces) + 1)
         {
             Items = new PathSpan[(2 * pieces) + 1];
@@ -61,7 +61,7 @@ internal sealed class PathSpans
             Items[Count++] = PathSpan.Straight(last, End, path.Final.Position, path.Final.Position);
         }
 
-        // Backwards: the maximum speed from each segment to the end.
+        // Go backwards to compute the maximum speed from each segment to the end.
         double fastest = 0;
         for (int i = Count - 1; i >= 0; i--)
         {

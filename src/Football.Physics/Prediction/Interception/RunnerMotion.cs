@@ -1,9 +1,9 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>The positions that a player can reach at a time: a circle that moves with him until he reacts, and then grows.</summary>
+/// <summary>The positions that a player can reach by a given time: a circle that moves with him until he reacts, and then grows.</summary>
 internal readonly struct RunnerMotion
 {
-    /// <summary>The tolerance of his height limits, in m; far below the error of a path, it admits a ball that rolls at his minimum height.</summary>
+    /// <summary>The tolerance of his height limits, in m: far below the error of a path, but it admits a ball that rolls at his minimum height.</summary>
     private const double HeightSlack = 1e-9;
 
     private readonly double _x;

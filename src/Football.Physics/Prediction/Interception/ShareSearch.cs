@@ -1,12 +1,12 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Divides the ball's path among the players who can meet the ball, by who could be at each point first.</summary>
+/// <summary>Divides the ball's path among the players who can meet the ball; each point belongs to the player who could be there first.</summary>
 internal sealed class ShareSearch
 {
-    /// <summary>The number of bisections of an interval with a change of owner: 80 ms become a nanosecond.</summary>
+    /// <summary>The number of bisections of an interval with a change of owner; they reduce 80 ms to a nanosecond.</summary>
     private const int Halvings = 27;
 
-    /// <summary>Times closer than this are equal, in s.</summary>
+    /// <summary>Times closer together than this, in s, count as equal.</summary>
     private const double Shortest = 1e-9;
 
     private readonly PathSpans _path;
@@ -35,7 +35,7 @@ internal sealed class ShareSearch
         _starts = starts;
         _runners = runners;
 
-        // Step between window edges and segment ends: in between, the same players can meet the ball.
+        // Step from one window edge or segment end to the next: in between, the same players can meet the ball.
         double t = NextEdge(double.NegativeInfinity);
         while (t < _path.End)
         {
@@ -73,7 +73,7 @@ internal sealed class ShareSearch
             return;
         }
 
-        // Limit the changes to the number of players: two who are equal to rounding could alternate forever.
+        // Limit the changes to the number of players: two players who are equal within rounding errors could alternate forever.
         int last = Owner(in span, b, middle, out _);
         for (int changes = 0; owner != last && changes < _runners; changes++)
         {
@@ -86,7 +86,7 @@ internal sealed class ShareSearch
             a = high;
             int next = Owner(in span, a, middle, out lead);
 
-            // Equal to rounding: stop, because the search would not advance.
+            // The players are equal within rounding errors: stop, because the search would not advance.
             last = next == owner ? owner : last;
             owner = next;
         }
@@ -108,7 +108,7 @@ internal sealed class ShareSearch
                 continue;
             }
 
-            // The time at which he could be there; never later than the ball, because he can meet it.
+            // Compute the time at which he could be there. It is never later than the ball's, because he can meet the ball.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
             double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
@@ -159,7 +159,7 @@ internal sealed class ShareSearch
         Items[Count++] = new PossessionInterval(runner, from, to, lead);
     }
 
-    /// <summary>Holds if the ball belongs to another player.</summary>
+    /// <summary>True if the ball belongs to another player.</summary>
     private readonly struct OwnerChanged : ICondition
     {
         private readonly ShareSearch _search;

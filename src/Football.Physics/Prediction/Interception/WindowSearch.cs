@@ -8,10 +8,10 @@ namespace FootballPhysics.Prediction;
 /// </remarks>
 internal struct WindowSearch
 {
-    /// <summary>The shortest interval, in s; an interval of this length is decided by its ends.</summary>
+    /// <summary>The shortest interval, in s; an interval of this length is decided from its ends.</summary>
     private const double Shortest = 1e-7;
 
-    /// <summary>Windows closer than this are merged, in s.</summary>
+    /// <summary>Windows closer together than this, in s, are merged.</summary>
     private const double Adjoining = 1e-9;
 
     private readonly PathSpans _path;
@@ -72,14 +72,14 @@ internal struct WindowSearch
         bool reacts = t >= _runner.Start;
         end = !reacts && end > _runner.Start ? _runner.Start : end;
 
-        // Out of his height range throughout.
+        // The ball is out of his height range throughout.
         if (span.Highest < _runner.Lowest || span.Lowest > _runner.Highest)
         {
             Leave(t);
             return end;
         }
 
-        // Within his height range throughout: only the distance is left to decide.
+        // The ball is within his height range throughout, so only the distance matters.
         bool level = span.Lowest >= _runner.Lowest && span.Highest <= _runner.Highest;
         bool near = end <= nearUntil;
         if (!near)
@@ -87,12 +87,12 @@ internal struct WindowSearch
             span.PlaceAt(t, out double x, out double z);
             _runner.MiddleAt(t, out double cx, out double cz);
 
-            // Their distance, and the most by which it can change over the part.
+            // Compute the distance between player and ball, and the most by which it can change over this part.
             double distance = Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)));
             double drift = (span.Speed + _runner.CarriedAt(t)) * (end - t);
             double gap = distance - _runner.RadiusAt(t);
 
-            // Too far for the whole part. Skip ahead to the earliest possible meeting, at the maximum speeds of both.
+            // They are too far apart throughout this part. Skip to the earliest possible meeting, at the maximum speeds of both.
             if (distance - drift > _runner.RadiusAt(end))
             {
                 Leave(t);
@@ -125,7 +125,7 @@ internal struct WindowSearch
         MeetingPoint.At(in span, in _runner, start, reacts, out MeetingPoint low);
         while (level >= 0 && !_done)
         {
-            // Interval `number` of the 2^level of this size; the last one ends exactly at the end of the part.
+            // This is interval `number` of the 2^level intervals of this size; the last one ends exactly at the end of the part.
             double h = length / (1L << level);
             double a = start + (number * h);
             double b = number + 1 == 1L << level ? end : start + ((number + 1) * h);
@@ -150,7 +150,7 @@ internal struct WindowSearch
         }
     }
 
-    /// <summary>Decides an interval if possible: inside, outside, or a single crossing that is solved for.</summary>
+    /// <summary>Decides an interval if possible: the ball is inside, outside, or makes a single crossing, which is solved for.</summary>
     private bool Decide(in PathSpan span, double a, double b, bool reacts, in MeetingPoint low, in MeetingPoint high)
     {
         double h = b - a;
@@ -197,7 +197,7 @@ internal struct WindowSearch
             return false;
         }
 
-        // Too short to matter: decide by the ends.
+        // The interval is too short to matter: decide from its ends.
         bool holds = true;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
@@ -219,7 +219,7 @@ internal struct WindowSearch
     /// <summary>Returns a bound of |q̈| over an interval, where q = R² − |w|²: 2 (Ṙ² + R R̈ + |ẇ|² + |w| |ẅ|).</summary>
     private readonly double NearBend(in PathSpan span, double a, double b, in MeetingPoint low)
     {
-        // The maximum of each factor: growth and radius at the end, the distance from the farthest motion of both.
+        // Use the maximum of each factor: growth and radius at the end, and the distance after the farthest motion of both.
         double growth = _runner.GrowthAt(b);
         double speed = span.Speed + _runner.CarriedAt(a);
         double farthest = low.Distance + (speed * (b - a));
@@ -229,7 +229,7 @@ internal struct WindowSearch
     /// <summary>Solves for the time at which the single undecided condition changes.</summary>
     private void Cross(in PathSpan span, double a, double b, bool reacts, MeetingCondition what, double start)
     {
-        // Newton's method from the end at which the condition fails, with the sign chosen so that the function falls.
+        // Start Newton's method at the end at which the condition fails, with the sign chosen so that the function falls.
         bool falls = start >= 0;
         var margin = new MeetingMargin(in span, in _runner, what, reacts, falls);
         double at = Roots.Newton(ref margin, a, b, falls ? b : a);
@@ -249,7 +249,7 @@ internal struct WindowSearch
     {
         if (_inside)
         {
-            // A window needs length, so the first window counts only once it continues.
+            // A window must have a length, so count the first window only once it continues.
             _done = _firstOnly && time > _from;
             return;
         }
