@@ -50,7 +50,7 @@ typedef enum {
     FP_MOTION_SQUEEZED = 4
 } fp_motion;
 
-/* The kind of an event. Of several at one instant, an impact comes first, then its consequences. */
+/* The kind of an event. If several events happen at one instant, an impact comes first, then its consequences. */
 typedef enum {
     /* The ball hit the ground or an object. */
     FP_EVENT_IMPACT = 0,
@@ -66,7 +66,7 @@ typedef enum {
     FP_EVENT_GOAL = 5,
     /* The ball left the surface that supported it, without an impact: over a crest, or lifted by a hit. */
     FP_EVENT_LEAVE = 6,
-    /* Moving objects pinned the ball; the event names one of them. An event without an object ends this. */
+    /* Moving objects pinned the ball; the event names one of them. An event without an object marks the end. */
     FP_EVENT_SQUEEZED = 7,
     /* The ball entered a Zone. */
     FP_EVENT_ENTER_ZONE = 8,
@@ -88,9 +88,9 @@ typedef enum {
 typedef enum {
     /* The kick passes within tolerance of the target, and of the waypoint if there is one. */
     FP_AIM_HIT = 0,
-    /* No kick within the bounds hits; the result is the closest one that the method found. */
+    /* No kick within the bounds hits; the result is the closest kick that the method found. */
     FP_AIM_OUT_OF_REACH = 1,
-    /* The search reached MaximumIterations, or a miss is too small for its own steps. */
+    /* The search reached MaximumIterations, or the remaining miss is smaller than the error of its steps. */
     FP_AIM_NOT_CONVERGED = 2,
     /* The request has no direction: the target is at the ball's position. */
     FP_AIM_DEGENERATE = 3,

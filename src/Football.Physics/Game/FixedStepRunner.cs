@@ -265,7 +265,6 @@ public sealed partial class FixedStepRunner
         _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
         BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
 
-        // Remove the pending kicks of this ball; those of other balls stay.
         for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
         {
             KickInput kick = Kicks[i];
@@ -349,7 +348,6 @@ public sealed partial class FixedStepRunner
             throw new ArgumentException($"states.Length is {states.Length}; allowed: {_states.Length}, one state for each ball.", nameof(states));
         }
 
-        // Validate all states before setting any.
         for (int i = 0; i < states.Length; i++)
         {
             ref readonly BallState state = ref states[i];
@@ -420,7 +418,6 @@ public sealed partial class FixedStepRunner
                 SimulatorOf(kick.Ball).Kick(ref _states[kick.Ball], kick.Velocity, kick.Spin);
             }
 
-            // Interpolate from the state after the kicks, because kicks take effect at the start of the step.
             Array.Copy(_states, _previous, _states.Length);
             _log.Clear();
             if (_group is null)
