@@ -74,7 +74,7 @@ public readonly struct AimResult : IFormattable
     /// <summary>The position of the ball at the closest approach, in m.</summary>
     public Vector3d Closest { get; init; }
 
-    /// <summary>The arc of a hit: which of the two kicks at this speed that reach the target it is.</summary>
+    /// <summary>If the kick hits, its arc: two kicks at this speed can reach the target, one on each arc.</summary>
     /// <remarks>It differs from the requested arc if only the other kick is within the bounds.</remarks>
     public AimArc Arc { get; init; }
 

@@ -241,7 +241,7 @@ internal sealed class LeastSquares
             {
                 double wanted = x[k] + (_change[k] / share);
                 _next[k] = _held[k] ? x[k] : _problem.Clamp(k, wanted);
-                // Hold an unknown that would leave its bound, and solve again for the others.
+                // Fix an unknown that would exceed its bound, and solve again for the others.
                 bool stuck = !_held[k] && _next[k] == x[k] && wanted != x[k];
                 _held[k] |= stuck;
                 holds |= stuck;

@@ -183,8 +183,8 @@ internal struct NearThings
                 continue;
             }
 
-            // Take the deepest overlap. Equal depths are decided by the normals, because the order of the walk and of the scene is
-            // arbitrary.
+            // Take the deepest overlap. Break ties by the normals, because the order of
+            // traversal and the order in the scene are arbitrary.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
             overlapsBody |= overlap > ContactSearch.Touching && world.Colliders[i].IsBody;

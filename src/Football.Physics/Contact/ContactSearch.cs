@@ -222,7 +222,7 @@ internal readonly struct ContactSearch
         double shortest = ShortestOf(in _path);
         double t = 0;
 
-        // At its start the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
+        // At the start of the path the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
         bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
         while (t <= until)
         {
@@ -252,7 +252,7 @@ internal readonly struct ContactSearch
         {
             plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-            // Beyond the plane, or on it and moving on.
+            // The ball is beyond the plane, or on it and moving through it.
             if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
             {
                 return t;
@@ -445,7 +445,7 @@ internal readonly struct ContactSearch
             Vector3d velocity = _path.VelocityAt(t);
             Vector3d place = net.PlaceInFrame(in at);
 
-            // The ball enters from the side of the sheet that it is on when it reaches the slab.
+            // The side of entry is the ball's side of the sheet when it reaches the slab.
             side = place.Z < 0 ? -1.0 : 1.0;
             double step = 0;
             Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
@@ -469,7 +469,7 @@ internal readonly struct ContactSearch
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
         double bend = condition.Bends * _bend;
 
-        // Advance while the gap stays open, or, if it just closed without falling, until it may fall. Otherwise the step is zero.
+        // If the gap is open, advance while it is sure to stay open. If it is zero but not decreasing, advance until it could decrease. Otherwise the step is zero.
         double safe = value > Touching ? Safe(value, rate, bend)
             : value > -Touching && rate >= 0 ? Along(rate, bend)
             : 0;

@@ -96,7 +96,7 @@ internal static class ContactSolver
         int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
-            // An iteration of projected Gauss–Seidel; it may converge.
+            // Run one projected Gauss–Seidel iteration, and return if the solution has converged.
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
             if (change <= settled)
             {
@@ -116,7 +116,7 @@ internal static class ContactSolver
                 continue;
             }
 
-            // Nearly converged, and more iterations gain little, as with undetermined loads: stop.
+            // Stop: the solution has nearly converged and more iterations gain little, as with indeterminate loads.
             if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;

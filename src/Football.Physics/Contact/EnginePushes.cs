@@ -109,7 +109,7 @@ internal sealed class EnginePushes
 
     private bool IsKept(EngineCollider collider)
     {
-        // The push belongs to the step that continues after a look-ahead at later times.
+        // A push kept during a look-ahead belongs to the real step, which continues after the look-ahead.
         for (int i = 0; i < _kept[OfLook].Count; i++)
         {
             if (_kept[OfLook][i].Collider == collider)

@@ -178,7 +178,7 @@ internal static class Flush
                 continue;
             }
 
-            // The walk has no defined order, so the rule decides and not the first hit.
+            // The traversal order is undefined, so choose by the rule rather than by the first hit.
             bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
             if (wins)
             {

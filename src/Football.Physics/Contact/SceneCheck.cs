@@ -49,7 +49,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
         {
-            // Allow the distance that the ball's momentum can carry it into the net, also beyond the edges.
+            // Allow for how far the ball's momentum can carry it into the net, even past the net's edges.
             if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
             {
                 return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");

@@ -288,7 +288,7 @@ internal struct SurfaceSystem : IMotionSystem
     {
         Vector3d n = on.Normal;
 
-        // Use ŝ, or the direction at the start if a stage has passed zero: friction must not accelerate the slip beyond it.
+        // Use ŝ, or the initial direction if the slip has reversed within a stage: friction can stop the slip but not reverse it.
         Vector3d slip = SlipOf(in at, in on);
         double size = slip.Length;
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;

@@ -111,7 +111,7 @@ public sealed class Ball
         _log.Clear();
     }
 
-    /// <summary>Places the ball in motion and resets its clock to 0.</summary>
+    /// <summary>Places the ball with a velocity and a spin, and resets its clock to 0.</summary>
     /// <remarks>Bodies keep their current positions and continue to move from there.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>

@@ -276,7 +276,7 @@ public sealed partial class FixedStepRunner
         GoTo(Tick, _before);
     }
 
-    /// <summary>Makes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
+    /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
@@ -491,7 +491,7 @@ public sealed partial class FixedStepRunner
     {
         if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
         {
-            // Keep the kicks from the oldest tick that a rollback or the recording can still return to.
+            // Keep all kicks since the oldest tick to which a rollback or the recording can still return.
             long oldest = Tick - _kickTicks;
             oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
             Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));

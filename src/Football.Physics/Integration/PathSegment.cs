@@ -177,7 +177,7 @@ public readonly struct PathSegment
             }
         }
 
-        // Start Newton's method on the path from the secant.
+        // Apply Newton's method to the path, starting from the secant estimate.
         var distance = new PlaneDistance(in this, in point, in normal, before > 0);
         time = Time + (Roots.Newton(ref distance, 0, end, end * before / (before - after)) * Length);
         return true;

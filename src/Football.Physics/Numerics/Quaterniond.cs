@@ -136,7 +136,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         return new(turned.X * scale, turned.Y * scale, turned.Z * scale, turned.W * scale);
     }
 
-    /// <summary>Returns the quaternion with norm 1.</summary>
+    /// <summary>Returns this quaternion, scaled to norm 1.</summary>
     public Quaterniond Normalized()
     {
         double scale = 1.0 / Math.Sqrt(LengthSquared);

@@ -66,7 +66,7 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     [IgnoreDataMember]
     public Vector3d Horizontal => new(X, 0, Z);
 
-    /// <summary>Returns the unit vector of the same direction; zero for the zero vector.</summary>
+    /// <summary>Returns the unit vector in the same direction; zero for the zero vector.</summary>
     public Vector3d Normalized()
     {
         double length = Length;

@@ -81,7 +81,7 @@ public sealed record BallProperties
     /// <remarks>No measurement found. Roughness 0.33 (guess, 0.25 … 0.5, for moulded grooves).</remarks>
     public static BallProperties Flight2020 { get; } = new() { DragCurve = DragCurve.OfRoughness(0.33) };
 
-    /// <summary>Adidas Al Rihla (2022), in a wind tunnel.</summary>
+    /// <summary>Adidas Al Rihla (2022), from wind-tunnel measurements.</summary>
     /// <remarks>The crisis is reported slightly above Trionda's and near Brazuca's; roughness 0.31 is derived from that.</remarks>
     public static BallProperties AlRihla { get; } = new() { DragCurve = DragCurve.OfRoughness(0.31) };
 

@@ -64,7 +64,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         return body;
     }
 
-    /// <summary>Adds a body of a kind.</summary>
+    /// <summary>Adds a body of the given kind.</summary>
     /// <param name="name">The name used in events and messages.</param>
     /// <param name="kind">The shape, surface and mass: <see cref="BodyKind.Boot"/>, <see cref="BodyKind.Player"/> and others.</param>
     /// <param name="layer">The layer; a ball that ignores this layer passes through. 0 … 31; default 0.</param>

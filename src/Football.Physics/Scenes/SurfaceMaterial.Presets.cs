@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 public sealed partial record SurfaceMaterial
 {
-    /// <summary>The default: mown and watered match turf, from the bounces, slides and rolls of three tracked matches.</summary>
+    /// <summary>The default: mown and watered match turf. Its values come from the bounces, slides and rolls of three tracked matches.</summary>
     /// <remarks>
     /// Measured: restitution 0.67 (0.62 … 0.74), η 0.45 (0 … 0.7), e_t −0.15 (−0.3 … −0.1), impact friction 0.42 (0.28 … 0.42), sliding friction 0.45 (0.41 … 0.49),
     /// c₀ 0.064, which with c₁ gives 0.076 at 4 m/s (0.05 … 0.11). Derived: V_e 20 m/s (15 … ∞). Guess: c₁ 0.003 (0 … 0.007), b.

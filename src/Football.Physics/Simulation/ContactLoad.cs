@@ -133,7 +133,7 @@ internal sealed class ContactLoad
     /// <summary>Returns the load N/m that the ball would have if it followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // If the air does not add to the load, the load by weight suffices.
+        // If the air does not add to the load, the load due to weight suffices.
         Vector3d along = velocity - collider.Velocity;
         double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;

@@ -224,7 +224,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         }
 
-        // Moving objects may leave no consistent velocity. In that case only keep the ball out of stationary objects.
+        // Among moving objects, no velocity may satisfy all contacts. In that case, only keep the ball out of stationary objects.
         for (int i = 0; i < system.Count && change > Corrected; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];

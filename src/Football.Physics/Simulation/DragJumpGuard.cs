@@ -52,7 +52,7 @@ internal sealed class DragJumpGuard
         run.Splits++;
         if (start.Branch != branch)
         {
-            // The ball is on the surface to within rounding. Keep the branch only if it leads away from the surface.
+            // The state is on the jump of the drag law, to within rounding. Keep the branch only if the motion leads away from the jump.
             next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), in s, ref run);
             if (next != branch)
             {

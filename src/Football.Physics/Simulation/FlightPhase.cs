@@ -72,7 +72,7 @@ internal sealed class FlightPhase<TIntegrator>
         run.Keep(h, asked);
         if (s.Nets != 0)
         {
-            // A net reacts faster than a step is long, so use RK4 substeps.
+            // A net responds within less than one step, so use RK4 substeps.
             TakeWithoutAxis<Substeps>(ref s, ref run, h);
         }
         else if (run.Spirals)

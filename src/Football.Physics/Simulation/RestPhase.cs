@@ -116,7 +116,7 @@ internal sealed unsafe class RestPhase
             return true;
         }
 
-        // The ball may have been moved to another net than the one in which it came to rest.
+        // The ball may have been moved to a net other than the one in which it came to rest.
         if (_world.HangsInNet(in s))
         {
             return _contact.Load.HangsStill(in s);

@@ -162,7 +162,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 run.Log.Evaluations++;
             }
 
-            // Friction turns a creeping ball into the direction of the push long before the step ends.
+            // Friction aligns a creeping ball's velocity with the push long before the step ends.
             bool creeps = !held && run.Next * system.RollingFriction(in on, 0) > Creeping * size;
             if (creeps && size >= Slip.Rolling)
             {

@@ -75,7 +75,7 @@ internal sealed class WorldContact
             }
         }
 
-        // The speed off the surface, w = (v' − V')·n, decides the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
+        // The separation speed, w = (v' − V')·n, determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
         if (_gainsByHops && off > 0 && !(_world.IsLevel && hit == _world.Ground))
@@ -166,7 +166,7 @@ internal sealed class WorldContact
         double most = v.Length;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
 
-        // If no impulses keep all contacts from closing, or if this recurs, the ball is squeezed. Only moving objects squeeze.
+        // If no impulses can stop all contacts from closing, or if this recurs, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);
@@ -460,7 +460,7 @@ internal sealed class WorldContact
         double share = along.LengthSquared;
         if (pressing >= 0 && share > 1e-12)
         {
-            // Remove the velocity into the other object, along the carrier.
+            // Remove the velocity component into the other object by changing only the velocity along the carrier.
             kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
         }
 

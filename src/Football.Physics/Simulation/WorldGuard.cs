@@ -348,7 +348,7 @@ internal sealed class NetGuard
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                // The deviation of the path falls with the sixth power of the length.
+                // The deviation of the path scales with the sixth power of the piece's length.
                 while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > LargestBend)
                 {
                     h *= Shorter;

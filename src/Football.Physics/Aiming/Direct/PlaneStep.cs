@@ -67,7 +67,7 @@ internal sealed class PlaneStep
         Set(PlaneProblem.TargetLeft, PlaneProblem.TargetUp, in _angles);
         for (int k = PlaneProblem.Top; k <= PlaneProblem.Side; k++)
         {
-            // Forward difference in fitted air.
+            // Forward differences, from flights with the fitted air model.
             double kept = x[k];
             x[k] = kept + SpinChange;
             bool reaches = problem.Rehearse(x, _changed);

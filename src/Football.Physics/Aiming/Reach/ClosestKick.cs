@@ -178,7 +178,7 @@ internal sealed class CoarseSearch
         Approach c = _approaches.At(Math.Min(highest, middle + 0.25));
         while (!_approaches.IsSpent && !b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
         {
-            // The closer neighbour becomes the middle; the next elevation is farther by the golden ratio.
+            // The neighbour with the smaller miss becomes the middle; the next interval is longer by the golden ratio.
             if (c.Miss < b.Miss)
             {
                 if (c.Above || c.Elevation >= highest)

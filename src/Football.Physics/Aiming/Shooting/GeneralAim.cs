@@ -333,7 +333,7 @@ internal sealed class GeneralAim
     /// <summary>Returns the approximate time of the slowest closed-form kick.</summary>
     private double SlowestOfModel(double top, double side, double fastest, out double speed)
     {
-        // In vacuum, t² = 2 d/g; from there, move to the vertex of a parabola over the logarithm of the time.
+        // In vacuum, the slowest kick takes t² = 2 d/g. Start there, and move to the vertex of a parabola in log t.
         double way = _problem.Way;
         double fall = Math.Abs(_context.Upward) > 1e-3 ? Math.Sqrt(2.0 * way / Math.Abs(_context.Upward)) : double.PositiveInfinity;
         double time = Math.Min(Math.Max(fall, 1.2 * way / fastest), AimContext.LongestFlight);

@@ -156,13 +156,13 @@ internal struct TableAir<TLaw> : IFlightAir
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In still air there is no force, and the spin decays as at the lowest speed.
+        // At zero airspeed there is no force, and the spin decays as at the lowest speed.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;
         double across = _law.NeedsSpinAcross && moves ? Math.Sqrt(acrossSquared) / speed : 1.0;
 
-        // A stage may overshoot zero spin: forces then stop, and the decay continues.
+        // A stage may overshoot zero spin: the lift is then zero, and the spin keeps decaying.
         double spin = spinRate > 0 ? spinRate : 0;
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);

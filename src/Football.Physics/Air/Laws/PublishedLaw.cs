@@ -58,7 +58,7 @@ internal struct PublishedLaw : ITableLaw
         _plate = scene.Forces.SpinDecay == ForceLaw.None ? 0 : _decay.Plate;
     }
 
-    // C_D without spin; C_D0 − C_D, computed on its own because it vanishes in slow air; |u|^1.8.
+    // C_D without spin; C_D0 − C_D, tabulated separately because it vanishes at low airspeed; |u|^1.8.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         factors.First = FittedDrag.WithoutSpin(speed);

@@ -92,7 +92,7 @@ public sealed class ShieldResult
     public double SafeShare { get; }
 
     /// <summary>The margins on the outermost ring, in s.</summary>
-    /// <remarks>The directions are equally spaced, from −z counter-clockwise seen from above.</remarks>
+    /// <remarks>The directions are equally spaced. They start at −z and run counter-clockwise, seen from above.</remarks>
     public IReadOnlyList<double> Margins => _margins;
 
     /// <summary>Returns how much earlier than the first opponent the player reaches a position, in s.</summary>

@@ -33,25 +33,25 @@ public readonly struct Touch : IFormattable
     /// <summary>The spin of the ball just after the touch, in rad/s; pass it to <see cref="Simulator.Kick"/>.</summary>
     public Vector3d Spin => Strike.Spin;
 
-    /// <summary>The position of the ball at the evaluated moment, in m.</summary>
-    /// <remarks>That moment is the requested time for a dribble, the settling time for a trap, and the closest approach to the target for a
+    /// <summary>The position of the ball at the evaluation time, in m.</summary>
+    /// <remarks>It is the requested time for a dribble, the settling time for a trap, and the closest approach to the target for a
     /// shot.</remarks>
     public Vector3d Position { get; }
 
-    /// <summary>The velocity of the ball at the evaluated moment, in m/s.</summary>
+    /// <summary>The velocity of the ball at the evaluation time, in m/s.</summary>
     public Vector3d BallVelocity { get; }
 
-    /// <summary>The evaluated moment, in s after the touch.</summary>
+    /// <summary>The evaluation time, in s after the touch.</summary>
     public double Time { get; }
 
-    /// <summary>The distance of the ball from its target at the evaluated moment, in m.</summary>
+    /// <summary>The distance of the ball from its target at the evaluation time, in m.</summary>
     /// <remarks>
     /// For a dribble, it is the horizontal distance; for a shot, the distance in three dimensions. For a trap, it is the horizontal distance from the
     /// point of the touch, which moves with the player.
     /// </remarks>
     public double Miss { get; }
 
-    /// <summary>The error of the ball's horizontal velocity at the evaluated moment, in m/s; 0 for a shot.</summary>
+    /// <summary>The error in the ball's horizontal velocity at the evaluation time, in m/s; 0 for a shot.</summary>
     /// <remarks>For a dribble, it is the error of the speed.</remarks>
     public double SpeedError { get; }
 

@@ -21,7 +21,7 @@ public sealed record DribbleRequest
     /// <summary>The tolerance of the ball's position, in m; above 0. Default 0.1.</summary>
     public double Tolerance { get; init; } = 0.1;
 
-    /// <summary>The position error at which a touch with errors still succeeds, in m; above 0. Default 0.5.</summary>
+    /// <summary>The largest position error with which an inaccurate touch still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
     /// <summary>The position at which he wants the ball, on the ground, in m.</summary>
@@ -54,7 +54,7 @@ public sealed record TrapRequest
     /// <summary>The maximum speed of the settled ball relative to the player, in m/s; above 0. Default 0.3.</summary>
     public double Tolerance { get; init; } = 0.3;
 
-    /// <summary>The relative speed at which a trap with errors still succeeds, in m/s; above 0. Default 1.</summary>
+    /// <summary>The maximum speed of the ball relative to the player after a trap that still counts as a success, in m/s; above 0. Default 1.</summary>
     public double SuccessSpeed { get; init; } = 1;
 
     internal void Validate()
@@ -66,7 +66,7 @@ public sealed record TrapRequest
     }
 }
 
-/// <summary>A first-time shot: a moving ball is struck at a target without a trap.</summary>
+/// <summary>A first-time shot: a moving ball is struck at a target without being trapped first.</summary>
 public sealed record FirstTimeRequest
 {
     /// <summary>The target, in m; components within ±1e6. Required: the default is NaN.</summary>
@@ -79,7 +79,7 @@ public sealed record FirstTimeRequest
     /// <summary>The topspin requested, in rad/s, as far as the foot can give it. −200 … 200; default 0.</summary>
     public double TopSpin { get; init; }
 
-    /// <summary>The sidespin requested, in rad/s, as far as the foot can give it. −200 … 200; default 0.</summary>
+    /// <summary>The requested sidespin, in rad/s; the foot gives as much of it as it can. −200 … 200; default 0.</summary>
     public double SideSpin { get; init; }
 
     /// <summary>The maximum elevation of the shot, in degrees. 0 … 80; default 45.</summary>

@@ -9,7 +9,7 @@ public readonly struct KeeperResult
     /// <summary>The point at which the ball crosses the plane.</summary>
     public PathPoint Crossing { get; init; }
 
-    /// <summary>The distance of the crossing to the right of the goal's centre, in m.</summary>
+    /// <summary>The distance to the right of the goal's centre at which the ball crosses the line, in m.</summary>
     /// <remarks>Right is as seen from the goal, facing the pitch.</remarks>
     public double LateralOffset { get; init; }
 

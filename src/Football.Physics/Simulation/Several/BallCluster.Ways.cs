@@ -15,7 +15,7 @@ internal sealed partial class BallCluster
     /// <summary>Computes the path of a ball from its current state, and adds the balls that it may reach.</summary>
     private void Try(BallState[] states, int i, double end)
     {
-        // A trial pushes objects with a mass like the step itself, so restore their motions afterwards.
+        // Like the step itself, a trial pushes objects that have a mass, so restore their motions afterwards.
         _pushed.Keep();
         _trials[i].Run(_simulators[i], in states[i], _span.Left(in states[i], end), _stopAt, _shares[i], in _current[i].Spent);
         _pushed.PutBack();
