@@ -32,17 +32,26 @@ internal abstract class AirLaws
     public static AirLaws Of(Scene scene, double drag, double lift)
     {
         ForceSet forces = scene.Forces;
-        bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
-        bool hasFits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
 
-        // Tables exist for fitted laws only, with a factor of 0 for a disabled law. Constant laws are evaluated one by one.
-        return hasConstants || !hasFits ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
+        // Tables contain absent forces and, for the measured laws, constant coefficients. Other laws are evaluated one by one.
+        return !HasTables(forces) ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
             AerodynamicModel.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
             AerodynamicModel.Regularized => new TableLaws<RegularisedLaw>(scene, drag, lift),
             AerodynamicModel.Measured => new TableLaws<MeasuredLaw>(scene, drag, lift),
             _ => throw Check.Unknown("forces.coefficients", forces.Coefficients),
         };
+    }
+
+    /// <summary>True if at least one force of a scene is fitted to measurements.</summary>
+    public static bool HasFits(ForceSet forces) =>
+        forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
+
+    /// <summary>True if tables contain the laws of a scene: at least one force is fitted, and each constant coefficient stands next to measured laws.</summary>
+    public static bool HasTables(ForceSet forces)
+    {
+        bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
+        return HasFits(forces) && (forces.Coefficients == AerodynamicModel.Measured || !hasConstants);
     }
 
     /// <inheritdoc cref="IFlightLaws.Factors"/>

@@ -1,13 +1,13 @@
 namespace FootballPhysics;
 
-/// <summary>Tabulated laws, each optionally disabled or scaled.</summary>
+/// <summary>Tabulated laws, optionally scaled.</summary>
+/// <remarks>An absent force is a scale of 0 of the law itself.</remarks>
 /// <typeparam name="TLaw">The type of the laws.</typeparam>
 internal sealed class TableLaws<TLaw> : AirLaws
     where TLaw : struct, ITableLaw
 {
     private readonly double _ofDrag;
     private readonly double _ofLift;
-    private readonly double _ofDecay;
     private TableAir<TLaw> _air;
 
     /// <param name="scene">The scene.</param>
@@ -22,9 +22,8 @@ internal sealed class TableLaws<TLaw> : AirLaws
         Drags = Acts("forces.drag", forces.Drag);
         Lifts = Acts("forces.magnus", forces.Magnus);
         SpinDecays = Acts("forces.spinDecay", forces.SpinDecay);
-        _ofDrag = Drags ? drag : 0;
-        _ofLift = Lifts ? lift : 0;
-        _ofDecay = SpinDecays ? 1 : 0;
+        _ofDrag = drag;
+        _ofLift = lift;
 
         // Lift depends on the same C_D as drag, and jumps with it.
         Jumps = law.Jumps && (Drags || Lifts);
@@ -42,7 +41,6 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _air.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
         drag *= _ofDrag;
         lift *= _ofLift;
-        decay *= _ofDecay;
     }
 
     public override bool FactorsPerSpin(
@@ -51,14 +49,13 @@ internal sealed class TableLaws<TLaw> : AirLaws
         bool spins = _air.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
         drag *= _ofDrag;
         lift *= _ofLift;
-        decay *= _ofDecay;
         return spins;
     }
 
     private static bool Acts(string field, ForceLaw law) => law switch
     {
         ForceLaw.None => false,
-        ForceLaw.Empirical => true,
+        ForceLaw.Constant or ForceLaw.Empirical => true,
         _ => throw Check.Unknown(field, law),
     };
 }

@@ -46,9 +46,8 @@ internal sealed class ShownPath(World world)
             return;
         }
 
-        Vector3d way = (after.Position - before.Position) / h;
-        Vector3d v = way;
-        Vector3d w = way;
+        Vector3d v = (after.Position - before.Position) / h;
+        Vector3d w = v;
 
         // Tangents of a Hermite path: the first must not lead into a stationary surface, the last must not come out of one.
         foreach (ref readonly Contact contact in set)
@@ -65,9 +64,9 @@ internal sealed class ShownPath(World world)
     }
 
     /// <summary>Returns the speed at which a path leaves a collider that the ball almost touches, m/s; 0 if it does not touch it.</summary>
-    private double OffAt(Collider collider, in Vector3d place, double time, in Vector3d velocity, out Vector3d normal)
+    private double OffAt(Collider collider, in Vector3d position, double time, in Vector3d velocity, out Vector3d normal)
     {
-        ShapePoint at = collider.At(place, time);
+        ShapePoint at = collider.At(in position, time);
         normal = at.Normal;
         return at.Distance - world.Ball.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
     }

@@ -29,31 +29,23 @@ internal static class StepperFactory
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
-        // An absent or constant force is data of the table law: all mixtures run the code of the full scene. Only the fitted laws of the published
-        // profile have no constant form; mixtures of these with constants, and scaled laws, are evaluated law by law.
-        ForceSet forces = scene.Forces;
-        bool fits = forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical;
-        bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
-        bool acts = forces.Drag != ForceLaw.None || forces.Magnus != ForceLaw.None || forces.SpinDecay != ForceLaw.None;
-        bool isMeasured = MeasuredLaw.Covers(forces);
+        // Tables contain every mixture of the measured laws, and absent forces of the others. All other mixtures are evaluated law by law.
+        bool isMeasured = scene.Forces.Coefficients == AerodynamicModel.Measured;
+        if (!AirLaws.HasTables(scene.Forces))
+        {
+            return scene.HasOwnForces || air.Varies || AirLaws.HasFits(scene.Forces) ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air)
+                : air.Acts ? Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene))
+                : Of<NoAir, TIntegrator>(scene, settings, in air, default);
+        }
+
         if (scene.HasOwnForces || air.Varies)
         {
             return isMeasured && !scene.HasOwnForces ? InField<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<SceneAir, TIntegrator>(scene, settings, in air, in air);
         }
 
-        if (isMeasured || !acts)
-        {
-            return acts ? OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air) : Of<NoAir, TIntegrator>(scene, settings, in air, default);
-        }
-
-        if (hasConstants || !fits)
-        {
-            return fits || forces.SpinDecay == ForceLaw.Empirical
-                ? Of<SceneAir, TIntegrator>(scene, settings, in air, in air) : Of<ConstantAir, TIntegrator>(scene, settings, in air, new ConstantAir(scene));
-        }
-
-        return forces.Coefficients == AerodynamicModel.Published
-            ? OfTables<PublishedLaw, TIntegrator>(scene, settings, in air) : OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air);
+        return isMeasured ? OfTables<MeasuredLaw, TIntegrator>(scene, settings, in air)
+            : scene.Forces.Coefficients == AerodynamicModel.Published ? OfTables<PublishedLaw, TIntegrator>(scene, settings, in air)
+            : OfTables<RegularisedLaw, TIntegrator>(scene, settings, in air);
     }
 
     // Use separate methods, so that the runtime only loads the generic types that a scene needs.

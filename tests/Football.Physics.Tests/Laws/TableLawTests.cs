@@ -146,6 +146,53 @@ public sealed class TableLawTests
         }
     }
 
+    /// <summary>Absent forces and constant coefficients are data of the tables: every mixture of the measured laws gives the factors of its laws one by one.</summary>
+    [Fact]
+    public void Tables_of_every_mixture_have_the_factors_of_its_laws()
+    {
+        ForceLaw[] kinds = [ForceLaw.None, ForceLaw.Constant, ForceLaw.Empirical];
+        int mixtures = 0;
+        foreach (ForceLaw drag in kinds)
+        {
+            foreach (ForceLaw magnus in kinds)
+            {
+                foreach (ForceLaw decay in kinds)
+                {
+                    ForceSet forces = ForceSet.Measured with { Drag = drag, Magnus = magnus, SpinDecay = decay, SpinDecayCoefficient = 2e-4 };
+                    if (AirLaws.HasTables(forces))
+                    {
+                        Mixture(LawGrid.Scene with { Forces = forces });
+                        mixtures++;
+                    }
+                }
+            }
+        }
+
+        Assert.Equal(19, mixtures);
+    }
+
+    private static void Mixture(Scene scene)
+    {
+        var laws = new MixedLaws(scene, 1, 1);
+        var air = new TableAir<MeasuredLaw>(scene);
+        Assert.Equal(laws.Bound.At(20, 30), AirLaws.Of(scene).Bound.At(20, 30), 1e-12);
+        foreach (double speed in LawGrid.Speeds)
+        {
+            foreach (double spin in LawGrid.Spins)
+            {
+                double square = speed * speed;
+                if (air.HoldsAt(square, spin * spin))
+                {
+                    laws.Factors(square, spin, 0.7 * square, DragBranch.Unknown, out double expectedDrag, out double expectedLift, out double expectedDecay);
+                    air.Factors(square, spin, 0.7 * square, DragBranch.Unknown, out double drag, out double lift, out double decay);
+                    Assert.Equal(expectedDrag, drag, 1e-7 * Math.Max(1e-9, expectedDrag));
+                    Assert.Equal(expectedLift, lift, 1e-7 * Math.Max(1e-9, Math.Abs(expectedLift)));
+                    Assert.Equal(expectedDecay, decay, 1e-12 * Math.Max(1e-9, expectedDecay));
+                }
+            }
+        }
+    }
+
     [Fact]
     public void Scenes_with_the_same_functions_have_the_same_tables()
     {

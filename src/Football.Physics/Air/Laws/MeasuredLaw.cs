@@ -67,10 +67,6 @@ internal struct MeasuredLaw : ITableLaw
     public readonly RateBound DragBound(double fastest) =>
         new(_ofDrag * (_constantDrag ? 1.0 : _drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
 
-    /// <summary>True if this law covers a scene: at least one of its forces is fitted, and the others are fitted, constant or absent.</summary>
-    public static bool Covers(ForceSet forces) =>
-        forces.Coefficients == AerodynamicModel.Measured && (forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical);
-
     public void Prepare(Scene scene)
     {
         ForceSet forces = scene.Forces;
