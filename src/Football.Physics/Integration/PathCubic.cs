@@ -126,6 +126,9 @@ internal readonly struct PathCubic
     /// <summary>Returns the velocity at a time, in m/s.</summary>
     public Vector3d VelocityAt(double t) => _c1 + (t * ((2.0 * _c2) + ((3.0 * t) * _c3)));
 
+    /// <summary>Returns the acceleration at a time, in m/s².</summary>
+    public Vector3d AccelerationAt(double t) => (2.0 * _c2) + ((6.0 * t) * _c3);
+
     /// <summary>Returns the path relative to an object with constant velocity.</summary>
     /// <param name="origin">The object's origin at the start of the path, in m.</param>
     /// <param name="velocity">The object's velocity, in m/s.</param>

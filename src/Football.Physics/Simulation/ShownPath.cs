@@ -78,8 +78,8 @@ internal sealed class ShownPath(World world)
         var path = PathCubic.Between(start.Position, start.Velocity, end.Position, end.Velocity, h);
         if (halves == 0 || !(half > 0) || !Enters(in path, set, start.Time))
         {
-            Vector3d acceleration = (end.Velocity - start.Velocity) / h;
-            log.Show(in start, in end, in acceleration, in acceleration, 4);
+            // With the accelerations of the cubic, the interpolant of the observer is the cubic that was checked.
+            log.Show(in start, in end, path.AccelerationAt(0), path.AccelerationAt(h), 4);
             return;
         }
 
