@@ -47,7 +47,8 @@ internal abstract class AirLaws
     public static bool HasFits(ForceSet forces) =>
         forces.Drag == ForceLaw.Empirical || forces.Magnus == ForceLaw.Empirical || forces.SpinDecay == ForceLaw.Empirical;
 
-    /// <summary>True if tables contain the laws of a scene: at least one force is fitted, and each constant coefficient stands next to measured laws.</summary>
+    /// <summary>True if tables contain the laws of a scene.</summary>
+    /// <remarks>At least one force must be fitted. Only the tables of the measured laws contain constant coefficients.</remarks>
     public static bool HasTables(ForceSet forces)
     {
         bool hasConstants = forces.Drag == ForceLaw.Constant || forces.Magnus == ForceLaw.Constant || forces.SpinDecay == ForceLaw.Constant;
