@@ -10,7 +10,7 @@ internal sealed class ShownPath(World world)
     private const int MostHalved = 8;
 
     /// <summary>Number of equal parts at whose ends the depth of a piece is measured.</summary>
-    private const int Samples = 4;
+    private const int Samples = 16;
 
     /// <summary>Below this gap, the displayed path of a squeezed ball follows a stationary surface, m.</summary>
     private const double AllButTouching = 1e-4;
