@@ -62,7 +62,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
     }
 
-    public readonly double LongestPart(in Motion at, double jerk) => World.LongestPartInNets(Nets, NetSides, in at, jerk);
+    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

@@ -89,7 +89,7 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at, double jerk) => World.LongestPartInNets(Nets, NetSides, in at, jerk);
+    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

@@ -6,10 +6,9 @@ internal interface IMotionSystem
     /// <summary>Computes v̇ and ω̇.</summary>
     void Rates(double time, in Motion at, out MotionRates rates);
 
-    /// <summary>Returns the longest substep that <see cref="Substeps"/> may take, in s; infinite if substeps are not needed.</summary>
-    /// <param name="at">The motion at the start of the substep.</param>
-    /// <param name="jerk">|ȧ| at the start, in m/s³; infinite if unknown.</param>
-    double LongestPart(in Motion at, double jerk);
+    /// <summary>Returns the longest part that <see cref="Substeps"/> may take, in s; infinite if parts are not needed.</summary>
+    /// <param name="at">The motion at the start of the part.</param>
+    double LongestPart(in Motion at);
 
     /// <summary>Moves the ball to the end of a step, including its orientation.</summary>
     /// <param name="s">The ball at the start of the step.</param>

@@ -27,7 +27,7 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
-    public readonly double LongestPart(in Motion at, double jerk) => Around.World.LongestPartInNets(Nets, NetSides, in at, jerk);
+    public readonly double LongestPart(in Motion at) => Around.World.LongestPartInNets(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {

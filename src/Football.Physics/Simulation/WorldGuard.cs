@@ -330,11 +330,11 @@ internal sealed class NetGuard
     private const int MostHalved = 4;
 
     /// <summary>Tolerance of the tension at a kink. A piece that starts below the second value starts at a kink.</summary>
-    private const double Kink = 1e-12;
+    private const double Kink = 1e-10;
     private const double AtKink = 1e-9;
 
     /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
-    private const int MostParts = 256;
+    private const int MostParts = 64;
 
     private readonly World _world;
 
