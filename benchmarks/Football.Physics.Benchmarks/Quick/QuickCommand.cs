@@ -8,7 +8,7 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | prediction:] [--markdown FILE]";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE]";
 
     public static int Run(string[] arguments)
     {
@@ -67,6 +67,7 @@ internal static class QuickCommand
         IReadOnlyList<ContactRow> contacts = [.. ContactTable.Rows.Where(row => Wanted("Contact: " + row.Name, only))];
         IReadOnlyList<GroupRow> groups = [.. GroupTable.Rows.Where(row => Wanted("Group: " + row.Name, only))];
         IReadOnlyList<(string Name, int Balls, double Half, Integrator Integrator)> heaps = [.. HeapTable.Rows.Where(row => Wanted("Heap: " + row.Name, only))];
+        (string Name, Integrator Integrator)[] nets = [.. NetTable.Rows.Where(row => Wanted("Net: " + row.Name, only))];
         double share = seconds / Math.Max(1, kicks.Count + targets.Count + free.Count + world.Count + predictions.Count + contacts.Count + groups.Count + mixtures.Length);
         if (kicks.Count > 0)
         {
@@ -106,6 +107,11 @@ internal static class QuickCommand
         if (heaps.Count > 0)
         {
             HeapTable.Print(line => Print(text, line), heaps);
+        }
+
+        if (nets.Length > 0)
+        {
+            NetTable.Print(line => Print(text, line), nets);
         }
 
         if (predictions.Count > 0)

@@ -8,6 +8,10 @@ public sealed class NetTests
     /// <summary>Pieces that a shot may take in steps of 10 ms while it flies in a net.</summary>
     private const int MostPieces = 64;
 
+    /// <summary>The evaluations of a step: on average, and at most.</summary>
+    private const double UsualEvaluations = 36;
+    private const int MostEvaluations = 256;
+
     private static readonly Scene s_scene = Scene.Default with { Goals = [new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) }] };
 
     [Theory]
@@ -19,6 +23,8 @@ public sealed class NetTests
         var simulator = new Simulator(s_scene, Flight.With(integrator));
         var log = new StepLog();
         int shots = 0;
+        long steps = 0;
+        long evaluations = 0;
         for (int i = 0; i < 200; i++)
         {
             BallState state = Shot(simulator, random);
@@ -30,6 +36,9 @@ public sealed class NetTests
                 simulator.Step(ref state, 0.01, log);
                 met |= state.Nets != 0;
                 pieces += met && state.Motion == MotionState.Airborne ? log.Steps : 0;
+                steps += met ? 1 : 0;
+                evaluations += met ? log.Evaluations : 0;
+                Assert.True(log.Evaluations <= MostEvaluations, $"shot {i}: {log.Evaluations} evaluations in a step");
             }
 
             shots += met ? 1 : 0;
@@ -37,6 +46,7 @@ public sealed class NetTests
         }
 
         Assert.True(shots > 150);
+        Assert.InRange((double)evaluations / steps, 12, UsualEvaluations);
     }
 
     /// <summary>A look-ahead of ten seconds holds a shot into the net in the memory that it has by default, and its path is that of steps twenty times as short.</summary>
