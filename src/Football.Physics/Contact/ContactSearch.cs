@@ -7,26 +7,8 @@ namespace FootballPhysics;
 /// </remarks>
 internal readonly struct ContactSearch
 {
-    /// <summary>The ball touches a surface if the gap is below this, m.</summary>
-    public const double Touching = 1e-10;
-
-    /// <summary>A closing speed below this counts as zero, m/s.</summary>
-    public const double Approaching = 1e-9;
-
-    /// <summary>A separating speed below this counts as zero, m/s: 5e-12 m in a microsecond.</summary>
-    public const double Leaving = 5e-6;
-
     /// <summary>The second derivative of the gap to a concave surface is bounded only up to this gap, as a share of the radius.</summary>
     internal const double NearHollow = 0.1;
-
-    /// <summary>Upper bound of the projection onto the carrier after a piece, m.</summary>
-    private const double Corrected = 1e-6;
-
-    /// <summary>Minimum step of a search, as a share of the path.</summary>
-    private const double ShortestShare = 1e-7;
-
-    /// <summary>Minimum duration of a piece, s. A shorter piece has contacts only at its start.</summary>
-    private const double ShortestStep = 1e-300;
 
     private readonly World _world;
     private readonly PathCubic _path;
@@ -223,19 +205,19 @@ internal readonly struct ContactSearch
         double t = 0;
 
         // At the start of the path the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
-        bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
+        bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -ContactTolerances.Projected;
         while (t <= until)
         {
             Vector3d place = _path.At(t);
             mouth.Evaluate(in place, _path.VelocityAt(t), _time + t, out double gap, out double rate);
-            if (isBefore && gap <= Touching && rate < -Approaching && _world.Goals[mouth.Index].IsOpen(in place))
+            if (isBefore && gap <= ContactTolerances.Touching && rate < -ContactTolerances.Approaching && _world.Goals[mouth.Index].IsOpen(in place))
             {
                 return t;
             }
 
             // The ball may reach the plane next from either side.
-            isBefore = gap > Touching || (isBefore && rate >= -Approaching);
-            double step = gap > Touching ? Safe(gap, rate, _bend) : gap < -Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
+            isBefore = gap > ContactTolerances.Touching || (isBefore && rate >= -ContactTolerances.Approaching);
+            double step = gap > ContactTolerances.Touching ? Safe(gap, rate, _bend) : gap < -ContactTolerances.Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
             t += Math.Max(step, shortest);
         }
 
@@ -253,12 +235,12 @@ internal readonly struct ContactSearch
             plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
             // The ball is beyond the plane, or on it and moving through it.
-            if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
+            if (gap < -2.0 * ContactTolerances.Touching || (gap <= ContactTolerances.Touching && rate < -ContactTolerances.Approaching))
             {
                 return t;
             }
 
-            t += Math.Max(gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend), shortest);
+            t += Math.Max(gap > ContactTolerances.Touching ? Safe(gap, rate, _bend) : Along(rate, _bend), shortest);
         }
 
         return double.PositiveInfinity;
@@ -307,7 +289,7 @@ internal readonly struct ContactSearch
             ShapePoint at = collider.At(path.At(t));
             double gap = at.Distance - r;
             double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
-            if (gap <= Touching && rate < -Approaching)
+            if (gap <= ContactTolerances.Touching && rate < -ContactTolerances.Approaching)
             {
                 // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
                 double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
@@ -332,7 +314,7 @@ internal readonly struct ContactSearch
                 continue;
             }
 
-            if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
+            if (t == 0 && gap <= ContactTolerances.Touching && rate <= ContactTolerances.Leaving && _bend == 0)
             {
                 // On a straight path, ignore a closing contact without load. If the ball ends up inside the surface, it is pushed out.
                 return double.PositiveInfinity;
@@ -345,7 +327,7 @@ internal readonly struct ContactSearch
                 return double.PositiveInfinity;
             }
 
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
+            double step = gap > ContactTolerances.Touching ? Safe(gap, rate, bend) : Along(rate, bend);
 
             // Far from a concave surface M is not valid, so bound the closing by the speed. Near it, use M only until the ball may be far
             // again.
@@ -372,12 +354,12 @@ internal readonly struct ContactSearch
         {
             double gap = distance.At(t);
             double rate = distance.RateAt(t);
-            if (gap <= Touching && rate < -Approaching)
+            if (gap <= ContactTolerances.Touching && rate < -ContactTolerances.Approaching)
             {
                 return t;
             }
 
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
+            double step = gap > ContactTolerances.Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
@@ -408,21 +390,21 @@ internal readonly struct ContactSearch
             sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
             // A closed gap that still falls is the event. A closed gap at rest does not fall.
-            if (gap <= Touching)
+            if (gap <= ContactTolerances.Touching)
             {
-                if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
+                if (rate < -ContactTolerances.Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
                 {
                     return t;
                 }
 
-                if (rate <= Approaching)
+                if (rate <= ContactTolerances.Approaching)
                 {
                     return double.PositiveInfinity;
                 }
             }
 
             double bend = sought.Bends * _bend;
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
+            double step = gap > ContactTolerances.Touching ? Safe(gap, rate, bend) : Along(rate, bend);
             if (!Advance(ref t, step, shortest, until))
             {
                 return double.PositiveInfinity;
@@ -470,10 +452,10 @@ internal readonly struct ContactSearch
         double bend = condition.Bends * _bend;
 
         // If the gap is open, advance while it is sure to stay open. If it is zero but not decreasing, advance until it could decrease. Otherwise the step is zero.
-        double safe = value > Touching ? Safe(value, rate, bend)
-            : value > -Touching && rate >= 0 ? Along(rate, bend)
+        double safe = value > ContactTolerances.Touching ? Safe(value, rate, bend)
+            : value > -ContactTolerances.Touching && rate >= 0 ? Along(rate, bend)
             : 0;
-        if (value > -Touching && rate >= 0)
+        if (value > -ContactTolerances.Touching && rate >= 0)
         {
             safe = Math.Max(safe, double.Epsilon);
         }
@@ -486,12 +468,12 @@ internal readonly struct ContactSearch
     }
 
     /// <summary>Returns the minimum step of a search along a path, s, so that every search ends.</summary>
-    internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
+    internal static double ShortestOf(in PathCubic path) => Math.Max(ContactTolerances.ShortestShare * path.Length, ContactTolerances.ShortestStep);
 
     /// <summary>Returns a safe step for a closed gap that does not shrink: until it may shrink, or by the contact tolerance, ½ M
     /// s².</summary>
     private static double Along(double rate, double bend) =>
-        bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
+        bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * ContactTolerances.Touching / bend)) : double.PositiveInfinity;
 
     /// <summary>Returns the positive root of f + f' s − ½ M s², without cancellation.</summary>
     internal static double Safe(double gap, double rate, double bend)

@@ -5,18 +5,9 @@ namespace FootballPhysics;
 /// <remarks>All corrections are vertical; x and z do not change.</remarks>
 internal static class GroundPlace
 {
-    /// <summary>A smaller overlap is rounding or contact, and is not corrected, m.</summary>
-    private const double Overlap = 5e-10;
-
-    /// <summary>Tolerance of the gap to the ground, as a share of the height or of 1 m.</summary>
-    private const double Closeness = 1e-14;
-
     /// <summary>Maximum number of Newton iterations: five near the ground; far from uneven ground each leaves less than a third of the
     /// distance.</summary>
     private const int MostSteps = 64;
-
-    /// <summary>A plane whose normal has a smaller y than this is a wall: no position is above it.</summary>
-    private const double Wall = 1e-6;
 
     /// <summary>Returns the centre of a ball on the ground; at height 0 if there is no ground.</summary>
     /// <param name="world">The world.</param>
@@ -36,7 +27,7 @@ internal static class GroundPlace
             return position.Y < world.LevelContact ? new Vector3d(position.X, world.LevelContact, position.Z) : position;
         }
 
-        return world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > Overlap
+        return world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap
             ? Onto(world, in position)
             : position;
     }
@@ -59,12 +50,12 @@ internal static class GroundPlace
         {
             ShapePoint point = world.Ground!.At(in at);
             double below = world.Ball.Radius - point.Distance;
-            if (!(Math.Abs(below) > Closeness * (1.0 + Math.Abs(at.Y))))
+            if (!(Math.Abs(below) > ContactTolerances.OnGround * (1.0 + Math.Abs(at.Y))))
             {
                 break;
             }
 
-            if (point.Normal.Y < Wall)
+            if (point.Normal.Y < ContactTolerances.Wall)
             {
                 return at + (below * point.Normal);
             }

@@ -49,10 +49,6 @@ internal static class RotatingSearch
     /// <summary>Maximum closing speed of a slow gap, m/s.</summary>
     private const double Slow = 0.01;
 
-    /// <summary>Extra closing allowed for a slow gap before the next evaluation, m.</summary>
-    /// <remarks>It saves evaluations for a ball that touches a drum.</remarks>
-    private const double Sink = 1e-8;
-
     /// <summary>Returns the time of the first closing contact; infinite if there is none.</summary>
     /// <param name="shape">The shape, from the start of the path.</param>
     /// <param name="hollow">Its largest concave curvature, 1/m.</param>
@@ -82,14 +78,14 @@ internal static class RotatingSearch
         while (true)
         {
             double gap = shape.Distance(path.At(t), path.VelocityAt(t), t, out double rate) - radius;
-            if (gap <= ContactSearch.Touching && rate < -ContactSearch.Approaching)
+            if (gap <= ContactTolerances.Touching && rate < -ContactTolerances.Approaching)
             {
                 return t;
             }
 
             // Take the longer of two safe steps. Far from a concave surface only the speed bound is valid; near it, limit the step by the
             // bend.
-            double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? Sink : 0), rate, bend);
+            double byBend = ContactSearch.Safe(Math.Max(gap, 0) + (rate > -Slow ? ContactTolerances.SlowSink : 0), rate, bend);
             byBend = !(hollow > 0) ? byBend : gap < ContactSearch.NearHollow * radius ? Math.Min(byBend, ((ContactSearch.NearHollow * radius) - gap) / whole) : 0;
             if (!ContactSearch.Advance(ref t, Math.Max(byBend, Math.Max(gap, 0) / closing), shortest, until))
             {

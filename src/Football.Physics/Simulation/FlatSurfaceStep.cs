@@ -185,7 +185,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         ref readonly Material material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _weight);
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
-        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
+        if (!(size >= ContactTolerances.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
             || size < SoonOver * dt * (rolls ? material.Rolling : material.SlipFriction) * _weight
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
@@ -195,7 +195,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
         on.X = x * perSize;
         on.Z = z * perSize;
-        on.SpinSign = start.WY > Slip.Rolling ? 1.0 : start.WY < -Slip.Rolling ? -1.0 : 0.0;
+        on.SpinSign = start.WY > ContactTolerances.Rolling ? 1.0 : start.WY < -ContactTolerances.Rolling ? -1.0 : 0.0;
         Unsafe.SkipInit(out on.From);
         on.Time = s.Time;
         if (_air.HasField)

@@ -101,7 +101,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>True if the ball touches level ground and does not leave it.</summary>
-    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
+    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactTolerances.Leaving && s.Position.Y <= _world.LevelContact + ContactTolerances.Touching;
 
     /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
     private bool RestsInNet(ref BallState s, ref StepRun run)

@@ -114,7 +114,7 @@ internal sealed class SlideStep<TAir>
         Vector3d second = forces.SecondSlip(from.Speed, in from.Spin);
         double firstSize = first.Length;
         double secondSize = second.Length;
-        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= LineStep.OnLine) || !(firstSize >= LineStep.Sticking) || !(secondSize >= LineStep.Sticking))
+        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= ContactTolerances.OffLine) || !(firstSize >= ContactTolerances.Sticking) || !(secondSize >= ContactTolerances.Sticking))
         {
             return false;
         }
@@ -125,13 +125,13 @@ internal sealed class SlideStep<TAir>
         forces.Load(in push, in forces.FirstDirection, in forces.SecondDirection, out rates.First, out rates.Second);
 
         // The loads do not depend on the choice of the bearer, so choose it by load.
-        bool isSecond = rates.Second > rates.First * (1.0 + SetContact.SameLoad);
+        bool isSecond = rates.Second > rates.First * (1.0 + ContactTolerances.SameLoad);
         forces.Bear(isSecond, isSecond ? two : one, ref from.Spin);
         forces.Evaluate(in push, in torque, from.Speed, in from.Spin, out rates);
 
         double gain = dt * ((one.Sliding * rates.First) + (two.Sliding * rates.Second));
         double airSpeed = (s.Velocity - _air.Wind).Length + _air.FastestWind + gain;
-        return rates.First > SurfaceForces.Least && rates.Second > SurfaceForces.Least && rates.HoldSpin > 0 && Energy(in from) > _world.RestEnergy * (1.0 + 1e-12)
+        return rates.First > ContactTolerances.LeastLoad && rates.Second > ContactTolerances.LeastLoad && rates.HoldSpin > 0 && Energy(in from) > _world.RestEnergy * (1.0 + ContactTolerances.AtRest)
             && dt * (_limit.RateAtMost(airSpeed, from.Spin.Length) + Math.Max(one.Damping, two.Damping)) <= StabilityLimit.LargestChange
             && IsShort(dt, in forces.FirstDirection, firstSize, forces.FirstSlip(rates.Along, in rates.Spin), one.Sliding)
             && IsShort(dt, in forces.SecondDirection, secondSize, forces.SecondSlip(rates.Along, in rates.Spin), two.Sliding);
@@ -158,7 +158,7 @@ internal sealed class SlideStep<TAir>
 
     /// <summary>Difference between the bearer's load and the other load, m/s².</summary>
     private static double Lead(in SlideForces forces, in SlideRates rates) =>
-        forces.IsSecondBearer ? (rates.Second * (1.0 + SetContact.SameLoad)) - rates.First : (rates.First * (1.0 + SetContact.SameLoad)) - rates.Second;
+        forces.IsSecondBearer ? (rates.Second * (1.0 + ContactTolerances.SameLoad)) - rates.First : (rates.First * (1.0 + ContactTolerances.SameLoad)) - rates.Second;
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     private double Energy(in Slide at) => (0.5 * _ball.Mass * at.Speed * at.Speed) + (0.5 * _ball.MomentOfInertia * at.Spin.LengthSquared);

@@ -177,7 +177,7 @@ internal sealed class BallTrial : PieceObserver
                 double length = apart.Length;
                 double gap = length - distance;
                 double rate = length > 0 ? Vector3d.Dot(in apart, mine.VelocityAt(time - start) - its.VelocityAt(time - otherStart)) / length : -1;
-                if (gap <= ContactSearch.Touching && (rate < -ContactSearch.Approaching || gap < -Overlap))
+                if (gap <= ContactTolerances.Touching && (rate < -ContactTolerances.Approaching || gap < -ContactTolerances.BallOverlap))
                 {
                     return time;
                 }
@@ -186,7 +186,7 @@ internal sealed class BallTrial : PieceObserver
                 double room = Math.Max(0, gap);
                 double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
                 double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
-                time += Math.Max(ahead, ShortestAdvance + (Rounding * time));
+                time += Math.Max(ahead, ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * time));
             }
             while (time < last || (atEnd && time == until && last == until));
 
@@ -195,13 +195,4 @@ internal sealed class BallTrial : PieceObserver
 
         return double.PositiveInfinity;
     }
-
-    /// <summary>Minimum advance of the search if two balls touch without closing, s.</summary>
-    private const double ShortestAdvance = 1e-7;
-
-    /// <summary>Relative minimum advance at late times, where the clock is coarse.</summary>
-    private const double Rounding = 5e-16;
-
-    /// <summary>Balls that overlap by more than this are separated even if they do not close, m.</summary>
-    private const double Overlap = 1e-6;
 }

@@ -7,12 +7,6 @@ internal sealed class PilePhase
     /// <summary>Maximum number of nets and goals on the path of a part.</summary>
     private const int MostPassages = 8;
 
-    /// <summary>A ball with a slip below this rolls, m/s.</summary>
-    private const double RollingSlip = 1e-6;
-
-    /// <summary>A ball deeper than this in a moving object is squeezed by it and not supported, m.</summary>
-    private const double LargestOverlap = 1e-6;
-
     /// <summary>Below this speed no slide or roll is reported, m/s: in a pile a ball may alternately slip and grip.</summary>
     private const double ToldSpeed = 0.05;
 
@@ -125,7 +119,7 @@ internal sealed class PilePhase
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
-        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > LargestOverlap)
+        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth)
         {
             StaySqueezed(ref s, carrier, log);
             return;
@@ -153,7 +147,7 @@ internal sealed class PilePhase
         _world.Exit(ref s);
         Vector3d n = _world.Hold(ref s, on);
         Vector3d relative = s.Velocity - _world.SurfaceVelocity(on, s.Position, in n, s.Time);
-        bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < RollingSlip;
+        bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < ContactTolerances.SolvedSlip;
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
         bool changed = !same || before != s.Motion;
