@@ -36,7 +36,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private readonly bool _isLevel;
     private readonly bool _slides;
     private readonly bool _locatesJump;
-    private readonly bool _semiImplicit;
+    private readonly bool _movesWithEnd;
     private readonly int _order;
     private readonly double[] _offsets;
     private readonly double[] _weights;
@@ -68,13 +68,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Prepares the steps of a scene.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="settings">The integrator.</param>
+    /// <param name="settings">The settings of the solver.</param>
+    /// <param name="method">The integrator.</param>
     /// <param name="around">The forces on the ball.</param>
     /// <param name="air">The laws of the air.</param>
     /// <param name="limit">The stability limit of a step.</param>
     /// <param name="clear">Checks whether an object is near; null if the scene has only the ground.</param>
     /// <param name="locatesJump">Whether steps end at the jump of the drag law.</param>
-    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
+    public FlatSurfaceStep(Scene scene, SolverSettings settings, IIntegrator method, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
         _world = around.World;
@@ -84,14 +85,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _locatesJump = locatesJump;
         _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && !scene.HasOwnForces;
         _slides = settings.RollingTransition == RollingTransition.Exact;
-        (_offsets, _weights, _order) = settings.Integrator switch
-        {
-            Integrator.Rk4 => (new[] { 0, 0.5, 0.5, 1.0 }, new[] { 1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0 }, 4),
-            Integrator.Rk2 => (new[] { 0, 0.5 }, new[] { 0, 1.0 }, 2),
-            Integrator.Euler or Integrator.SemiImplicitEuler => (new[] { 0.0 }, new[] { 1.0 }, 1),
-            _ => throw Check.Unknown("solver.integrator", settings.Integrator),
-        };
-        _semiImplicit = settings.Integrator == Integrator.SemiImplicitEuler;
+        Tableau tableau = method.Tableau;
+        (_offsets, _weights, _movesWithEnd, _order) = (tableau.Offsets, tableau.Weights, tableau.MovesWithEnd, method.Order);
 
         // Axes of the plane. On a level pitch they are the world axes.
         _isLevel = scene.Ground.IsLevel;
@@ -287,8 +282,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        double alongX = dt * (_semiImplicit ? last.VX : sumVX);
-        double alongZ = dt * (_semiImplicit ? last.VZ : sumVZ);
+        double alongX = dt * (_movesWithEnd ? last.VX : sumVX);
+        double alongZ = dt * (_movesWithEnd ? last.VZ : sumVZ);
         Vector3d position = _isLevel
             ? new Vector3d(s.Position.X + alongX, s.Position.Y, s.Position.Z + alongZ)
             : s.Position + (alongX * _axisX) + (alongZ * _axisZ);
@@ -304,7 +299,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the Magnus series to fourth order; to sixth order if it turns much.
         sumWX = rolls ? sumVZ * _perRadius : sumWX;
         sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
-        var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
+        var mean = new Vector3d(_movesWithEnd ? last.WX : sumWX, _movesWithEnd ? last.WY : sumWY, _movesWithEnd ? last.WZ : sumWZ);
         Vector3d commutator = dt * dt * Vector3d.Cross(last.Spin, start.Spin);
         Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
             ? (dt * mean) + ((1.0 / 12.0) * commutator)

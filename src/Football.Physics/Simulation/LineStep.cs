@@ -42,7 +42,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
     /// <summary>True if this class covers the scene: all air forces act on the ground, and the drag law does not jump.</summary>
     public static bool Covers(Surroundings around, int order) =>
-        order > 1 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
+        order is 2 or 4 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
 
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -87,10 +87,9 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             speed = line.Speed + (dt * third.Along);
             about = line.About + (dt * third.About);
             RatesAt(in s, in forces, dt, dt * thirdSpeed, speed, about, out rates);
-            double sixth = dt / 6.0;
-            way = sixth * (line.Speed + (2.0 * (secondSpeed + thirdSpeed)) + speed);
-            endSpeed = line.Speed + (sixth * (first.Along + (2.0 * (second.Along + third.Along)) + rates.Along));
-            endAbout = line.About + (sixth * (first.About + (2.0 * (second.About + third.About)) + rates.About));
+            way = ClassicalRungeKutta.Sum(dt, line.Speed, secondSpeed, thirdSpeed, speed);
+            endSpeed = line.Speed + ClassicalRungeKutta.Sum(dt, first.Along, second.Along, third.Along, rates.Along);
+            endAbout = line.About + ClassicalRungeKutta.Sum(dt, first.About, second.About, third.About, rates.About);
             secondSpeed = 0.5 * (secondSpeed + thirdSpeed);
             secondAbout = 0.5 * (secondAbout + thirdAbout);
         }

@@ -111,7 +111,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
         where TAir : struct, IFlightAir
     {
-        _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
+        _flat = new FlatSurfaceStep<TAir>(scene, settings, _integrator, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
         _line = LineStep<TAir>.Covers(Around, _integrator.Order) ? new LineStep<TAir>(Around, in air, in _pulled, _integrator.Order) : null;
     }
 

@@ -57,10 +57,9 @@ internal sealed class SlideStep<TAir>
             RatesAt(in s, in forces, half, half * second.Speed, in third, out SlideRates ofThird);
             last = from.After(dt, in ofThird);
             RatesAt(in s, in forces, dt, dt * third.Speed, in last, out rates);
-            double sixth = dt / 6.0;
-            way = sixth * (from.Speed + (2.0 * (second.Speed + third.Speed)) + last.Speed);
-            final.Speed = from.Speed + (sixth * (first.Along + (2.0 * (ofSecond.Along + ofThird.Along)) + rates.Along));
-            final.Spin = from.Spin + (sixth * (first.Spin + (2.0 * (ofSecond.Spin + ofThird.Spin)) + rates.Spin));
+            way = ClassicalRungeKutta.Sum(dt, from.Speed, second.Speed, third.Speed, last.Speed);
+            final.Speed = from.Speed + ClassicalRungeKutta.Sum(dt, first.Along, ofSecond.Along, ofThird.Along, rates.Along);
+            final.Spin = from.Spin + ClassicalRungeKutta.Sum(dt, in first.Spin, in ofSecond.Spin, in ofThird.Spin, in rates.Spin);
             middle.Spin = 0.5 * (second.Spin + third.Spin);
             fastest = Math.Max(Math.Max(fastest, Math.Abs(third.Speed)), Math.Max(Math.Abs(last.Speed), Math.Abs(final.Speed)));
         }

@@ -31,7 +31,7 @@ internal sealed class PilePhase
     /// <summary>The integrator of its whole steps.</summary>
     public IIntegrator Method { get; }
 
-    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster.</summary>
+    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster, or has an order without whole steps of groups.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">The requested length, s.</param>
     /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
@@ -40,7 +40,7 @@ internal sealed class PilePhase
     {
         bool spirals = false;
         double part = _limit.PartOf(ref _around.Air, h, (s.Velocity - _around.Wind).Length, s.Spin.Length, s.Branch, ref spirals, damping, gain);
-        return spirals ? 0 : part;
+        return spirals || Method.Order is not (1 or 2 or 4) ? 0 : part;
     }
 
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
