@@ -299,23 +299,13 @@ internal static class ContactSet
                 double gap = at.Distance - world.Ball.Radius;
                 if (!contact.Moves && gap < -ContactTolerances.ClosedGap)
                 {
-                    s.Position -= gap * at.Normal;
-                    KeepLevel(world, ref s, world.Colliders[contact.Collider], bears: false);
+                    s.Position = world.Colliders[contact.Collider].SnapUp(s.Position - (gap * at.Normal));
                     inside = true;
                 }
             }
         }
 
         return !inside;
-    }
-
-    /// <summary>Sets the exact height of a ball on level ground.</summary>
-    private static void KeepLevel(World world, ref BallState s, Collider collider, bool bears)
-    {
-        if (world.IsLevel && collider == world.Ground)
-        {
-            s.Position = new Vector3d(s.Position.X, bears ? world.LevelContact : Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
-        }
     }
 
     private static bool Put(World world, ref BallState s, in Contact contact, bool closes)
@@ -337,7 +327,7 @@ internal static class ContactSet
         s.Velocity -= (bears ? off : gap <= ContactTolerances.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;
-        KeepLevel(world, ref s, collider, bears);
+        s.Position = bears ? collider.Snap(s.Position) : collider.SnapUp(s.Position);
         return Math.Abs(gap) > ContactTolerances.ClosedGap;
     }
 

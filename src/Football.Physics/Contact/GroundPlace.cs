@@ -21,15 +21,10 @@ internal static class GroundPlace
     /// <param name="position">The position, m.</param>
     public static Vector3d Raised(World world, in Vector3d position)
     {
-        if (world.IsLevel)
-        {
-            // Set the exact height: other code compares heights on level ground exactly.
-            return position.Y < world.LevelContact ? new Vector3d(position.X, world.LevelContact, position.Z) : position;
-        }
-
-        return world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap
-            ? Onto(world, in position)
-            : position;
+        return world.Ground is { IsLevelGround: true } level ? level.SnapUp(in position)
+            : world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap
+                ? Onto(world, in position)
+                : position;
     }
 
     /// <summary>Returns the position vertically above or below a point at which a ball touches the ground.</summary>
@@ -38,9 +33,10 @@ internal static class GroundPlace
     /// <param name="position">The position, m.</param>
     public static Vector3d Onto(World world, in Vector3d position)
     {
-        if (world.IsLevel)
+        Collider ground = world.Ground!;
+        if (ground.IsLevelGround)
         {
-            return new Vector3d(position.X, world.LevelContact, position.Z);
+            return ground.Snap(in position);
         }
 
         // Newton's method for d(y) = r with d' = n_y: one step on a plane. On uneven ground n_y is 0.7 … 1 and changes by less than a third
@@ -48,7 +44,7 @@ internal static class GroundPlace
         Vector3d at = position;
         for (int i = 0; i < MostSteps; i++)
         {
-            ShapePoint point = world.Ground!.At(in at);
+            ShapePoint point = ground.At(in at);
             double below = world.Ball.Radius - point.Distance;
             if (!(Math.Abs(below) > ContactTolerances.OnGround * (1.0 + Math.Abs(at.Y))))
             {

@@ -42,11 +42,11 @@ internal sealed class WorldContact
 
         Collider hit = _world.Colliders[collider];
         bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
-        if (!carried && _world.IsLevel && hit == _world.Ground)
+        if (!carried && hit.IsLevelGround)
         {
             // Height and vertical velocity are known exactly here. The difference is rounding, the contact tolerance or that of a
             // bisection.
-            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+            s.Position = hit.Snap(s.Position);
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
@@ -78,7 +78,7 @@ internal sealed class WorldContact
         // The separation speed, w = (v' − V')·n, determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
-        if (_gainsByHops && off > 0 && !(_world.IsLevel && hit == _world.Ground))
+        if (_gainsByHops && off > 0 && !hit.IsLevelGround)
         {
             // Subtract in advance the speed that the integrator adds in the hop. On level ground the pieces of a hop are short enough.
             double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
@@ -411,7 +411,7 @@ internal sealed class WorldContact
 
         // A level pitch supports a ball that closes more slowly than the minimum bounce speed. On other surfaces any closing speed is an
         // impact.
-        double slowest = _world.IsLevel && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
+        double slowest = collider.IsLevelGround ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactTolerances.Touching && off < _world.MinimumBounceSpeed && off > slowest
             && _load.Load(in s, in velocity, s.Spin, collider, in at) > ContactTolerances.LeastLoad;
     }

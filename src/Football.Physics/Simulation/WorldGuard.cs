@@ -140,7 +140,7 @@ internal sealed class WorldGuard
             }
 
             // The thesis' bisection only handles level ground.
-            if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
+            if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
             {
                 Bisection.End(ref sweep, _tolerance, _world.LevelContact);
                 met = found;
@@ -212,13 +212,11 @@ internal sealed class WorldGuard
     /// height.</summary>
     public void PutOnto(ref BallState s, in Separation met)
     {
-        if (IsLevelGround(in met))
+        if (met.What == SeparationKind.Contact)
         {
-            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+            s.Position = _world.Colliders[met.Index].Snap(s.Position);
         }
     }
-
-    private bool IsLevelGround(in Separation met) => met.What == SeparationKind.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));

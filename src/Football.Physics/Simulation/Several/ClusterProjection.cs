@@ -100,12 +100,7 @@ internal static class ClusterProjection
         ref BallState s = ref ball.End;
         Collider collider = ball.World.Colliders[index];
         ShapePoint at = collider.At(s.Position, s.Time);
-        s.Position += (ball.Radius - at.Distance) * at.Normal;
-        if (ball.World.IsLevel && collider == ball.World.Ground)
-        {
-            // Set the exact height of a ball on level ground.
-            s.Position = new Vector3d(s.Position.X, ball.World.LevelContact, s.Position.Z);
-        }
+        s.Position = collider.Snap(s.Position + ((ball.Radius - at.Distance) * at.Normal));
     }
 
     /// <summary>Projects the velocity of a ball on a stationary object.</summary>

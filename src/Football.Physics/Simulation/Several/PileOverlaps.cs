@@ -154,11 +154,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         moved |= over > ContactTolerances.PileOverlap;
                     }
 
-                    if (world.IsLevel && collider == world.Ground)
-                    {
-                        // Set the exact height of a ball on level ground.
-                        s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
-                    }
+                    s.Position = collider.SnapUp(s.Position);
                 }
 
                 // Limit the total displacement by all movers to the limit for a single one.
