@@ -106,7 +106,7 @@ internal sealed class ContactLoad
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        DragBranch branch = _around.BranchAt(in at);
         return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
     }
 
@@ -142,9 +142,7 @@ internal sealed class ContactLoad
         World = _world,
         Carrier = carrier,
         Material = carrier.MaterialAt(s.Position),
-        Branch = _around.Air.Jumps
-            ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
-            : DragBranch.Unknown,
+        Branch = _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin)),
         Nets = s.Nets,
         NetSides = s.NetSides,
     };

@@ -182,7 +182,7 @@ internal sealed partial class ContactSetParts
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
         // Lock the drag law to the branch at the start of the part: its jump is not located here.
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        DragBranch branch = _around.BranchAt(in at);
         MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
         Vector3d acceleration = rates.Acceleration;
         Vector3d spinAcceleration = rates.SpinAcceleration;

@@ -199,7 +199,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
 
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
-        on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
+        on.Branch = known ? s.Branch : DragJump.Choose(_around.Air.Jumps, locates: false, s.Branch, airSpeedSquared, _radiusSquared * spinSquared);
 
         // Use the first stage to reject a step in which the direction of the slip or the roll turns too much.
         RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
@@ -401,7 +401,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             ux -= wind.X;
             uy -= wind.Y;
             uz -= wind.Z;
-            branch = BranchAt((ux * ux) + (uy * uy) + (uz * uz), (wx * wx) + (wy * wy) + (wz * wz), branch);
+            branch = DragJump.Choose(
+                _around.Air.Laws.Jumps, locates: false, branch, (ux * ux) + (uy * uy) + (uz * uz), _radiusSquared * ((wx * wx) + (wy * wy) + (wz * wz)));
         }
 
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
@@ -471,10 +472,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             rates.BrakingSquared = spins ? decay * decay * spinSquared : decay * decay;
         }
     }
-
-    /// <summary>Returns the branch of the drag law in a varying wind.</summary>
-    private DragBranch BranchAt(double speedSquared, double spinSquared, DragBranch branch) =>
-        _around.Air.Laws.Jumps ? DragJump.At(speedSquared, _radiusSquared * spinSquared).Branch : branch;
 
     /// <summary>Returns the wind at a position and time, in the plane's axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

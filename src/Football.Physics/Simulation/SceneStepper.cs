@@ -151,7 +151,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
-        DragBranch branch = DragJump.At(speedSquared, Around.RadiusSquared * spinRate * spinRate).Branch;
+        DragBranch branch = DragJump.BranchAt(jumps: true, speedSquared, Around.RadiusSquared * spinRate * spinRate);
         _air.Factors(speedSquared, spinRate, speedSquared, branch, out drag, out lift, out decay);
     }
 

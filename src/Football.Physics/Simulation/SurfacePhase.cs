@@ -367,7 +367,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // Reject it if the drag law jumps first: a piece must end there.
-        if (_jump.Acts && DragJump.At(in end, in _around.Wind, _around.Radius).Branch != system.Branch)
+        if (_jump.Acts && _around.BranchAt(in end) != system.Branch)
         {
             return false;
         }
