@@ -15,7 +15,7 @@ internal sealed class GroundFriction
     /// <remarks>
     /// The factors convert a median absolute deviation to a standard deviation, and the standard error of a mean to that of a median.
     /// </remarks>
-    private const double Mad = 1.4826;
+    internal const double Mad = 1.4826;
     private const double MedianLoss = 1.2533;
     private const double Huber = 1.5;
 

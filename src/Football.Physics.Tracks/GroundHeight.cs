@@ -10,7 +10,7 @@ internal static class GroundHeight
     private const double Lowest = 0.1;
 
     /// <summary>The factor from median absolute deviation to standard deviation.</summary>
-    private const double Scatter = 1.4826;
+    private const double Scatter = GroundFriction.Mad;
 
     /// <summary>Estimates the height.</summary>
     /// <param name="heights">The heights of bounces, and of a ball that neither rises nor falls.</param>

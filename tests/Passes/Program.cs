@@ -1,14 +1,16 @@
 using System.Diagnostics;
 using System.Globalization;
+using System.Text.Json;
 using FootballPhysics;
 using FootballPhysics.Mutants;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
-// How many files of the library a reader passes who follows a step:
+// Counts the code of the library that runs in a step: files, methods, lines of these methods, calls, and changes of file and folder.
 //   dotnet run -c Release --project tests/Passes [-- --list]
-// Each method of the sources is compiled with a mark of its file, and each play is played twice: what only the first one passes is made at first use.
+// Each method of the sources is compiled with a mark, and each play is played twice: code that runs only in the first one initialises something.
+// Numerics and State do not count as folders.
 string library = LibrarySources.Folder;
 string[] files = LibrarySources.Files;
 string work = Path.Combine(LibrarySources.Root, "artifacts/passes");
@@ -18,13 +20,16 @@ if (Environment.GetEnvironmentVariable("FOOTBALL_MARKED") != "1")
 }
 
 Type marks = typeof(Simulator).Assembly.GetType("Passed")!;
-bool[] passed = (bool[])marks.GetField("Files")!.GetValue(null)!;
+var passed = (bool[])marks.GetField("Methods")!.GetValue(null)!;
+var counts = (int[])marks.GetField("Counts")!.GetValue(null)!;
+Method[] methods = JsonSerializer.Deserialize<Method[]>(File.ReadAllText(Path.Combine(work, "methods.json")))!;
 bool lists = args.Contains("--list");
 
 var onGround = new Vector3d(0, 0.11, 0);
 Tell("flight", 0.5, simulator => simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(20, 8, 3), new Vector3d(0, 40, -10)), new Scene());
 Tell("roll", 0.5, simulator => simulator.Launch(onGround, new Vector3d(4, 0, 0), new Vector3d(0, 0, -4 / 0.11)), new Scene());
 Tell("slide", 0.2, simulator => simulator.Launch(onGround, new Vector3d(12, 0, 0), new Vector3d(0, 0, 0)), new Scene());
+Tell("bounce", 1.2, simulator => simulator.Launch(new Vector3d(0, 0.6, 0), new Vector3d(14, -3, 1), default), new Scene());
 Tell("a whole kick", 12, simulator => simulator.Launch(onGround, new Vector3d(20, 6, 3), new Vector3d(0, 40, -10)), new Scene());
 
 // From the penalty spot of a standard pitch into a post, and into the net.
@@ -33,15 +38,17 @@ Tell("into a post", 1.2, simulator => simulator.Launch(spot, new Vector3d(8.2, 5
 Tell("into a net", 1.2, simulator => simulator.Launch(spot, new Vector3d(4, 5, 24), default), Pitch.Standard.On());
 return 0;
 
-// The step of a play that passes the most files.
+// The step of a play that runs the most lines.
 void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene scene)
 {
     var simulator = new Simulator(scene);
     string[] most = [];
+    int lines = 0;
+    string counted = "";
     string met = "";
     Play();
     Play();
-    Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what,-14} {most.Length,3} files   {met}"));
+    Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what,-14} {most.Length,3} files, {counted}   {met}"));
     foreach (string name in lists ? most : [])
     {
         Console.WriteLine("    " + name);
@@ -49,21 +56,24 @@ void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene 
 
     void Play()
     {
-        most = [];
+        lines = 0;
         BallState ball = launch(simulator);
         var log = new StepLog();
-        while (ball.Time < seconds && ball.Motion != MotionState.Stopped)
+        while (ball.Time < seconds && ball.Motion != MotionState.Rest)
         {
             double from = ball.Time;
             log.Clear();
             Array.Clear(passed);
+            Array.Clear(counts);
             simulator.Step(ref ball, 0.01, log);
-            string[] names = Enumerable.Range(0, files.Length).Where(i => passed[i]).Select(i => Path.GetRelativePath(library, files[i])).ToArray();
-            if (names.Length > most.Length)
+            Method[] ran = Enumerable.Range(0, methods.Length).Where(i => passed[i]).Select(i => methods[i]).ToArray();
+            if (ran.Sum(method => method.Lines) > lines)
             {
-                most = names;
+                lines = ran.Sum(method => method.Lines);
+                most = ran.Select(method => Path.GetRelativePath(library, files[method.File])).Distinct().Order(StringComparer.Ordinal).ToArray();
+                counted = string.Create(CultureInfo.InvariantCulture, $"{ran.Length,3} methods, {lines,4} lines, {counts[0],6} calls, {counts[1],5} changes of file, {counts[2],4} of folder");
                 met = string.Create(CultureInfo.InvariantCulture, $"step from {from:0.00} s")
-                    + string.Concat(log.Events.Span.ToArray().Select(happened => $", {happened.Kind} {simulator.NameOf(happened.Thing)}".TrimEnd()));
+                    + string.Concat(log.Events.Span.ToArray().Select(happened => $", {happened.Kind} {simulator.NameOf(happened.ColliderIndex)}".TrimEnd()));
             }
         }
     }
@@ -72,10 +82,33 @@ void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene 
 bool Compile()
 {
     CSharpParseOptions parsing = LibrarySources.Parsing;
+    var found = new List<Method>();
     var trees = files.Select((path, number) => CSharpSyntaxTree.ParseText(
-        Marker.Marked(File.ReadAllText(path), CSharpSyntaxTree.ParseText(File.ReadAllText(path), parsing).GetRoot(), number), parsing, path)).ToList();
+        Marker.Marked(File.ReadAllText(path), CSharpSyntaxTree.ParseText(File.ReadAllText(path), parsing).GetRoot(), number, found), parsing, path)).ToList();
+    string[] folders = files.Select(path => Path.GetRelativePath(library, path).Split('/', '\\')[0]).ToArray();
+    string[] rooms = folders.Distinct().Where(folder => folder is not ("Numerics" or "State")).ToArray();
+    string fileOf = string.Join(", ", found.Select(method => method.File));
+    string folderOf = string.Join(", ", found.Select(method => Array.IndexOf(rooms, folders[method.File])));
     trees.Add(CSharpSyntaxTree.ParseText($$"""
-        public static class Passed { public static readonly bool[] Files = new bool[{{files.Length}}]; public static void At(int file) => Files[file] = true; }
+        public static class Passed
+        {
+            public static readonly bool[] Methods = new bool[{{found.Count}}];
+            public static readonly int[] Counts = new int[3];
+            private static readonly int[] FileOf = { {{fileOf}} };
+            private static readonly int[] FolderOf = { {{folderOf}} };
+            private static int file;
+            private static int folder;
+
+            public static void At(int method)
+            {
+                Methods[method] = true;
+                Counts[0]++;
+                Counts[1] += FileOf[method] != file ? 1 : 0;
+                Counts[2] += FolderOf[method] >= 0 && FolderOf[method] != folder ? 1 : 0;
+                file = FileOf[method];
+                folder = FolderOf[method] >= 0 ? FolderOf[method] : folder;
+            }
+        }
         """, parsing));
     CSharpCompilation compilation = LibrarySources.Compilation(trees);
     if (Directory.Exists(work))
@@ -89,6 +122,7 @@ bool Compile()
         File.Copy(path, Path.Combine(work, Path.GetFileName(path)));
     }
 
+    File.WriteAllText(Path.Combine(work, "methods.json"), JsonSerializer.Serialize(found));
     using FileStream image = File.Create(Path.Combine(work, "Football.Physics.dll"));
     Diagnostic[] errors = compilation.Emit(image).Diagnostics.Where(at => at.Severity == DiagnosticSeverity.Error).ToArray();
     foreach (Diagnostic error in errors)
@@ -107,15 +141,19 @@ int Again()
     return process.ExitCode;
 }
 
-/// <summary>Text of a file whose bodies begin with a mark: what stands between them, directives included, stays as it is.</summary>
+/// <summary>A method, by the index of its file and its number of lines.</summary>
+internal sealed record Method(int File, int Lines);
+
+/// <summary>Inserts a mark at the start of each body. The rest of the text, with its directives, stays.</summary>
 internal static class Marker
 {
-    public static string Marked(string text, SyntaxNode root, int file)
+    public static string Marked(string text, SyntaxNode root, int file, List<Method> methods)
     {
-        string mark = $" global::Passed.At({file}); ";
         var changes = new List<(int From, int To, string With)>();
         foreach (SyntaxNode node in root.DescendantNodes())
         {
+            string mark = $" global::Passed.At({methods.Count}); ";
+            int marked = changes.Count;
             switch (node)
             {
                 case BaseMethodDeclarationSyntax { ExpressionBody: { } body } method:
@@ -137,6 +175,18 @@ internal static class Marker
                     Replace(body, indexer.SemicolonToken, true, "get");
                     break;
             }
+
+            if (changes.Count > marked)
+            {
+                FileLinePositionSpan span = node.SyntaxTree.GetLineSpan(node.Span);
+                methods.Add(new Method(file, span.EndLinePosition.Line - span.StartLinePosition.Line + 1));
+            }
+
+            void Replace(ArrowExpressionClauseSyntax body, SyntaxToken end, bool returns, string accessor)
+            {
+                string block = $"{{{mark}{(returns && body.Expression is not ThrowExpressionSyntax ? "return " : "")}{body.Expression}; }}";
+                changes.Add((body.SpanStart, end.Span.End, accessor == "" ? block : $"{{ {accessor} {block} }}"));
+            }
         }
 
         foreach ((int from, int to, string with) in changes.OrderByDescending(change => change.From))
@@ -145,11 +195,5 @@ internal static class Marker
         }
 
         return text;
-
-        void Replace(ArrowExpressionClauseSyntax body, SyntaxToken end, bool returns, string accessor)
-        {
-            string block = $"{{{mark}{(returns && body.Expression is not ThrowExpressionSyntax ? "return " : "")}{body.Expression}; }}";
-            changes.Add((body.SpanStart, end.Span.End, accessor == "" ? block : $"{{ {accessor} {block} }}"));
-        }
     }
 }

@@ -191,7 +191,7 @@ internal sealed class StepDifferences
         if (s.Motion == MotionState.Rolling)
         {
             Vector3d moving = OnSurface(in s, out Vector3d normal);
-            if (moving.LengthSquared < Slip.Rolling * Slip.Rolling)
+            if (moving.LengthSquared < ContactTolerances.Rolling * ContactTolerances.Rolling)
             {
                 // The ball stands still: its remaining speed carries no information.
                 end = new Motion(end.Position, s.Velocity - moving, Vector3d.Dot(s.Spin, in normal) * normal, s.AirDistance);
@@ -242,7 +242,7 @@ internal sealed class StepDifferences
         bool slides = start.Motion == MotionState.Sliding;
         double speed = (slides ? Slip.Of(in moving, start.Spin, in normal, _simulator.Scene.Ball.Radius) : moving).Length;
         double widest = Math.Min(Widest, RollShare * (start.Velocity - _simulator.Scene.Air.Wind).Length);
-        widest = speed < Slip.Rolling ? widest : Math.Min(widest, (slides ? SlipShare : RollShare) * speed);
+        widest = speed < ContactTolerances.Rolling ? widest : Math.Min(widest, (slides ? SlipShare : RollShare) * speed);
         return Math.Max(Narrowest, widest);
     }
 

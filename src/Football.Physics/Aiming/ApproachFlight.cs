@@ -69,7 +69,7 @@ internal abstract class ApproachFlight : KickObserver
         Squared = double.PositiveInfinity;
     }
 
-    protected void Fly(ref BallState state) => _flight.Fly(ref state, Last - (1e-9 * TimeStep));
+    protected void Fly(ref BallState state) => _flight.Fly(ref state, Last - (ContactTolerances.StepRounding * TimeStep));
 
     /// <summary>Returns the target's position at time 0, which may depend on the ball's position.</summary>
     protected virtual Vector3d TargetFor(in Vector3d position) => Target;

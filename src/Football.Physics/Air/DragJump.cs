@@ -39,6 +39,20 @@ internal readonly struct DragJump
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump At(double speedSquared, double surfaceSpeedSquared) => new(speedSquared, surfaceSpeedSquared, CriticalSpeedSquared);
 
+    /// <summary>Chooses the branch for a piece: the previous one if the law does not jump, or if the jump is located and that branch is known.</summary>
+    /// <param name="jumps">True if the law jumps.</param>
+    /// <param name="locates">True if pieces end at the jump, so that they keep their branch.</param>
+    /// <param name="last">The previous branch.</param>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="surfaceSpeedSquared">(r|ω|)².</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static DragBranch Choose(bool jumps, bool locates, DragBranch last, double speedSquared, double surfaceSpeedSquared) =>
+        !jumps || (locates && last != DragBranch.Unknown) ? last : At(speedSquared, surfaceSpeedSquared).Branch;
+
+    /// <summary>Returns the branch at a state; unknown if the law does not jump.</summary>
+    public static DragBranch BranchAt(bool jumps, double speedSquared, double surfaceSpeedSquared) =>
+        Choose(jumps, locates: false, DragBranch.Unknown, speedSquared, surfaceSpeedSquared);
+
     /// <summary>Returns the rates of the surface functions.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DragJump Rate(double speedSquaredRate, double surfaceSpeedSquaredRate) => new(speedSquaredRate, surfaceSpeedSquaredRate, 0);

@@ -96,7 +96,7 @@ internal struct SceneAir : IFlightAir
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
         // In a wind field, jumps are not located: use the branch of the current flow.
-        DragBranch here = _jumpsInField ? DragJump.At(speedSquared, _radiusSquared * spinRate * spinRate).Branch : region;
+        DragBranch here = DragJump.Choose(_jumpsInField, locates: false, region, speedSquared, _radiusSquared * spinRate * spinRate);
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }
 
@@ -124,7 +124,7 @@ internal struct SceneAir : IFlightAir
         factors.AirSpeed = 0;
         factors.Acceleration = Vector3d.Zero;
         factors.SpinAcceleration = Vector3d.Zero;
-        DragBranch here = _jumpsInField ? DragJump.At(u.LengthSquared, _radiusSquared * w.LengthSquared).Branch : branch;
+        DragBranch here = DragJump.Choose(_jumpsInField, locates: false, branch, u.LengthSquared, _radiusSquared * w.LengthSquared);
         double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
 
         // The knuckle force acts only in flight, and depends on the distance flown.

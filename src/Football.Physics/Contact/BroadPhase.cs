@@ -155,7 +155,7 @@ internal struct NearThings
     }
 
     /// <summary>Enumerates the objects that may touch a ball at a position.</summary>
-    public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactSearch.Touching);
+    public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactTolerances.Touching);
 
     /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m.</summary>
     public static NearThings Within(World world, in Vector3d position, double time, double distance)
@@ -171,7 +171,7 @@ internal struct NearThings
     public static int Deepest(World world, in BallState s, out bool overlapsBody)
     {
         overlapsBody = false;
-        double depth = ContactSearch.Touching;
+        double depth = ContactTolerances.Touching;
         int deepest = -1;
         Vector3d side = default;
         long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
@@ -187,7 +187,7 @@ internal struct NearThings
             // traversal and the order in the scene are arbitrary.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
-            overlapsBody |= overlap > ContactSearch.Touching && world.Colliders[i].IsBody;
+            overlapsBody |= overlap > ContactTolerances.Touching && world.Colliders[i].IsBody;
             if (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest)))
             {
                 depth = overlap;

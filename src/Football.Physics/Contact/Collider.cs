@@ -72,6 +72,18 @@ internal sealed class Collider
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
 
+    /// <summary>True if it is level ground. The height of a ball on it is exact: other code compares such heights exactly.</summary>
+    public bool IsLevelGround { get; init; }
+
+    /// <summary>The exact height of the centre of a ball on level ground, m; −∞ for other surfaces.</summary>
+    public double LevelContact { get; init; } = double.NegativeInfinity;
+
+    /// <summary>Returns the position of a ball on this surface, with the exact height if it is level ground.</summary>
+    public Vector3d Snap(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, LevelContact, position.Z) : position;
+
+    /// <summary>As <see cref="Snap"/>, but never lowers the ball.</summary>
+    public Vector3d SnapUp(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, Math.Max(position.Y, LevelContact), position.Z) : position;
+
     /// <summary>Its layer; −1 for the ground, goal frames and engine slots. Engine colliders are filtered when they are
     /// found.</summary>
     public int Layer { get; init; } = -1;

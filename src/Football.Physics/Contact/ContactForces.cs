@@ -158,7 +158,7 @@ internal static unsafe class ContactForces
         double largest = SetSystem(rows, g, x, size, in a, in w);
         if (pair < 0)
         {
-            return ContactRows.Eliminate(g, x, size, ContactRows.Singular * largest);
+            return ContactRows.Eliminate(g, x, size, ContactTolerances.Singular * largest);
         }
 
         // For two sticking contacts, the conditions along the line between the contact points coincide.

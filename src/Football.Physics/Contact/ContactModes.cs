@@ -48,7 +48,7 @@ internal static unsafe class ContactModes
             system.Bearer = likely;
             Roll(ref system, in at, default);
             system.Pinned = false;
-            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < Slip.Rolling)
+            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < ContactTolerances.Rolling)
             {
                 Forget(ref system);
             }
@@ -183,7 +183,7 @@ internal static unsafe class ContactModes
     {
         ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
         double about = Vector3d.Dot(in at.Spin, in bearer.Normal) - bearer.CarrierSpin;
-        system.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
         system.HoldsSpin = system.SpinSign == 0 && bearer.Drilling > 0;
         system.Pinned = false;
         system.Along = DirectionLeft(in system, out bool isLine);
@@ -193,7 +193,7 @@ internal static unsafe class ContactModes
         }
 
         double along = Vector3d.Dot(in bearer.RollingVelocity, in system.Along);
-        if (bearer.RollingVelocity.Length >= Slip.Rolling)
+        if (bearer.RollingVelocity.Length >= ContactTolerances.Rolling)
         {
             system.Along = along < 0 ? -system.Along : system.Along;
             return;
@@ -223,10 +223,10 @@ internal static unsafe class ContactModes
             {
                 Vector3d across = Vector3d.Cross(in first, in contact.Normal);
                 double size = across.Length;
-                isLine = size > LineForces.Independent;
+                isLine = size > ContactTolerances.Independent;
                 along = isLine ? across / size : along;
             }
-            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > LineForces.Independent)
+            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > ContactTolerances.Independent)
             {
                 isLine = false;
                 return Vector3d.Zero;
@@ -277,7 +277,7 @@ internal static unsafe class ContactModes
     {
         // Open the contact with the most negative load.
         int worst = -1;
-        double least = SurfaceForces.Least;
+        double least = ContactTolerances.LeastLoad;
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
@@ -296,7 +296,7 @@ internal static unsafe class ContactModes
         }
 
         // Activate the contact that would be penetrated fastest.
-        least = -SurfaceForces.Least;
+        least = -ContactTolerances.LeastLoad;
         for (int i = 0; i < system.Count; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
@@ -326,7 +326,7 @@ internal static unsafe class ContactModes
             }
         }
 
-        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
+        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
         {
             // Drilling friction cannot hold the spin, so the spin starts against the holding torque.
             system.HoldsSpin = false;
@@ -334,7 +334,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + SetContact.BeyondCone))
+        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
         {
             // Rolling resistance cannot hold the ball either, so the ball starts to roll against the holding force.
             system.Pinned = false;
@@ -361,7 +361,7 @@ internal static unsafe class ContactModes
         // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three take all of the
         // push.
         PushProjection free = Project(in system, in push);
-        return free.TakesAll || (free.First < 0 ? push.Length <= SurfaceForces.Least
+        return free.TakesAll || (free.First < 0 ? push.Length <= ContactTolerances.LeastLoad
             : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
     }
 
@@ -394,8 +394,8 @@ internal static unsafe class ContactModes
 
         ContactSystem at = system;
         at.Contacts = contacts;
-        return Find(ref at, time, in still, SurfaceForces.Least, carrier, ref evaluations)
-            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= SurfaceForces.Least;
+        return Find(ref at, time, in still, ContactTolerances.LeastLoad, carrier, ref evaluations)
+            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= ContactTolerances.LeastLoad;
     }
 
     /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>
@@ -441,5 +441,5 @@ internal static unsafe class ContactModes
     }
 
     private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
-        left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + SurfaceForces.Least;
+        left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + ContactTolerances.LeastLoad;
 }

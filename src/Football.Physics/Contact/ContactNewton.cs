@@ -8,9 +8,6 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ContactNewton
 {
-    /// <summary>Regularisation of the diagonal: selects the least-squares solution if there are several.</summary>
-    private const double Least = 1e-11;
-
     /// <summary>Larger sets are left to Gauss–Seidel: the cost of a step grows with the third power of the number of contacts.</summary>
     private const int Most = 12;
 
@@ -236,7 +233,7 @@ internal static class ContactNewton
                 into[j] = row.OfMotion * own[j];
             }
 
-            into[i] += row.OfItself + Least;
+            into[i] += row.OfItself + ContactTolerances.Regularisation;
             if (row.LoadRow >= 0)
             {
                 into[row.LoadRow] += row.PerLoad;
@@ -279,7 +276,7 @@ internal static class ContactNewton
             Span<double> own = system.Slice(column * width, width);
             Span<double> best = system.Slice(pivot * width, width);
             double largest = best[column];
-            if (!(Math.Abs(largest) > 1e-14))
+            if (!(Math.Abs(largest) > ContactTolerances.LeastPivot))
             {
                 return false;
             }

@@ -12,12 +12,6 @@ internal static unsafe class ContactRows
     /// <summary>Maximum number of unknowns of one ball: loads, and two friction components per sticking contact.</summary>
     public const int Most = 3 * ContactSystem.Most;
 
-    /// <summary>If a pivot is below this share of the largest entry, the solution is not unique.</summary>
-    public const double Singular = 1e-9;
-
-    /// <summary>Regularisation of G Gᵀ, as a share of its diagonal; iterative refinement removes its effect.</summary>
-    private const double Ridge = 1e-6;
-
     private const int Refinements = 3;
 
     /// <summary>Solves G x = b. G is unchanged.</summary>
@@ -42,7 +36,7 @@ internal static unsafe class ContactRows
             x[i] = b[i];
         }
 
-        bool isUnique = Eliminate(work, x, size, Singular * largest);
+        bool isUnique = Eliminate(work, x, size, ContactTolerances.Singular * largest);
         if (!isUnique)
         {
             LeastSquares(g, b, x, size);
@@ -82,7 +76,7 @@ internal static unsafe class ContactRows
             }
         }
 
-        if (!Eliminate(g, x, size, Singular * largest, 2))
+        if (!Eliminate(g, x, size, ContactTolerances.Singular * largest, 2))
         {
             return false;
         }
@@ -206,7 +200,7 @@ internal static unsafe class ContactRows
 
         for (int i = 0; i < size; i++)
         {
-            square[(i * size) + i] += Ridge * trace;
+            square[(i * size) + i] += ContactTolerances.Ridge * trace;
         }
 
         for (int round = 0; round < Refinements; round++)

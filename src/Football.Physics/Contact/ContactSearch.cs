@@ -1,33 +1,8 @@
 namespace FootballPhysics;
 
-/// <summary>Finds the first contact along a path.</summary>
-/// <remarks>
-/// It tracks each gap by conservative advancement: a gap f with rate f' and second derivative of at most M stays open until
-/// f + f' s − ½ M s² is zero. Near a contact this is Newton's method, which never oversteps the contact.
-/// </remarks>
+/// <summary>Finds the first contact along a path: the gaps of nearby objects, each by <see cref="TimeOfImpact"/>.</summary>
 internal readonly struct ContactSearch
 {
-    /// <summary>The ball touches a surface if the gap is below this, m.</summary>
-    public const double Touching = 1e-10;
-
-    /// <summary>A closing speed below this counts as zero, m/s.</summary>
-    public const double Approaching = 1e-9;
-
-    /// <summary>A separating speed below this counts as zero, m/s: 5e-12 m in a microsecond.</summary>
-    public const double Leaving = 5e-6;
-
-    /// <summary>The second derivative of the gap to a concave surface is bounded only up to this gap, as a share of the radius.</summary>
-    internal const double NearHollow = 0.1;
-
-    /// <summary>Upper bound of the projection onto the carrier after a piece, m.</summary>
-    private const double Corrected = 1e-6;
-
-    /// <summary>Minimum step of a search, as a share of the path.</summary>
-    private const double ShortestShare = 1e-7;
-
-    /// <summary>Minimum duration of a piece, s. A shorter piece has contacts only at its start.</summary>
-    private const double ShortestStep = 1e-300;
-
     private readonly World _world;
     private readonly PathCubic _path;
     private readonly Bounds3d _bounds;
@@ -150,12 +125,18 @@ internal readonly struct ContactSearch
             {
                 int net = thing - nets;
                 bool inside = (s.Nets >> net & 1) != 0;
-                at = inside ? at : MeetsNet(net, deepest, deepestSide, until, out gap);
+                if (!inside)
+                {
+                    var sheet = new NetGap(_world, net, deepest, deepestSide, in _path, _bend, new SearchSpan(in _path, until));
+                    at = TimeOfImpact.First(ref sheet);
+                    gap = sheet.Last;
+                }
             }
             else if (((s.GoalsEntered | s.GoalsPassed) >> (thing - goals) & 1) == 0)
             {
                 gap = Separation.OfGoal(_world, SeparationKind.MouthEntered, thing - goals);
-                at = EntersMouth(in gap, until);
+                var mouth = new MouthGap(in gap, in _world.Goals[thing - goals], in _path, _time, _bend, new SearchSpan(in _path, until));
+                at = TimeOfImpact.First(ref mouth);
             }
 
             // For simultaneous passages, take the first net or goal of the scene, regardless of the order of the walk.
@@ -196,7 +177,8 @@ internal readonly struct ContactSearch
     private void Leave(in Separation net, ref double best, ref Separation first, ref int bestThing)
     {
         int thing = _world.FirstPassage + net.Index;
-        double at = Fall(in net, Math.Min(best, _path.Length));
+        var gap = new FallingGap(in net, in _path, _time, _bend, new SearchSpan(in _path, Math.Min(best, _path.Length)));
+        double at = TimeOfImpact.First(ref gap);
         if (at < best || (at == best && thing < bestThing))
         {
             best = at;
@@ -208,60 +190,13 @@ internal readonly struct ContactSearch
     /// <summary>Keeps an event at a plane of a goal if it is the earliest so far.</summary>
     private void Take(in Separation plane, ref double best, ref Separation first)
     {
-        double at = PassesPlane(in plane, Math.Min(best, _path.Length));
+        var gap = new GoalPlaneGap(in plane, in _path, _time, _bend, new SearchSpan(in _path, Math.Min(best, _path.Length)));
+        double at = TimeOfImpact.First(ref gap);
         if (at < best)
         {
             best = at;
             first = plane;
         }
-    }
-
-    /// <summary>Returns the time at which the ball enters the mouth of a goal; infinite if it does not.</summary>
-    private double EntersMouth(in Separation mouth, double until)
-    {
-        double shortest = ShortestOf(in _path);
-        double t = 0;
-
-        // At the start of the path the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
-        bool isBefore = _world.Goals[mouth.Index].BeforeMouth(_path.At(0)) >= -Corrected;
-        while (t <= until)
-        {
-            Vector3d place = _path.At(t);
-            mouth.Evaluate(in place, _path.VelocityAt(t), _time + t, out double gap, out double rate);
-            if (isBefore && gap <= Touching && rate < -Approaching && _world.Goals[mouth.Index].IsOpen(in place))
-            {
-                return t;
-            }
-
-            // The ball may reach the plane next from either side.
-            isBefore = gap > Touching || (isBefore && rate >= -Approaching);
-            double step = gap > Touching ? Safe(gap, rate, _bend) : gap < -Touching ? Safe(-gap, -rate, _bend) : Along(Math.Abs(rate), _bend);
-            t += Math.Max(step, shortest);
-        }
-
-        return double.PositiveInfinity;
-    }
-
-    /// <summary>Returns the time at which a ball in the mouth of a goal passes one of its planes; infinite if it does not.</summary>
-    /// <remarks>A plane that the ball has already passed counts at once.</remarks>
-    private double PassesPlane(in Separation plane, double until)
-    {
-        double shortest = ShortestOf(in _path);
-        double t = 0;
-        while (t <= until)
-        {
-            plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
-
-            // The ball is beyond the plane, or on it and moving through it.
-            if (gap < -2.0 * Touching || (gap <= Touching && rate < -Approaching))
-            {
-                return t;
-            }
-
-            t += Math.Max(gap > Touching ? Safe(gap, rate, _bend) : Along(rate, _bend), shortest);
-        }
-
-        return double.PositiveInfinity;
     }
 
     /// <summary>Returns the time of the first closing contact with a collider, or of a seam at which it becomes the carrier; infinite if
@@ -271,14 +206,17 @@ internal readonly struct ContactSearch
         seam = false;
         Collider collider = _world.Colliders[thing];
         double r = _world.Ball.Radius;
+        var span = new SearchSpan(in _path, until);
         if (collider.StandingPlane is { } plane)
         {
-            return FirstContact(_path.DistanceTo(plane, r), until);
+            var distance = new PlaneGap(_path.DistanceTo(plane, r), in span);
+            return TimeOfImpact.First(ref distance);
         }
 
         if (collider.Rotates)
         {
-            return RotatingSearch.FirstContact(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, until);
+            var rotating = new RotatingGap(collider.From(_time), collider.HollowCurvature, in _path, _bend, r, in span);
+            return TimeOfImpact.First(ref rotating);
         }
 
         // Transform the path to the frame of a moving collider, where the collider is stationary.
@@ -295,209 +233,31 @@ internal readonly struct ContactSearch
             return double.PositiveInfinity;
         }
 
-        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
-        double speed = path.FastestSpeed;
-        double hollow = collider.HollowCurvature;
-        double bend = _bend + (hollow > 0 ? speed * speed * hollow / (1.0 - ((1.0 + NearHollow) * r * hollow)) : 0);
-        double shortest = ShortestOf(in path);
+        var gap = new ShapeGap(collider, in path, _bend, r, in span);
         double t = 0;
-        bool crosses = false;
-        while (true)
+        while (TimeOfImpact.Finds(ref gap, ref t))
         {
-            ShapePoint at = collider.At(path.At(t));
-            double gap = at.Distance - r;
-            double rate = Vector3d.Dot(path.VelocityAt(t), at.Normal);
-            if (gap <= Touching && rate < -Approaching)
-            {
-                // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
-                double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
-                if (!(passage > 0))
-                {
-                    return t;
-                }
-
-                t += Math.Max(passage, shortest);
-                crosses = true;
-                if (t > until)
-                {
-                    return double.PositiveInfinity;
-                }
-
-                seam = carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
-                if (seam)
-                {
-                    return t;
-                }
-
-                continue;
-            }
-
-            if (t == 0 && gap <= Touching && rate <= Leaving && _bend == 0)
-            {
-                // On a straight path, ignore a closing contact without load. If the ball ends up inside the surface, it is pushed out.
-                return double.PositiveInfinity;
-            }
-
-            if ((t == 0 || crosses) && hollow == 0 && !(FirstContact(path.DistanceTo(at.Normal, gap - path.ClimbAlong(at.Normal, t)), until, t) <= until))
-            {
-                // A convex shape lies behind the tangent plane at its nearest point. If the path never reaches the plane, there is no
-                // contact.
-                return double.PositiveInfinity;
-            }
-
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
-
-            // Far from a concave surface M is not valid, so bound the closing by the speed. Near it, use M only until the ball may be far
-            // again.
-            if (hollow > 0)
-            {
-                double bySpeed = Math.Max(gap, 0) / speed;
-                step = gap < NearHollow * r ? Math.Max(bySpeed, Math.Min(step, ((NearHollow * r) - gap) / speed)) : bySpeed;
-            }
-
-            if (!Advance(ref t, step, shortest, until))
-            {
-                return double.PositiveInfinity;
-            }
-        }
-    }
-
-    /// <summary>Returns the time of the first closing contact with a plane; infinite if there is none.</summary>
-    private double FirstContact(in PathDistance distance, double until, double from = 0)
-    {
-        double bend = distance.GreatestFall;
-        double shortest = ShortestOf(in _path);
-        double t = from;
-        while (true)
-        {
-            double gap = distance.At(t);
-            double rate = distance.RateAt(t);
-            if (gap <= Touching && rate < -Approaching)
+            // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
+            double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
+            if (!(passage > 0))
             {
                 return t;
             }
 
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
-            if (!Advance(ref t, step, shortest, until))
+            t += Math.Max(passage, span.Shortest);
+            gap.Crosses = true;
+            if (t > until)
             {
-                return double.PositiveInfinity;
-            }
-        }
-    }
-
-    /// <summary>Advances along the path. A step that was lengthened to the minimum stops at the end of the path.</summary>
-    /// <returns>False beyond the end.</returns>
-    internal static bool Advance(ref double t, double step, double shortest, double until)
-    {
-        double next = t + Math.Max(step, shortest);
-
-        // A lengthened step must not skip the end of the path, where the gap may have closed.
-        next = next > until && t + step <= until && t < until ? until : next;
-        t = next;
-        return next <= until;
-    }
-
-    /// <summary>Returns the time at which a gap that is linear in the position falls to zero; infinite if it does not, or already
-    /// has.</summary>
-    private double Fall(in Separation sought, double until)
-    {
-        double shortest = ShortestOf(in _path);
-        double t = 0;
-        while (true)
-        {
-            sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
-
-            // A closed gap that still falls is the event. A closed gap at rest does not fall.
-            if (gap <= Touching)
-            {
-                if (rate < -Approaching && (t > 0 || gap > 0 || sought.What == SeparationKind.NetLeft))
-                {
-                    return t;
-                }
-
-                if (rate <= Approaching)
-                {
-                    return double.PositiveInfinity;
-                }
+                break;
             }
 
-            double bend = sought.Bends * _bend;
-            double step = gap > Touching ? Safe(gap, rate, bend) : Along(rate, bend);
-            if (!Advance(ref t, step, shortest, until))
-            {
-                return double.PositiveInfinity;
-            }
-        }
-    }
-
-    /// <summary>Returns the time at which the ball reaches a net: within its radius of the sheet, and inside the rectangle.</summary>
-    private double MeetsNet(int index, int deepest, double deepestSide, double until, out Separation gap)
-    {
-        NetSheet net = _world.Nets[index];
-        double shortest = ShortestOf(in _path);
-        double t = 0;
-        gap = default;
-        double side = net.PlaceInFrame(_path.At(0)).Z < 0 ? -1.0 : 1.0;
-        gap = Separation.OfMeetingNet(_world, index, 2, side, side, deepest, deepestSide);
-        while (true)
-        {
-            Vector3d at = _path.At(t);
-            Vector3d velocity = _path.VelocityAt(t);
-            Vector3d place = net.PlaceInFrame(in at);
-
-            // The side of entry is the ball's side of the sheet when it reaches the slab.
-            side = place.Z < 0 ? -1.0 : 1.0;
-            double step = 0;
-            Consider(Separation.OfMeetingNet(_world, index, 2, place.Z, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
-            Consider(Separation.OfMeetingNet(_world, index, 0, place.X, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
-            Consider(Separation.OfMeetingNet(_world, index, 1, place.Y, side, deepest, deepestSide), in at, in velocity, ref step, ref gap);
-            if (step == 0)
+            seam = carrier >= 0 && Flush.CarrierAt(_world, carrier, _path.At(t), _time + t) == thing;
+            if (seam)
             {
                 return t;
             }
-
-            if (!Advance(ref t, step, shortest, until))
-            {
-                return double.PositiveInfinity;
-            }
-        }
-    }
-
-    /// <summary>Computes for how long one condition of a net remains unmet. The longest such time is safe for all conditions.</summary>
-    private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step, ref Separation gap)
-    {
-        condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
-        double bend = condition.Bends * _bend;
-
-        // If the gap is open, advance while it is sure to stay open. If it is zero but not decreasing, advance until it could decrease. Otherwise the step is zero.
-        double safe = value > Touching ? Safe(value, rate, bend)
-            : value > -Touching && rate >= 0 ? Along(rate, bend)
-            : 0;
-        if (value > -Touching && rate >= 0)
-        {
-            safe = Math.Max(safe, double.Epsilon);
         }
 
-        if (safe > step)
-        {
-            step = safe;
-            gap = condition;
-        }
-    }
-
-    /// <summary>Returns the minimum step of a search along a path, s, so that every search ends.</summary>
-    internal static double ShortestOf(in PathCubic path) => Math.Max(ShortestShare * path.Length, ShortestStep);
-
-    /// <summary>Returns a safe step for a closed gap that does not shrink: until it may shrink, or by the contact tolerance, ½ M
-    /// s².</summary>
-    private static double Along(double rate, double bend) =>
-        bend > 0 ? Math.Max(rate / bend, Math.Sqrt(2.0 * Touching / bend)) : double.PositiveInfinity;
-
-    /// <summary>Returns the positive root of f + f' s − ½ M s², without cancellation.</summary>
-    internal static double Safe(double gap, double rate, double bend)
-    {
-        // s = (f' + √(f'² + 2 M f))/M; for f' < 0 this is 2 f/(√(…) − f').
-        double root = Math.Sqrt((rate * rate) + (2.0 * bend * gap));
-        return rate < 0 ? 2.0 * gap / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
+        return double.PositiveInfinity;
     }
 }

@@ -28,13 +28,6 @@ internal static class ContactSet
     /// <summary>A carrier with at least this share of the greatest load stays the carrier.</summary>
     public const double AboutAsMuch = 0.5;
 
-    /// <summary>A gap below this counts as closed, m.</summary>
-    private const double Closed = 1e-12;
-
-    /// <summary>Maximum gap to a mover that touched the ball recently and still counts as a contact, m.</summary>
-    /// <remarks>It will touch the ball again, too gently for an impact event.</remarks>
-    private const double Lingering = 2e-4;
-
     /// <summary>Finds the contacts that neither close nor separate, and slow movers nearby that touched the ball recently.</summary>
     /// <param name="world">The world.</param>
     /// <param name="s">The ball.</param>
@@ -44,13 +37,13 @@ internal static class ContactSet
     public static Span<Contact> Touching(World world, scoped in BallState s, Span<Contact> room, ContactRoom more)
     {
         bool lingers = s.Time < s.SqueezeUntil;
-        Span<Contact> set = Near(world, in s, lingers ? Lingering : ContactSearch.Touching, room, more);
+        Span<Contact> set = Near(world, in s, lingers ? ContactTolerances.Lingering : ContactTolerances.Touching, room, more);
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
             // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is now stationary does not return.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
-            bool stays = set[i].Gap <= ContactSearch.Touching && rate >= -ContactSearch.Approaching && rate <= ContactSearch.Leaving;
+            bool stays = set[i].Gap <= ContactTolerances.Touching && rate >= -ContactTolerances.Approaching && rate <= ContactTolerances.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
             {
                 set[kept++] = set[i];
@@ -197,7 +190,7 @@ internal static class ContactSet
         for (int i = 0; i < set.Length; i++)
         {
             // If two loads are equal to within rounding, take the first contact.
-            heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + SetContact.SameLoad)) ? i : heaviest;
+            heaviest = set[i].Load > (heaviest < 0 ? 0 : set[heaviest].Load * (1.0 + ContactTolerances.SameLoad)) ? i : heaviest;
         }
 
         return heaviest;
@@ -264,7 +257,7 @@ internal static class ContactSet
             double other = two.Distance - world.Ball.Radius;
             double cosine = Vector3d.Dot(one.Normal, two.Normal);
             double square = 1.0 - (cosine * cosine);
-            if (!(square > Flush.SameNormal * 4.0) || (Math.Abs(gap) <= Closed && Math.Abs(other) <= Closed) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
+            if (!(square > ContactTolerances.SameNormal * 4.0) || (Math.Abs(gap) <= ContactTolerances.ClosedGap && Math.Abs(other) <= ContactTolerances.ClosedGap) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
             {
                 return;
             }
@@ -304,25 +297,15 @@ internal static class ContactSet
             {
                 ShapePoint at = world.Colliders[contact.Collider].At(s.Position, s.Time);
                 double gap = at.Distance - world.Ball.Radius;
-                if (!contact.Moves && gap < -Closed)
+                if (!contact.Moves && gap < -ContactTolerances.ClosedGap)
                 {
-                    s.Position -= gap * at.Normal;
-                    KeepLevel(world, ref s, world.Colliders[contact.Collider], bears: false);
+                    s.Position = world.Colliders[contact.Collider].SnapUp(s.Position - (gap * at.Normal));
                     inside = true;
                 }
             }
         }
 
         return !inside;
-    }
-
-    /// <summary>Sets the exact height of a ball on level ground.</summary>
-    private static void KeepLevel(World world, ref BallState s, Collider collider, bool bears)
-    {
-        if (world.IsLevel && collider == world.Ground)
-        {
-            s.Position = new Vector3d(s.Position.X, bears ? world.LevelContact : Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
-        }
     }
 
     private static bool Put(World world, ref BallState s, in Contact contact, bool closes)
@@ -341,11 +324,11 @@ internal static class ContactSet
 
         // A loaded contact holds the ball on its surface with zero normal speed; the others only keep the ball out. Close remaining gaps if
         // possible.
-        s.Velocity -= (bears ? off : gap <= ContactSearch.Touching ? Math.Min(0, off) : 0) * at.Normal;
+        s.Velocity -= (bears ? off : gap <= ContactTolerances.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);
         s.Position -= gap * at.Normal;
-        KeepLevel(world, ref s, collider, bears);
-        return Math.Abs(gap) > Closed;
+        s.Position = bears ? collider.Snap(s.Position) : collider.SnapUp(s.Position);
+        return Math.Abs(gap) > ContactTolerances.ClosedGap;
     }
 
     /// <summary>Returns the index for a contact in the set: a new index, the one of a contact to replace, or −1 to drop it.</summary>
@@ -384,9 +367,6 @@ internal static class ContactSet
 /// <summary>One of several contacts of a ball: its geometry, its material, and its impulse in the last step.</summary>
 internal struct Contact
 {
-    /// <summary>A slip below this is the solver's error, m/s.</summary>
-    private const double RollingSlip = 1e-6;
-
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
@@ -406,7 +386,7 @@ internal struct Contact
     public readonly double Gap;
 
     /// <summary>True if it touches the ball. A mover that touched the ball recently may have a small gap.</summary>
-    public readonly bool Touches => Gap <= ContactSearch.Touching;
+    public readonly bool Touches => Gap <= ContactTolerances.Touching;
 
     /// <summary>Material of the surface.</summary>
     public readonly ContactMaterial Material;
@@ -429,7 +409,7 @@ internal struct Contact
         Velocity = collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(s.Position - (radius * at.Normal), s.Time);
         Gap = gap;
         Material = collider.MaterialAt(s.Position);
-        Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < RollingSlip;
+        Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < ContactTolerances.SolvedSlip;
         Load = 0;
         Friction = default;
     }

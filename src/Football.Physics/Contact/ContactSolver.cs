@@ -18,20 +18,6 @@ internal static class ContactSolver
     /// <summary>Number of iterations for a set that may be unsolvable.</summary>
     private const int RoundsInVain = 16;
 
-    /// <summary>Relative change of impulses and speeds below which the solver has converged.</summary>
-    private const double Settled = 1e-13;
-
-    /// <summary>The same tolerance for impulses that only locate the evaluation at the end of a part.</summary>
-    public const double Foreseen = 1e-8;
-
-    /// <summary>Tolerance that suffices after the last iteration, or if Newton's method gains little or fails twice.</summary>
-    /// <remarks>Undetermined loads, such as those of a ball between a player and a post, converge slowly.</remarks>
-    private const double Known = 1e-8;
-
-    /// <summary>Maximum closing speed of a solved contact, m/s.</summary>
-    /// <remarks>In an unsolvable set the loads grow without bound, so their relative changes become small too.</remarks>
-    private const double LargestClosing = 1e-6;
-
     /// <summary>Larger sets are solved by Gauss–Seidel alone.</summary>
     private const int MostByNewton = 64;
 
@@ -52,7 +38,7 @@ internal static class ContactSolver
     /// <param name="closing">Maximum closing speed of a contact, m/s.</param>
     /// <returns>True if a solution was found.</returns>
     public static bool Solve(
-        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = Settled, double closing = LargestClosing)
+        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = ContactTolerances.Settled, double closing = ContactTolerances.LargestClosing)
     {
         bool found = Settles(set, ball, duration, ref v, ref w, settled);
         foreach (ref readonly Contact contact in set)
@@ -78,7 +64,7 @@ internal static class ContactSolver
         ContactSet.Forget(held);
         Vector3d v = duration * free.Acceleration;
         Vector3d w = duration * free.SpinAcceleration;
-        double most = 1e-9 * (v.Length + (world.Ball.Radius * w.Length));
+        double most = ContactTolerances.StillHeld * (v.Length + (world.Ball.Radius * w.Length));
         Solve(held, world.Ball, duration, ref v, ref w);
         return v.Length + (world.Ball.Radius * w.Length) <= most + still;
     }
@@ -117,7 +103,7 @@ internal static class ContactSolver
             }
 
             // Stop: the solution has nearly converged and more iterations gain little, as with indeterminate loads.
-            if (change <= Known && (change > Little * before.Change || between > RoundsOfWrong))
+            if (change <= ContactTolerances.Foreseen && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
             }
@@ -134,7 +120,7 @@ internal static class ContactSolver
             }
         }
 
-        return change <= Known;
+        return change <= ContactTolerances.Foreseen;
     }
 
     /// <summary>Runs a few iterations on a set that may be unsolvable; the result is approximate.</summary>
@@ -144,7 +130,7 @@ internal static class ContactSolver
         var resistance = new TurningResistance { Bearer = -1 };
         for (int round = 0; round < RoundsInVain; round++)
         {
-            if (Round(set, ball, duration, ref resistance, ref v, ref w) <= Settled)
+            if (Round(set, ball, duration, ref resistance, ref v, ref w) <= ContactTolerances.Settled)
             {
                 return;
             }
@@ -185,7 +171,7 @@ internal static class ContactSolver
     public static double Closing(in Contact contact, double duration, in Vector3d v)
     {
         // (v − V)·n + gap/h: a gap may close within the time. Over zero time, only touching surfaces count.
-        double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactSearch.Touching ? double.MaxValue : 0;
+        double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactTolerances.Touching ? double.MaxValue : 0;
         return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
     }
 

@@ -129,7 +129,7 @@ internal sealed class EngineThings
             return -1;
         }
 
-        LookAt(in position, time, ContactSearch.Touching);
+        LookAt(in position, time, ContactTolerances.Touching);
         return Nearest((int)carrier, in position, time, Count) is >= 0 and int place ? IndexOf(place) : _first;
     }
 

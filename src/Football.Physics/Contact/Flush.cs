@@ -6,25 +6,8 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class Flush
 {
-    /// <summary>Two normals are equal if 1 − n₁·n₂ is below this.</summary>
-    /// <remarks>
-    /// The ball touches the edge of the next tile 1e-10 m before it is on it, at an angle of 4e-5 rad. For a tile that is 1e-10 m higher,
-    /// the angle is
-    /// 6e-5 rad, where n₁·n₂ is 1 − 1.8e-9.
-    /// </remarks>
-    public const double SameNormal = 4e-9;
-
     /// <summary>Beyond the edge of its carrier, a ball is handed over to a surface that is at most this much lower, m.</summary>
-    public const double LowerBy = 3.0 * ContactSearch.Touching;
-
-    /// <summary>Two depths are equal within this, m.</summary>
-    private const double SameDepth = 1e-12;
-
-    /// <summary>Maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
-    private const double Parted = 1e-8;
-
-    /// <summary>Normals whose angle has a smaller sine than this belong to one face or to coinciding surfaces.</summary>
-    private const double Coincident = 1e-8;
+    public const double LowerBy = 3.0 * ContactTolerances.Touching;
 
     /// <summary>The ball is over the face of the next surface after this multiple of the distance to its edge.</summary>
     private const double OverTheEdge = 2.0;
@@ -57,7 +40,7 @@ internal static class Flush
             // Flush: a touched surface with the same normal, and a closing speed within the difference of the normals, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
-            if (!(on.Distance - r <= 2.0 * ContactSearch.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal))
+            if (!(on.Distance - r <= 2.0 * ContactTolerances.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal))
             {
                 continue;
             }
@@ -70,11 +53,11 @@ internal static class Flush
             // Between the ends of a piece, the path error makes the ball close on its own contacts. Allow the same speed for a flush
             // surface.
             bool carries = i == carrier || ContactSet.Has(held, i);
-            double explained = (speed * sine) + ContactSearch.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
-            if (closing <= explained && (carries || closingOnOther <= ContactSearch.Approaching))
+            double explained = (speed * sine) + ContactTolerances.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
+            if (closing <= explained && (carries || closingOnOther <= ContactTolerances.Approaching))
             {
                 // The longer of two times: past the edge (r sin θ), and until coinciding convex surfaces separate (½ |u|² t²/r).
-                double apart = carries && sine <= Coincident ? Math.Sqrt(2.0 * Parted * r) / speed : 0;
+                double apart = carries && sine <= ContactTolerances.Coincident ? Math.Sqrt(2.0 * ContactTolerances.PartedSurfaces * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }
         }
@@ -87,7 +70,7 @@ internal static class Flush
     /// <param name="second">The other contact.</param>
     public static bool IsFlush(in Contact first, in Contact second)
     {
-        if (!(Vector3d.Dot(in first.Normal, in second.Normal) > 1.0 - SameNormal))
+        if (!(Vector3d.Dot(in first.Normal, in second.Normal) > 1.0 - ContactTolerances.SameNormal))
         {
             return false;
         }
@@ -113,7 +96,7 @@ internal static class Flush
     /// <summary>True if the difference of two velocities has no normal component.</summary>
     /// <remarks>At an edge the normals differ slightly, so ΔV·n may be up to |ΔV| |n₁ × n₂|.</remarks>
     private static bool MovesAlong(in Vector3d difference, in Vector3d first, in Vector3d second) =>
-        Math.Abs(Vector3d.Dot(in difference, in first)) <= ContactSearch.Approaching + (difference.Length * Vector3d.Cross(in first, in second).Length);
+        Math.Abs(Vector3d.Dot(in difference, in first)) <= ContactTolerances.Approaching + (difference.Length * Vector3d.Cross(in first, in second).Length);
 
     /// <summary>True if the first of two contacts with the same normal represents both.</summary>
     /// <param name="world">The world.</param>
@@ -130,7 +113,7 @@ internal static class Flush
             return firstIsFlat;
         }
 
-        if (Math.Abs(deeper) > SameDepth)
+        if (Math.Abs(deeper) > ContactTolerances.SameDepth)
         {
             return deeper > 0;
         }
@@ -172,7 +155,7 @@ internal static class Flush
             }
 
             ShapePoint at = world.Colliders[i].At(position, time);
-            if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactSearch.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - SameNormal)
+            if (!(at.Distance - world.Ball.Radius <= (isFlat ? ContactTolerances.Touching : LowerBy)) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal)
                 || !MovesAlong(world, carrier, i, in position, in on, in at, time))
             {
                 continue;

@@ -6,7 +6,7 @@ namespace FootballPhysics;
 internal static unsafe class FrictionBrace
 {
     /// <summary>Forces are moved this far inside a friction cone, as a share of the square.</summary>
-    private const double Inside = 1.0 - 1e-9;
+    private const double Inside = 1.0 - ContactTolerances.InsideCone;
 
     /// <summary>Returns the share λ of the change z that moves the forces x into both cones; 0 if they are inside, or if no λ
     /// does.</summary>

@@ -5,18 +5,9 @@ namespace FootballPhysics;
 /// <remarks>All corrections are vertical; x and z do not change.</remarks>
 internal static class GroundPlace
 {
-    /// <summary>A smaller overlap is rounding or contact, and is not corrected, m.</summary>
-    private const double Overlap = 5e-10;
-
-    /// <summary>Tolerance of the gap to the ground, as a share of the height or of 1 m.</summary>
-    private const double Closeness = 1e-14;
-
     /// <summary>Maximum number of Newton iterations: five near the ground; far from uneven ground each leaves less than a third of the
     /// distance.</summary>
     private const int MostSteps = 64;
-
-    /// <summary>A plane whose normal has a smaller y than this is a wall: no position is above it.</summary>
-    private const double Wall = 1e-6;
 
     /// <summary>Returns the centre of a ball on the ground; at height 0 if there is no ground.</summary>
     /// <param name="world">The world.</param>
@@ -30,15 +21,10 @@ internal static class GroundPlace
     /// <param name="position">The position, m.</param>
     public static Vector3d Raised(World world, in Vector3d position)
     {
-        if (world.IsLevel)
-        {
-            // Set the exact height: other code compares heights on level ground exactly.
-            return position.Y < world.LevelContact ? new Vector3d(position.X, world.LevelContact, position.Z) : position;
-        }
-
-        return world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > Overlap
-            ? Onto(world, in position)
-            : position;
+        return world.Ground is { IsLevelGround: true } level ? level.SnapUp(in position)
+            : world.Ground is { } ground && world.Ball.Radius - ground.At(in position).Distance > ContactTolerances.Overlap
+                ? Onto(world, in position)
+                : position;
     }
 
     /// <summary>Returns the position vertically above or below a point at which a ball touches the ground.</summary>
@@ -47,9 +33,10 @@ internal static class GroundPlace
     /// <param name="position">The position, m.</param>
     public static Vector3d Onto(World world, in Vector3d position)
     {
-        if (world.IsLevel)
+        Collider ground = world.Ground!;
+        if (ground.IsLevelGround)
         {
-            return new Vector3d(position.X, world.LevelContact, position.Z);
+            return ground.Snap(in position);
         }
 
         // Newton's method for d(y) = r with d' = n_y: one step on a plane. On uneven ground n_y is 0.7 … 1 and changes by less than a third
@@ -57,14 +44,14 @@ internal static class GroundPlace
         Vector3d at = position;
         for (int i = 0; i < MostSteps; i++)
         {
-            ShapePoint point = world.Ground!.At(in at);
+            ShapePoint point = ground.At(in at);
             double below = world.Ball.Radius - point.Distance;
-            if (!(Math.Abs(below) > Closeness * (1.0 + Math.Abs(at.Y))))
+            if (!(Math.Abs(below) > ContactTolerances.OnGround * (1.0 + Math.Abs(at.Y))))
             {
                 break;
             }
 
-            if (point.Normal.Y < Wall)
+            if (point.Normal.Y < ContactTolerances.Wall)
             {
                 return at + (below * point.Normal);
             }

@@ -9,9 +9,6 @@ namespace FootballPhysics;
 /// </remarks>
 internal unsafe struct LineForces
 {
-    /// <summary>Two normals define a line if |n₁ × n₂| exceeds this.</summary>
-    public const double Independent = 1e-6;
-
     /// <summary>Value of a margin that no condition uses.</summary>
     private const double Ample = 1.0;
 
@@ -76,7 +73,7 @@ internal unsafe struct LineForces
         _damping = bearer.Damping;
         _drilling = bearer.Drilling;
         _otherSliding = other.Sliding;
-        return size > Independent;
+        return size > ContactTolerances.Independent;
     }
 
     /// <summary>Sets both contacts to stick: e = (b₁ + b₂)/(r (1 + c)), and the ball has no other spin.</summary>
@@ -105,7 +102,7 @@ internal unsafe struct LineForces
         _third.Other = SurfaceSystem.Tangential(in _other, in Normal) - (_otherSliding * (1.0 - _cosine) * _third.OtherSlip);
         _third.Own = SurfaceSystem.Tangential(third.Normal, in Normal) - (third.Sliding * (1.0 - _third.Cosine) * _third.Slip);
         _third.Determinant = Vector3d.Dot(Vector3d.Cross(in _third.Other, in _third.Own), in Normal);
-        return Math.Abs(_third.Determinant) > Independent && _third.Sine > Independent;
+        return Math.Abs(_third.Determinant) > ContactTolerances.Independent && _third.Sine > ContactTolerances.Independent;
     }
 
     /// <summary>Returns the slip at the second surface along a, (1 − c) x + r s ψ, m/s.</summary>
@@ -310,7 +307,7 @@ internal struct LineRates
     public double HoldSpin;
 
     /// <summary>True if the modes hold: all loads and margins are positive.</summary>
-    public readonly bool IsValid => Load > SurfaceForces.Least && Other > SurfaceForces.Least && Third > SurfaceForces.Least && Grip > 0 && OtherGrip > 0 && Hold > 0 && HoldSpin > 0;
+    public readonly bool IsValid => Load > ContactTolerances.LeastLoad && Other > ContactTolerances.LeastLoad && Third > ContactTolerances.LeastLoad && Grip > 0 && OtherGrip > 0 && Hold > 0 && HoldSpin > 0;
 
     /// <summary>True if every load and margin keeps a share of its value at the start.</summary>
     public readonly bool Keeps(in LineRates start, double share) =>

@@ -99,7 +99,7 @@ internal static class Passages
     {
         NetSheet sheet = world.Nets[net];
         Vector3d place = sheet.PlaceInFrame(s.Position);
-        if (Math.Abs(place.X) <= sheet.HalfLength && Math.Abs(place.Y) <= sheet.HalfWidth && world.Ball.Radius - Math.Abs(place.Z) > ContactSearch.Touching)
+        if (Math.Abs(place.X) <= sheet.HalfLength && Math.Abs(place.Y) <= sheet.HalfWidth && world.Ball.Radius - Math.Abs(place.Z) > ContactTolerances.Touching)
         {
             Set(net, isFront: place.Z >= 0, ref s);
         }
@@ -108,7 +108,7 @@ internal static class Passages
     /// <summary>Copies whether the ball is in a net, unless the ball does not reach the net from that side.</summary>
     private static void CopyNet(World world, int from, in BallState before, int net, ref BallState s)
     {
-        bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, World.SideOf(before.NetSides, from)) >= -ContactSearch.Touching;
+        bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, World.SideOf(before.NetSides, from)) >= -ContactTolerances.Touching;
         if (isIn)
         {
             Set(net, (before.NetSides >> from & 1) != 0, ref s);

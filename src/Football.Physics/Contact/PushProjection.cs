@@ -3,9 +3,6 @@ namespace FootballPhysics;
 /// <summary>The part of a push that frictionless contacts do not take up: at most two have a load, or three or more take it all.</summary>
 internal unsafe struct PushProjection
 {
-    /// <summary>Two normals are independent if 1 − (n₁·n₂)² exceeds this, and three if |n₁·(n₂ × n₃)| does.</summary>
-    private const double Independent = 1e-6;
-
     /// <summary>The contacts with a load; −1 for none.</summary>
     public int First;
     public int Second;
@@ -55,7 +52,7 @@ internal unsafe struct PushProjection
                 double first = (a - (cosine * b)) / square;
                 double second = (b - (cosine * a)) / square;
                 Vector3d left = push + (first * n) + (second * m);
-                if (square > Independent && first >= 0 && second >= 0 && IsLeft(normals, count, in left))
+                if (square > ContactTolerances.Independent && first >= 0 && second >= 0 && IsLeft(normals, count, in left))
                 {
                     return new PushProjection { First = i, Second = j, FirstLoad = first, SecondLoad = second, Left = left };
                 }
@@ -71,12 +68,12 @@ internal unsafe struct PushProjection
     public static bool Surround(Vector3d* normals)
     {
         Vector3d third = Vector3d.Cross(in normals[0], in normals[1]);
-        return Math.Abs(Vector3d.Dot(in normals[2], in third)) <= Independent
+        return Math.Abs(Vector3d.Dot(in normals[2], in third)) <= ContactTolerances.Independent
             && Vector3d.Dot(Vector3d.Cross(in normals[1], in normals[2]), in third) > 0 && Vector3d.Dot(Vector3d.Cross(in normals[2], in normals[0]), in third) > 0;
     }
 
     /// <summary>True if three normals lie in one plane.</summary>
-    public static bool ArePlanar(Vector3d* normals) => Math.Abs(Vector3d.Dot(in normals[2], Vector3d.Cross(in normals[0], in normals[1]))) <= Independent;
+    public static bool ArePlanar(Vector3d* normals) => Math.Abs(Vector3d.Dot(in normals[2], Vector3d.Cross(in normals[0], in normals[1]))) <= ContactTolerances.Independent;
 
     /// <summary>True if a contact has a load.</summary>
     public readonly bool Bears(int index) => TakesAll || index == First || index == Second;
@@ -86,7 +83,7 @@ internal unsafe struct PushProjection
     {
         for (int i = 0; i < count; i++)
         {
-            if (Vector3d.Dot(in push, in normals[i]) < -SurfaceForces.Least)
+            if (Vector3d.Dot(in push, in normals[i]) < -ContactTolerances.LeastLoad)
             {
                 return false;
             }

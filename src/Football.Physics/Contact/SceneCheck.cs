@@ -5,10 +5,6 @@ namespace FootballPhysics;
 /// <remarks>Moved and pushed objects may have any position, because a state does not store them.</remarks>
 internal static class SceneCheck
 {
-    /// <summary>Maximum distance of a ball from its carrier, per metre of its coordinates, m: rounding and the integrator's
-    /// error.</summary>
-    private const double Touching = 1e-6;
-
     /// <summary>Maximum speed of a ball in a net, m/s: more than the highest fall gives.</summary>
     private const double FastestInNets = 1e4;
 
@@ -22,7 +18,7 @@ internal static class SceneCheck
     {
         // Fast path for the most common state: on level ground or in the air, in no net and no goal.
         bool isInAny = (s.Nets | s.NetSides | s.GoalsEntered | s.GoalsPassed) != 0;
-        if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= Touching)))
+        if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= ContactTolerances.CarrierDistance)))
         {
             return null;
         }
@@ -116,7 +112,7 @@ internal static class SceneCheck
 
         // A resting ball must move along with its carrier.
         Vector3d along = carrier.MaterialVelocity(s.Position, s.Time);
-        return s.Motion == MotionState.Rest && !((s.Velocity - along).Length <= Touching * (1.0 + along.Length))
+        return s.Motion == MotionState.Rest && !((s.Velocity - along).Length <= ContactTolerances.CarrierDistance * (1.0 + along.Length))
             ? ("state.velocity", s.Velocity.ToString("R", null), $"that of \"{carrier.Name}\" at a ball that rests on it")
             : null;
     }
@@ -125,7 +121,7 @@ internal static class SceneCheck
         ("state.carrier", s.Carrier.ToString(System.Globalization.CultureInfo.InvariantCulture), allowed);
 
     private static double Tolerance(in BallState s) =>
-        Touching * (1.0 + Math.Max(Math.Abs(s.Position.X), Math.Max(Math.Abs(s.Position.Y), Math.Abs(s.Position.Z))) * 1e-3);
+        ContactTolerances.CarrierDistance * (1.0 + Math.Max(Math.Abs(s.Position.X), Math.Max(Math.Abs(s.Position.Y), Math.Abs(s.Position.Z))) * 1e-3);
 
     private static bool IsWithin(ulong bits, int count) => count >= 64 || bits >> count == 0;
 

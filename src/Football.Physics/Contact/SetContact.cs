@@ -5,15 +5,6 @@ namespace FootballPhysics;
 /// <summary>One contact of a contact set at the level of forces: its mode, its material, and its last load and friction.</summary>
 internal struct SetContact
 {
-    /// <summary>Two loads are equal if they differ by less than this share; the first contact then has priority.</summary>
-    public const double SameLoad = 1e-9;
-
-    /// <summary>Relative tolerance of the friction cone.</summary>
-    public const double BeyondCone = 1e-12;
-
-    /// <summary>Tolerance for the direction of a starting slip.</summary>
-    private const double SameDirection = 1e-12;
-
     /// <summary>Index of the collider.</summary>
     public int Collider;
 
@@ -70,7 +61,7 @@ internal struct SetContact
     public readonly double Grip => (Sliding * Load) - Friction.Length;
 
     /// <summary>|F| − μ_s N, m/s²: the friction beyond the cone that sticking needs. Above 0 the contact must slip.</summary>
-    public readonly double Excess => Friction.Length - (Sliding * Load * (1.0 + BeyondCone));
+    public readonly double Excess => Friction.Length - (Sliding * Load * (1.0 + ContactTolerances.BeyondCone));
 
     /// <summary>The number of unknown forces: a load, and two friction components if the contact sticks.</summary>
     public readonly int Width => !Bears ? 0 : Sticks ? 3 : 1;
@@ -92,7 +83,7 @@ internal struct SetContact
     /// <summary>True if rolling resistance acts at this contact and not at another: sticking before slipping, then the greater
     /// load.</summary>
     public readonly bool Outweighs(in SetContact other) =>
-        (Sticks && !other.Sticks) || (Sticks == other.Sticks && Load > other.Load * (1.0 + SameLoad));
+        (Sticks && !other.Sticks) || (Sticks == other.Sticks && Load > other.Load * (1.0 + ContactTolerances.SameLoad));
 
     /// <summary>Activates the contact. It sticks if its slip is below a limit, m/s.</summary>
     public void Press(double sticking)
@@ -115,7 +106,7 @@ internal struct SetContact
     {
         double size = rate.Length;
         Vector3d direction = size > 0 ? rate / size : Direction;
-        bool changes = (direction - Direction).Length > SameDirection;
+        bool changes = (direction - Direction).Length > ContactTolerances.SameDirection;
         Direction = direction;
         return changes;
     }

@@ -5,10 +5,6 @@ namespace FootballPhysics;
 /// <remarks>The ball has the velocity x a, with a across both normals, and any spin.</remarks>
 internal struct SlideForces
 {
-    /// <summary>The loads are determined if the determinant exceeds this: friction on one surface may press the ball onto the
-    /// other.</summary>
-    private const double LeastDeterminant = 1e-3;
-
     /// <summary>a.</summary>
     public Vector3d Along;
 
@@ -48,7 +44,7 @@ internal struct SlideForces
         _perTurn = 1.0 / (ball.InertiaFactor * ball.Radius);
         _firstSliding = first.Sliding;
         _secondSliding = second.Sliding;
-        return size > LineForces.Independent;
+        return size > ContactTolerances.Independent;
     }
 
     /// <summary>Sets the bearer. Drilling friction may hold the spin about its normal at zero.</summary>
@@ -59,7 +55,7 @@ internal struct SlideForces
         _damping = bearer.Damping;
         _drilling = bearer.Drilling;
         double about = About(in spin);
-        SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
         _holdsSpin = SpinSign == 0 && _drilling > 0;
         spin -= _holdsSpin ? about * _bearer : Vector3d.Zero;
     }
@@ -112,7 +108,7 @@ internal struct SlideForces
         double p = _cosine - (_secondSliding * Vector3d.Dot(in secondSlip, in _first));
         double q = _cosine - (_firstSliding * Vector3d.Dot(in firstSlip, in _second));
         double determinant = 1.0 - (p * q);
-        double per = determinant > LeastDeterminant ? 1.0 / determinant : double.NaN;
+        double per = determinant > ContactTolerances.LeastDeterminant ? 1.0 / determinant : double.NaN;
         double onFirst = -Vector3d.Dot(in push, in _first);
         double onSecond = -Vector3d.Dot(in push, in _second);
         first = per * (onFirst - (p * onSecond));

@@ -3,9 +3,6 @@ namespace FootballPhysics;
 /// <summary>Forces on a ball on a surface, without friction; per mass, or per moment of inertia.</summary>
 internal struct SurfaceForces
 {
-    /// <summary>A load or a friction margin below this counts as zero, m/s².</summary>
-    public const double Least = 1e-9;
-
     /// <summary>n.</summary>
     public Vector3d Normal;
 

@@ -155,7 +155,7 @@ internal struct SurfaceSystem : IMotionSystem
         // at once.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
-        if (Around.Air.HasSide && on.FreeLoad <= SurfaceForces.Least)
+        if (Around.Air.HasSide && on.FreeLoad <= ContactTolerances.LeastLoad)
         {
             // A knuckle force only acts in flight. If it would press the ball back at once, the ball stays.
             on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
@@ -257,7 +257,7 @@ internal struct SurfaceSystem : IMotionSystem
         Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
 
     /// <summary>True if friction can hold the ball without slip.</summary>
-    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + SurfaceForces.Least <= SlidingFriction(in on);
+    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= SlidingFriction(in on);
 
     /// <summary>μ_s N/m, m/s².</summary>
     public readonly double SlidingFriction(in SurfaceForces on) => Material.SlidingFriction * on.Load;

@@ -27,6 +27,9 @@ internal sealed class Surroundings
     /// <summary>The colliders, nets and goals of the scene.</summary>
     public readonly World World;
 
+    /// <summary>Returns the branch of the drag law for a motion; unknown if the law does not jump.</summary>
+    public DragBranch BranchAt(in Motion at) => DragJump.BranchAt(Air.Jumps, (at.Velocity - Wind).LengthSquared, RadiusSquared * at.Spin.LengthSquared);
+
     public Surroundings(Scene scene, in SceneAir air)
     {
         Air = air;

@@ -6,9 +6,6 @@ internal readonly unsafe struct Touched
     /// <summary>Maximum number of surfaces of a set.</summary>
     public const int Most = 3;
 
-    /// <summary>A ball farther than this from a surface is projected onto it first, m.</summary>
-    private const double Closed = 0.1 * ContactSearch.Touching;
-
     /// <summary>Index of the collider.</summary>
     public readonly int Collider;
 
@@ -51,7 +48,7 @@ internal readonly unsafe struct Touched
         // Query the engine further only if the ball touches several surfaces.
         if (world.Engine is { } engine)
         {
-            if (reach > ContactSearch.Touching && Find(world, in s, dt, ContactSearch.Touching, set) < 2)
+            if (reach > ContactTolerances.Touching && Find(world, in s, dt, ContactTolerances.Touching, set) < 2)
             {
                 return 0;
             }
@@ -79,7 +76,7 @@ internal readonly unsafe struct Touched
                 continue;
             }
 
-            if (!isStill || count == Most || !(Math.Abs(gap) <= Closed))
+            if (!isStill || count == Most || !(Math.Abs(gap) <= ContactTolerances.OffSurface))
             {
                 return 0;
             }
@@ -87,7 +84,7 @@ internal readonly unsafe struct Touched
             int place = count++;
             for (int i = 0; i < place; i++)
             {
-                if (Vector3d.Dot(in set[i].Normal, at.Normal) > 1.0 - Flush.SameNormal)
+                if (Vector3d.Dot(in set[i].Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal)
                 {
                     return 0;
                 }

@@ -24,22 +24,22 @@ internal sealed class World
         SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
         AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
         AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
+        IsLevel = scene.Ground.IsLevel;
+        LevelContact = scene.Ground.IsNone || !IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
         var colliders = new List<Collider>();
         if (!scene.Ground.IsNone)
         {
             IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
                 : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
-            colliders.Add(new Collider(scene.Ground, ground, Ball));
+            colliders.Add(new Collider(scene.Ground, ground, Ball) { IsLevelGround = IsLevel, LevelContact = LevelContact });
             Ground = colliders[0];
         }
 
         scene.Bodies?.Use();
         IsBare = !scene.HasThings;
         FirstCollider = scene.Ground.IsNone ? 1 : 0;
-        IsLevel = scene.Ground.IsLevel;
         IsLevelGroundAlone = IsLevel && IsBare;
         IsPlaneAlone = IsBare && scene.Ground.Heights is null;
-        LevelContact = scene.Ground.IsNone || !scene.Ground.IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
 
         // In the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
         if (!IsBare)
@@ -361,7 +361,7 @@ internal sealed class World
         for (int i = 0; i < Unbounded.Length; i++)
         {
             Collider collider = Colliders[Unbounded[i]];
-            if (!(collider == Ground && IsLevel) && !(collider.At(in middle).Distance > reach))
+            if (!collider.IsLevelGround && !(collider.At(in middle).Distance > reach))
             {
                 // If that is too close, use the distance from the start: the ball cannot reach the shape before it covers it.
                 double distance = collider.At(way.From).Distance - way.Around;
@@ -489,11 +489,7 @@ internal sealed class World
         // p + (r − d) n, and zero speed off the surface.
         s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
-        if (IsLevel && collider == Ground)
-        {
-            s.Position = new Vector3d(s.Position.X, LevelContact, s.Position.Z);
-        }
-
+        s.Position = collider.Snap(s.Position);
         return n;
     }
 

@@ -167,7 +167,7 @@ public sealed class Aerodynamics
     private ForceAndTorque At(in Vector3d position, in Vector3d velocity, in Vector3d spin, double time, double airDistance)
     {
         Vector3d u = velocity - _wind;
-        DragBranch branch = _jumps ? DragJump.At(u.LengthSquared, _radiusSquared * spin.LengthSquared).Branch : DragBranch.Unknown;
+        DragBranch branch = DragJump.BranchAt(_jumps, u.LengthSquared, _radiusSquared * spin.LengthSquared);
         var ball = new ForceContext(time, in position, in velocity, in u, in spin, MotionState.Airborne, airDistance);
         _air.Evaluate(in ball, branch, out AirFactors factors);
         MotionRates rates = factors.Rates(in spin, Vector3d.Zero, _varies);

@@ -17,7 +17,7 @@ internal static class WireForm
     private const double PerSpin = 8;
 
     /// <summary>The scale of the three smaller components of a unit quaternion, which are within ±√½.</summary>
-    private const double PerPart = 63 * 1.4142135623730951;
+    private const double PerPart = 63 * Elementary.Root2;
 
     /// <summary>The lowest height, in m below the ground; the range is 64 m.</summary>
     private const double Lowest = -4;

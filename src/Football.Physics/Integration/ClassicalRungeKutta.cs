@@ -11,6 +11,8 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
     public int Order => 4;
 
+    public Tableau Tableau => new([0, 0.5, 0.5, 1], [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0]);
+
     public double ShareInPath => 0.5;
 
     public bool GainsByHops => false;
@@ -87,7 +89,6 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         where TSystem : struct, IMotionSystem
     {
         double half = 0.5 * h;
-        double sixth = h / 6.0;
 
         // Rates at the start, twice in the middle and at the end. For the position they are the stages' velocities.
         Motion second = from.After(half, in from.Velocity, in start);
@@ -97,18 +98,34 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
         Motion fourth = from.After(h, in third.Velocity, in k3);
         system.Rates(time + h, in fourth, out MotionRates k4);
 
-        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄)
-        Vector3d velocity = from.Velocity + (2.0 * (second.Velocity + third.Velocity)) + fourth.Velocity;
-        Vector3d acceleration = start.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration;
-        Vector3d spinAcceleration = start.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration;
-        step.End = new Motion(
-            from.Position + (sixth * velocity),
-            from.Velocity + (sixth * acceleration),
-            from.Spin + (sixth * spinAcceleration),
-            from.AirDistance + (sixth * (start.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
+        step.End = End(in from, h, in start, in second, in k2, in third, in k3, in fourth, in k4);
 
         // The axis may turn within the step: combine the spins at start, middle and end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = start;
     }
+
+    /// <summary>Returns the end of a step from its four stages, each a motion and its rates; the first motion is the start.</summary>
+    public static Motion End(
+        in Motion from,
+        double h,
+        in MotionRates k1,
+        in Motion second,
+        in MotionRates k2,
+        in Motion third,
+        in MotionRates k3,
+        in Motion fourth,
+        in MotionRates k4) => new(
+        from.Position + Sum(h, in from.Velocity, in second.Velocity, in third.Velocity, in fourth.Velocity),
+        from.Velocity + Sum(h, in k1.Acceleration, in k2.Acceleration, in k3.Acceleration, in k4.Acceleration),
+        from.Spin + Sum(h, in k1.SpinAcceleration, in k2.SpinAcceleration, in k3.SpinAcceleration, in k4.SpinAcceleration),
+        from.AirDistance + Sum(h, k1.AirSpeed, k2.AirSpeed, k3.AirSpeed, k4.AirSpeed));
+
+    /// <summary>Returns h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Sum(double h, double k1, double k2, double k3, double k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
+
+    /// <summary>Returns h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3d Sum(double h, in Vector3d k1, in Vector3d k2, in Vector3d k3, in Vector3d k4) => h / 6.0 * (k1 + (2.0 * (k2 + k3)) + k4);
 }

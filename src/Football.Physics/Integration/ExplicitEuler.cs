@@ -11,6 +11,8 @@ internal readonly struct ExplicitEuler : IIntegrator
 
     public int Order => 1;
 
+    public Tableau Tableau => new([0], [1]);
+
     public double ShareInPath => 0;
 
     public bool GainsByHops => true;

@@ -1,6 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>A one-step method. To add one, implement this interface and add a name to <see cref="Integrator"/>.</summary>
+/// <summary>A one-step method. To add one, implement this interface, and add a name to <see cref="Integrator"/> and <see cref="StepperFactory"/>.</summary>
+/// <remarks>
+/// Groups of balls and balls on a line of contact take their whole steps with the standard method of the same order, 1, 2 or 4
+/// (<see cref="LineStep"/>, <see cref="ClusterSystem"/>). With other orders they take pieces and parts.
+/// </remarks>
 internal interface IIntegrator
 {
     /// <summary>The number of evaluations per step.</summary>
@@ -11,6 +15,9 @@ internal interface IIntegrator
 
     /// <summary>The order of accuracy.</summary>
     int Order { get; }
+
+    /// <summary>The coefficients.</summary>
+    Tableau Tableau { get; }
 
     /// <summary>c in p + h (v + c h a), the path under constant acceleration.</summary>
     double ShareInPath { get; }
@@ -30,7 +37,7 @@ internal interface IIntegrator
     void Fly<TAir>(ref TAir air, in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
         where TAir : struct, IFlightLaws;
 
-    /// <summary>Takes a step of a general motion, such as a flight with custom forces.</summary>
+    /// <summary>Takes a step of a general motion, on any surface, or in flight with custom forces.</summary>
     /// <param name="system">The system that computes the rates.</param>
     /// <param name="time">The time at the start, in s.</param>
     /// <param name="from">The motion at the start.</param>

@@ -11,6 +11,8 @@ internal readonly struct MidpointRungeKutta : IIntegrator
 
     public int Order => 2;
 
+    public Tableau Tableau => new([0, 0.5], [0, 1]);
+
     public double ShareInPath => 0.5;
 
     public bool GainsByHops => false;

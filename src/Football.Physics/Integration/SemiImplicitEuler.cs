@@ -11,6 +11,8 @@ internal readonly struct SemiImplicitEuler : IIntegrator
 
     public int Order => 1;
 
+    public Tableau Tableau => new([0], [1], movesWithEnd: true);
+
     public double ShareInPath => 1;
 
     public bool GainsByHops => false;

@@ -25,6 +25,8 @@ internal struct Substeps : IIntegrator
 
     public readonly int Order => default(ClassicalRungeKutta).Order;
 
+    public readonly Tableau Tableau => default(ClassicalRungeKutta).Tableau;
+
     public readonly double ShareInPath => default(ClassicalRungeKutta).ShareInPath;
 
     public readonly bool GainsByHops => default(ClassicalRungeKutta).GainsByHops;

@@ -7,6 +7,9 @@ internal static class Elementary
     /// <summary>log₂ e.</summary>
     public const double Log2E = 1.4426950408889634;
 
+    /// <summary>√2.</summary>
+    public const double Root2 = 1.4142135623730951;
+
     private const double Ln2High = 6.93147180369123816490e-01; // ln 2 with the low 32 bits cleared: k · Ln2High is exact
     private const double Ln2Low = 1.90821492927058770002e-10;
     private const double TwoOverPi = 0.63661977236758134308;
@@ -52,7 +55,7 @@ internal static class Elementary
         long bits = BitConverter.DoubleToInt64Bits(x);
         double e = (bits >> 52) - 1023L;
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
-        if (m > 1.4142135623730951)
+        if (m > Root2)
         {
             m *= 0.5;
             e += 1.0;

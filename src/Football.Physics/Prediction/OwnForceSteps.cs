@@ -31,7 +31,7 @@ internal static class OwnForceSteps
         double end = state.Time + request.Duration;
 
         // Stop within a rounding error of the end, to avoid an empty last step.
-        double last = end - (1e-9 * request.TimeStep);
+        double last = end - (ContactTolerances.StepRounding * request.TimeStep);
         double step = Math.Min(FirstStep, request.TimeStep);
         log.Halted = false;
         log.StopAt = request.StopAt;

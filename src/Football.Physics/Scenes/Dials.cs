@@ -11,7 +11,7 @@ public sealed record Dials
     private const double UsualLoss = 0.258679;
 
     /// <summary>The specific gas constant of air times 20 °C, in J/kg.</summary>
-    private const double GasEnergy = 287.058 * 293.15;
+    private const double GasEnergy = Weather.DryGas * 293.15;
 
     /// <summary>The number of pascals in a bar.</summary>
     private const double Bar = 1e5;

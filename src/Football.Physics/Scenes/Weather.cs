@@ -7,6 +7,9 @@ public sealed record Weather
     /// <summary>The pressure at sea level, in Pa (law: standard atmosphere).</summary>
     private const double SeaLevelPressure = 101_325;
 
+    /// <summary>The specific gas constant of dry air, in J/(kg K) (law: ideal gas).</summary>
+    internal const double DryGas = 287.058;
+
     /// <summary>The temperature t, in °C. −60 … 60; default 20.</summary>
     public double Temperature { get; init; } = 20;
 
@@ -43,9 +46,9 @@ public sealed record Weather
         double saturated = 611.2 * Elementary.Exp(17.62 * Temperature / (243.12 + Temperature));
         double vapour = Math.Min(Humidity * saturated, Pressure);
 
-        // ρ = (p − e_w)/(287.058 T) + e_w/(461.495 T)
+        // ρ = (p − e_w)/(R T) + e_w/(461.495 T)
         double kelvin = Temperature + 273.15;
-        double density = ((Pressure - vapour) / (287.058 * kelvin)) + (vapour / (461.495 * kelvin));
+        double density = ((Pressure - vapour) / (DryGas * kelvin)) + (vapour / (461.495 * kelvin));
 
         // μ = 1.458e-6 T^1.5/(T + 110.4) (Sutherland), ν = μ/ρ
         double viscosity = 1.458e-6 * kelvin * Math.Sqrt(kelvin) / (kelvin + 110.4);

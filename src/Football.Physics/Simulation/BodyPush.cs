@@ -80,7 +80,7 @@ internal sealed class BodyPush
         {
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - _world.Ball.Radius;
-            if (Math.Abs(gap) <= 0.5 * ContactSearch.Touching)
+            if (Math.Abs(gap) <= 0.5 * ContactTolerances.Touching)
             {
                 return;
             }
@@ -97,9 +97,9 @@ internal sealed class BodyPush
         pushed.Position = from;
 
         // Treat the push as a straight path of nearly zero duration, and search it for a stationary object.
-        var path = PathCubic.Line(in from, (s.Position - from) / Displacement.AtOnce, Displacement.AtOnce);
+        var path = PathCubic.Line(in from, (s.Position - from) / ContactTolerances.Displacement, ContactTolerances.Displacement);
         int carrier = s.Motion == MotionState.Airborne ? -1 : (int)s.Carrier - _world.FirstCollider;
-        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= Displacement.AtOnce
+        return new ContactSearch(_world, in path, s.Time).FirstContact(in pushed, carrier, default, out Separation met) <= ContactTolerances.Displacement
             && met.What == SeparationKind.Contact && !_world.Colliders[met.Index].Moves;
     }
 
@@ -116,7 +116,7 @@ internal sealed class BodyPush
         // The engine may have removed the collider.
         if (_world.Engine is { } engine && engine.Has((int)s.Carrier - _world.FirstCollider))
         {
-            engine.LookAt(s.Position, s.Time, ContactSearch.Touching);
+            engine.LookAt(s.Position, s.Time, ContactTolerances.Touching);
             if (!engine.Finds((int)s.Carrier - _world.FirstCollider))
             {
                 _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
@@ -127,7 +127,7 @@ internal sealed class BodyPush
         // Release the ball if a gap has opened, or if the carrier no longer moves along with it.
         ShapePoint at = carrier.At(s.Position, s.Time);
         double off = Vector3d.Dot(s.Velocity - carrier.ShapeVelocity(s.Position, s.Time), at.Normal);
-        if (carrier.IsWithdrawn || Math.Abs(at.Distance - _world.Ball.Radius) > ContactSearch.Touching || Math.Abs(off) > ContactSearch.Approaching)
+        if (carrier.IsWithdrawn || Math.Abs(at.Distance - _world.Ball.Radius) > ContactTolerances.Touching || Math.Abs(off) > ContactTolerances.Approaching)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
         }
@@ -148,7 +148,7 @@ internal sealed class BodyPush
         double share = along.LengthSquared;
 
         // A body exactly above the ball gives no direction, so push the ball forward, which is an arbitrary choice.
-        return share > 1e-12 ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
+        return share > ContactTolerances.AlongNormal ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
     }
 
     /// <summary>Moves the ball back onto its carrier, which may be curved.</summary>

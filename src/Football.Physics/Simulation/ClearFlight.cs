@@ -142,7 +142,7 @@ internal sealed class ClearFlight
         for (int i = 0; i < _world.Unbounded.Length; i++)
         {
             Collider collider = _world.Colliders[_world.Unbounded[i]];
-            if (!(collider == _world.Ground && _world.IsLevel) && !(collider.At(in end).Distance >= radius))
+            if (!collider.IsLevelGround && !(collider.At(in end).Distance >= radius))
             {
                 return false;
             }

@@ -4,9 +4,6 @@ namespace FootballPhysics;
 /// supports it.</summary>
 internal sealed class ContactLoad
 {
-    /// <summary>A ball pressed by a force other than its weight stays on a surface if it would return within this time, s.</summary>
-    private const double ShortestPressedHop = 1e-3;
-
     /// <summary>Forces balance if the remaining acceleration is below this, m/s²: a thousandth of the weight, and 10 µm in a net.</summary>
     private const double InBalance = 0.01;
     private readonly Surroundings _around;
@@ -35,7 +32,7 @@ internal sealed class ContactLoad
         // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. For other forces the ball must be back within a
         // millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
-        double hop = byWeight ? StabilityLimit.ShortestHop : ShortestPressedHop;
+        double hop = byWeight ? ContactTolerances.ShortestHop : ContactTolerances.ShortestPressedHop;
         if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
         {
             return true;
@@ -56,7 +53,7 @@ internal sealed class ContactLoad
 
         // A hop lasts 2 w/(N/m). Below the shortest hop the ball stays.
         double load = Load(in s, in velocity, in spin, collider, in at);
-        return load > SurfaceForces.Least && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
+        return load > ContactTolerances.LeastLoad && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
     }
 
     /// <summary>Returns the speed that explicit Euler gains in a hop that has too few steps for its bounces to decay, m/s; otherwise
@@ -73,7 +70,7 @@ internal sealed class ContactLoad
         // A hop lasts 2 w/a and gains a h.
         double load = Load(in s, in velocity, in spin, collider, in at);
         double pieces = StabilityLimit.PiecesOfHop(collider.MaterialAt(s.Position).LargestRestitutionAt(0));
-        return load > SurfaceForces.Least && 2.0 * off < pieces * h * load ? h * load : 0;
+        return load > ContactTolerances.LeastLoad && 2.0 * off < pieces * h * load ? h * load : 0;
     }
 
     private bool IsCarriedElsewhere(in BallState s, Collider collider) =>
@@ -90,7 +87,7 @@ internal sealed class ContactLoad
         Vector3d slip = system.SlipOf(in motion, in on);
         double size = slip.Length;
         double speed = on.Rolling.Length;
-        Vector3d acceleration = size >= Slip.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
+        Vector3d acceleration = size >= ContactTolerances.Rolling ? on.Body + on.Air - (system.SlidingFriction(in on) / size * slip)
             : speed > 0 ? system.Drive(in on) - (system.RollingFriction(in on, speed) / speed * on.Rolling)
             : Vector3d.Zero;
         Vector3d along = velocity - hit.ShapeVelocity(s.Position, s.Time);
@@ -109,7 +106,7 @@ internal sealed class ContactLoad
     {
         var at = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
         var system = new FlightSystem { Around = _around, Nets = s.Nets, NetSides = s.NetSides };
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        DragBranch branch = _around.BranchAt(in at);
         return system.On(branch, s.Time, in at).Acceleration.LengthSquared <= InBalance * InBalance;
     }
 
@@ -118,7 +115,7 @@ internal sealed class ContactLoad
     {
         Collider on = _world.Colliders[collider];
         ShapePoint at = on.At(s.Position, s.Time);
-        return Load(in s, s.Velocity, s.Spin, on, in at) > SurfaceForces.Least;
+        return Load(in s, s.Velocity, s.Spin, on, in at) > ContactTolerances.LeastLoad;
     }
 
     /// <summary>True if friction can hold a ball without slip.</summary>
@@ -136,7 +133,7 @@ internal sealed class ContactLoad
         // If the air does not add to the load, the load due to weight suffices.
         Vector3d along = velocity - collider.Velocity;
         double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
-        return byWeight > SurfaceForces.Least ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;
+        return byWeight > ContactTolerances.LeastLoad ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;
     }
 
     private SurfaceSystem System(in BallState s, Collider carrier) => new()
@@ -145,9 +142,7 @@ internal sealed class ContactLoad
         World = _world,
         Carrier = carrier,
         Material = carrier.MaterialAt(s.Position),
-        Branch = _around.Air.Jumps
-            ? DragJump.At((s.Velocity - _around.Wind).LengthSquared, _around.RadiusSquared * s.Spin.LengthSquared).Branch
-            : DragBranch.Unknown,
+        Branch = _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin)),
         Nets = s.Nets,
         NetSides = s.NetSides,
     };

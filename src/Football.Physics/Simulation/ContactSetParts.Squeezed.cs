@@ -44,7 +44,7 @@ internal sealed partial class ContactSetParts
 
             // The search radius covers the ball's own path, the path of a mover or a struck ball at twice its speed, and the resolved
             // overlap.
-            double reach = ContactSearch.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
+            double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
             // Approximate the contact impulses in a few iterations: without room there may be no exact solution.
@@ -58,7 +58,7 @@ internal sealed partial class ContactSetParts
             KeepOff(set, h, movers: false, ref kept);
 
             // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
-            double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, Still);
+            double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
             double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
 
             // Limit the speed to that. Process stationary objects last, so that the ball does not enter them.
@@ -96,7 +96,7 @@ internal sealed partial class ContactSetParts
     /// <summary>Stops a ball that stationary contacts hold in place: it loses any speed that the forces of one part explain.</summary>
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
-        if ((s.Position - from).Length > Still || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)
+        if ((s.Position - from).Length > ContactTolerances.Standstill || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)
         {
             return;
         }
@@ -156,7 +156,7 @@ internal sealed partial class ContactSetParts
         {
             pressing += contact.Load > 0 ? 1 : 0;
             pushed |= contact.Load > 0 && contact.Moves;
-            overlaps |= contact.Moves && _world.Colliders[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactSearch.Touching;
+            overlaps |= contact.Moves && _world.Colliders[contact.Collider].At(s.Position, s.Time).Distance < _around.Radius - ContactTolerances.Touching;
         }
 
         return !overlaps && (!pushed || pressing < 2);
@@ -167,7 +167,7 @@ internal sealed partial class ContactSetParts
     private bool HasRoom(in BallState s)
     {
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
+        Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
         Vector3d way = Vector3d.Zero;
         for (int round = 0; round < SqueezedRounds; round++)
         {
@@ -176,7 +176,7 @@ internal sealed partial class ContactSetParts
             for (int i = 0; i < set.Length; i++)
             {
                 double off = Vector3d.Dot(in way, in set[i].Normal);
-                if (set[i].Gap < -ContactSearch.Touching)
+                if (set[i].Gap < -ContactTolerances.Touching)
                 {
                     return false;
                 }
@@ -204,7 +204,7 @@ internal sealed partial class ContactSetParts
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         foreach (ref readonly Contact contact in ContactSet.Near(_world, in s, 0, room, _world.Room))
         {
-            if (!contact.Moves && contact.Gap < -ContactSearch.Touching)
+            if (!contact.Moves && contact.Gap < -ContactTolerances.Touching)
             {
                 return true;
             }

@@ -14,15 +14,9 @@ internal sealed partial class ContactSetParts
     /// <summary>Maximum number of parts per step over all calls. Long steps get longer parts.</summary>
     private const int MostParts = 16;
 
-    /// <summary>A rolling ball is reported as sliding above this slip, m/s. A smaller slip may end in the next part.</summary>
-    private const double Slips = 1e-3;
-
     /// <summary>Maximum number of slide and roll events per step.</summary>
     /// <remarks>A ball that alternately slips and grips would report an event in every part.</remarks>
     private const int MostNames = 2;
-
-    /// <summary>A ball below this speed is at a standstill, m/s, and rad/s times its radius.</summary>
-    private const double Still = 1e-12;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -79,7 +73,7 @@ internal sealed partial class ContactSetParts
             MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
             Vector3d w = from.Spin + (h * start.SpinAcceleration);
-            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactSolver.Foreseen);
+            bool solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w, ContactTolerances.Foreseen);
             run.Log.Evaluations++;
             LeaveOut(ref set, run.Log);
 
@@ -102,7 +96,7 @@ internal sealed partial class ContactSetParts
                 return true;
             }
 
-            bool stays = v.Length + (_around.Radius * w.Length) <= Still && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= Still;
+            bool stays = v.Length + (_around.Radius * w.Length) <= ContactTolerances.Standstill && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= ContactTolerances.Standstill;
             if (stays)
             {
                 // The ball is at a standstill and no force moves it: take the rest of the step at once.
@@ -188,7 +182,7 @@ internal sealed partial class ContactSetParts
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
         // Lock the drag law to the branch at the start of the part: its jump is not located here.
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        DragBranch branch = _around.BranchAt(in at);
         MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
         Vector3d acceleration = rates.Acceleration;
         Vector3d spinAcceleration = rates.SpinAcceleration;
@@ -224,7 +218,7 @@ internal sealed partial class ContactSetParts
         bearer = ContactSet.Heaviest(set);
         foreach (ref readonly Contact contact in set)
         {
-            count += contact.Load > SurfaceForces.Least * h ? 1 : 0;
+            count += contact.Load > ContactTolerances.LeastLoad * h ? 1 : 0;
         }
 
         return count;
@@ -248,14 +242,14 @@ internal sealed partial class ContactSetParts
     {
         BallState still = s;
         still.Carrier = bearer < 0 ? s.Carrier : set[bearer].Collider + _world.FirstCollider;
-        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in still), s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
+        if (!(_world.Energy(new Motion(s.Position, s.Velocity, s.Spin), _world.CarrierOf(in still), s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest)))
         {
             return false;
         }
 
         int evaluations = 0;
         var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
-        bool rests = set.Length > ContactSystem.Most ? !Moves(set) && ContactSolver.Holds(set, _world, in free, Part, Still)
+        bool rests = set.Length > ContactSystem.Most ? !Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
             : ContactModes.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
@@ -300,12 +294,12 @@ internal sealed partial class ContactSetParts
         }
 
         // Hysteresis: a slip starts above a higher threshold than it ends, because a small slip may end in the next part.
-        if (slip < Slip.Rolling && s.Motion != MotionState.Rolling)
+        if (slip < ContactTolerances.Rolling && s.Motion != MotionState.Rolling)
         {
             told++;
             _contact.StartRolling(ref s, ref run);
         }
-        else if (slip > Slips && s.Motion == MotionState.Rolling)
+        else if (slip > ContactTolerances.ReportedSlip && s.Motion == MotionState.Rolling)
         {
             told++;
             _contact.StartSliding(ref s, ref run);

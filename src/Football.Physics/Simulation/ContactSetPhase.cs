@@ -21,14 +21,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// </remarks>
     private const int MostPieces = 160;
 
-    /// <summary>A slip below this has ended, m/s.</summary>
-    private const double Sticking = 1e-7;
-
-    /// <summary>If the velocity changes by less than this, the computed rates stay valid, m/s.</summary>
-    private const double Unmoved = 1e-12;
-
-    /// <summary>After many pieces, a turning slip ends at this larger value, m/s.</summary>
-    private const double StickingOfMany = 1e-6;
+    /// <summary>After this many pieces, a turning slip ends at the larger tolerance.</summary>
     private const int ManyPieces = 24;
 
     /// <summary>Maximum rotation of a normal per piece, rad.</summary>
@@ -41,10 +34,9 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     private const int MostGrips = 4;
 
     /// <summary>Number of iterations that remove slips and normal speeds, one contact after the other.</summary>
-    /// <remarks>Further iterations run only if the velocity still changes by this much, m/s.</remarks>
+    /// <remarks>Further iterations run only if the velocity still changes by <see cref="ContactTolerances.SlipRemoval"/>.</remarks>
     private const int FewStickRounds = 4;
     private const int MostStickRounds = 128;
-    private const double Corrected = 1e-9;
 
     private readonly Surroundings _around;
     private readonly World _world;
@@ -103,7 +95,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             Branch = _jump.OnSurface(s.Branch, in from),
         };
         int evaluations = 0;
-        double sticking = run.SetPieces < ManyPieces ? Sticking : StickingOfMany;
+        double sticking = run.SetPieces < ManyPieces ? ContactTolerances.Sticking : ContactTolerances.StickingAfterMany;
         bool found = ContactModes.Find(ref system, s.Time, in from, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
@@ -139,7 +131,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         Stick(in system, ref s);
         var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        if (!((stuck.Velocity - from.Velocity).Length + (_around.Radius * (stuck.Spin - from.Spin).Length) <= Unmoved))
+        if (!((stuck.Velocity - from.Velocity).Length + (_around.Radius * (stuck.Spin - from.Spin).Length) <= ContactTolerances.Unmoved))
         {
             system.Rates(s.Time, in stuck, out MotionRates rates);
             run.Log.Evaluations++;
@@ -156,7 +148,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         ref readonly SetContact bearer = ref system.Contacts[Math.Max(0, system.Bearer)];
         Collider carrier = _world.Colliders[bearer.Collider];
-        if (!(_world.Energy(in from, carrier, s.Time) <= _world.RestEnergy * (1.0 + 1e-12)))
+        if (!(_world.Energy(in from, carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest)))
         {
             return false;
         }
@@ -190,7 +182,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         Vector3d v = s.Velocity;
         Vector3d w = s.SpinAxis;
         double change = double.PositiveInfinity;
-        for (int round = 0; round < MostStickRounds && change > (round < FewStickRounds ? 1e-15 : Corrected); round++)
+        for (int round = 0; round < MostStickRounds && change > (round < FewStickRounds ? ContactTolerances.ProjectionError : ContactTolerances.SlipRemoval); round++)
         {
             change = 0;
             for (int i = 0; i < system.Count; i++)
@@ -200,7 +192,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 {
                     // Changes for the other contacts must not push the ball into a stationary surface.
                     double closing = Vector3d.Dot(in v, contact.Normal);
-                    bool enters = closing < -ContactSearch.Approaching && !_world.Colliders[contact.Collider].Moves;
+                    bool enters = closing < -ContactTolerances.Approaching && !_world.Colliders[contact.Collider].Moves;
                     v -= enters ? closing * contact.Normal : Vector3d.Zero;
                     change = enters ? Math.Max(change, -closing) : change;
                     continue;
@@ -225,7 +217,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
 
         // Among moving objects, no velocity may satisfy all contacts. In that case, only keep the ball out of stationary objects.
-        for (int i = 0; i < system.Count && change > Corrected; i++)
+        for (int i = 0; i < system.Count && change > ContactTolerances.SlipRemoval; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
             double off = Vector3d.Dot(in v, contact.Normal);

@@ -3,9 +3,6 @@ namespace FootballPhysics;
 /// <summary>Follows a ball that is displaced out of an overlap: on that path it may enter nets and pass through goals.</summary>
 internal sealed class Displacement
 {
-    /// <summary>Duration assigned to a displacement for the path search, s. The displacement itself takes no time.</summary>
-    public const double AtOnce = 1e-6;
-
     /// <summary>Maximum number of passages on one path: more than can exist at one position.</summary>
     private const int MostPassages = 32;
 
@@ -30,8 +27,8 @@ internal sealed class Displacement
             return;
         }
 
-        Vector3d velocity = (to - from) / AtOnce;
-        double left = AtOnce;
+        Vector3d velocity = (to - from) / ContactTolerances.Displacement;
+        double left = ContactTolerances.Displacement;
         s.Position = from;
         for (int i = 0; i < MostPassages; i++)
         {

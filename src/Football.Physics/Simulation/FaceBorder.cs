@@ -4,17 +4,6 @@ namespace FootballPhysics;
 /// <remarks>Beyond the edge, another tile may support the ball.</remarks>
 internal static class FaceBorder
 {
-    /// <summary>The piece ends this share of its length beyond the edge, and at least this distance, m.</summary>
-    /// <remarks>The next piece then starts beyond the edge.</remarks>
-    private const double Beyond = 1e-9;
-    private const double LeastBeyond = 1e-12;
-
-    /// <summary>Minimum speed used to convert a distance to a time, m/s.</summary>
-    private const double Slowest = 1e-6;
-
-    /// <summary>Tolerance of the edge, as a share of the piece.</summary>
-    private const double Width = 1e-13;
-
     private const int MostSteps = 60;
 
     /// <summary>Shortens a piece that ends beyond the edge of its face, so that it ends just beyond the edge.</summary>
@@ -34,9 +23,9 @@ internal static class FaceBorder
         // The margin is almost linear along the piece.
         double length = sweep.Length;
         var margin = new Margin<TSweep>(in sweep, carrier, s.Time);
-        double x = start > LeastBeyond ? Roots.Illinois(ref margin, 0, start, length, end, Width * length, MostSteps) : 0;
+        double x = start > ContactTolerances.LeastBeyondEdge ? Roots.Illinois(ref margin, 0, start, length, end, ContactTolerances.EventWidth * length, MostSteps) : 0;
         sweep = margin.Sweep;
-        sweep.Step(Math.Min(length, x + Math.Max(Beyond * length, LeastBeyond / Math.Max(Slowest, sweep.Velocity.Length))));
+        sweep.Step(Math.Min(length, x + Math.Max(ContactTolerances.Beyond * length, ContactTolerances.LeastBeyondEdge / Math.Max(ContactTolerances.SlowestAtEdge, sweep.Velocity.Length))));
     }
 
     /// <summary>Distance of the ball inside the border of the face.</summary>
@@ -50,7 +39,7 @@ internal static class FaceBorder
         {
             Sweep.Step(x);
             value = carrier.FaceMargin(Sweep.Position, time + x);
-            return Math.Abs(value) < LeastBeyond;
+            return Math.Abs(value) < ContactTolerances.LeastBeyondEdge;
         }
     }
 }

@@ -36,7 +36,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private readonly bool _isLevel;
     private readonly bool _slides;
     private readonly bool _locatesJump;
-    private readonly bool _semiImplicit;
+    private readonly bool _movesWithEnd;
     private readonly int _order;
     private readonly double[] _offsets;
     private readonly double[] _weights;
@@ -68,13 +68,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Prepares the steps of a scene.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="settings">The integrator.</param>
+    /// <param name="settings">The settings of the solver.</param>
+    /// <param name="method">The integrator.</param>
     /// <param name="around">The forces on the ball.</param>
     /// <param name="air">The laws of the air.</param>
     /// <param name="limit">The stability limit of a step.</param>
     /// <param name="clear">Checks whether an object is near; null if the scene has only the ground.</param>
     /// <param name="locatesJump">Whether steps end at the jump of the drag law.</param>
-    public FlatSurfaceStep(Scene scene, SolverSettings settings, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
+    public FlatSurfaceStep(Scene scene, SolverSettings settings, IIntegrator method, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
         _world = around.World;
@@ -84,14 +85,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _locatesJump = locatesJump;
         _acts = !scene.Ground.IsNone && scene.Ground.Heights is null && !scene.HasOwnForces;
         _slides = settings.RollingTransition == RollingTransition.Exact;
-        (_offsets, _weights, _order) = settings.Integrator switch
-        {
-            Integrator.Rk4 => (new[] { 0, 0.5, 0.5, 1.0 }, new[] { 1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0 }, 4),
-            Integrator.Rk2 => (new[] { 0, 0.5 }, new[] { 0, 1.0 }, 2),
-            Integrator.Euler or Integrator.SemiImplicitEuler => (new[] { 0.0 }, new[] { 1.0 }, 1),
-            _ => throw Check.Unknown("solver.integrator", settings.Integrator),
-        };
-        _semiImplicit = settings.Integrator == Integrator.SemiImplicitEuler;
+        Tableau tableau = method.Tableau;
+        (_offsets, _weights, _movesWithEnd, _order) = (tableau.Offsets, tableau.Weights, tableau.MovesWithEnd, method.Order);
 
         // Axes of the plane. On a level pitch they are the world axes.
         _isLevel = scene.Ground.IsLevel;
@@ -185,7 +180,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         ref readonly Material material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _weight);
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
-        if (!(size >= Slip.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
+        if (!(size >= ContactTolerances.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
             || size < SoonOver * dt * (rolls ? material.Rolling : material.SlipFriction) * _weight
             || (_materials.Length > 1 && !(_world.Ground!.LeastWidth >= 2.0 * dt * size))
             || (_clear is not null && !_clear.HoldsOnSurface(ref s, dt, Math.Sqrt(airSpeedSquared) + _fastestWind, Math.Sqrt(spinSquared))))
@@ -195,7 +190,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
         on.X = x * perSize;
         on.Z = z * perSize;
-        on.SpinSign = start.WY > Slip.Rolling ? 1.0 : start.WY < -Slip.Rolling ? -1.0 : 0.0;
+        on.SpinSign = start.WY > ContactTolerances.Rolling ? 1.0 : start.WY < -ContactTolerances.Rolling ? -1.0 : 0.0;
         Unsafe.SkipInit(out on.From);
         on.Time = s.Time;
         if (_air.HasField)
@@ -204,7 +199,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         }
 
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
-        on.Branch = !_around.Air.Jumps || known ? s.Branch : DragJump.At(airSpeedSquared, _radiusSquared * spinSquared).Branch;
+        on.Branch = known ? s.Branch : DragJump.Choose(_around.Air.Jumps, locates: false, s.Branch, airSpeedSquared, _radiusSquared * spinSquared);
 
         // Use the first stage to reject a step in which the direction of the slip or the roll turns too much.
         RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
@@ -287,8 +282,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        double alongX = dt * (_semiImplicit ? last.VX : sumVX);
-        double alongZ = dt * (_semiImplicit ? last.VZ : sumVZ);
+        double alongX = dt * (_movesWithEnd ? last.VX : sumVX);
+        double alongZ = dt * (_movesWithEnd ? last.VZ : sumVZ);
         Vector3d position = _isLevel
             ? new Vector3d(s.Position.X + alongX, s.Position.Y, s.Position.Z + alongZ)
             : s.Position + (alongX * _axisX) + (alongZ * _axisZ);
@@ -304,7 +299,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the Magnus series to fourth order; to sixth order if it turns much.
         sumWX = rolls ? sumVZ * _perRadius : sumWX;
         sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
-        var mean = new Vector3d(_semiImplicit ? last.WX : sumWX, _semiImplicit ? last.WY : sumWY, _semiImplicit ? last.WZ : sumWZ);
+        var mean = new Vector3d(_movesWithEnd ? last.WX : sumWX, _movesWithEnd ? last.WY : sumWY, _movesWithEnd ? last.WZ : sumWZ);
         Vector3d commutator = dt * dt * Vector3d.Cross(last.Spin, start.Spin);
         Vector3d turned = commutator.LengthSquared <= LittleTurn * LittleTurn || _order < 4
             ? (dt * mean) + ((1.0 / 12.0) * commutator)
@@ -406,7 +401,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             ux -= wind.X;
             uy -= wind.Y;
             uz -= wind.Z;
-            branch = BranchAt((ux * ux) + (uy * uy) + (uz * uz), (wx * wx) + (wy * wy) + (wz * wz), branch);
+            branch = DragJump.Choose(
+                _around.Air.Laws.Jumps, locates: false, branch, (ux * ux) + (uy * uy) + (uz * uz), _radiusSquared * ((wx * wx) + (wy * wy) + (wz * wz)));
         }
 
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
@@ -476,10 +472,6 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             rates.BrakingSquared = spins ? decay * decay * spinSquared : decay * decay;
         }
     }
-
-    /// <summary>Returns the branch of the drag law in a varying wind.</summary>
-    private DragBranch BranchAt(double speedSquared, double spinSquared, DragBranch branch) =>
-        _around.Air.Laws.Jumps ? DragJump.At(speedSquared, _radiusSquared * spinSquared).Branch : branch;
 
     /// <summary>Returns the wind at a position and time, in the plane's axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -57,10 +57,7 @@ internal sealed class FlightPhase<TIntegrator>
         Vector3d u = s.Velocity - _around.Wind;
 
         // Lock this piece to one branch of the drag law.
-        if (_around.Air.Jumps && (s.Branch == DragBranch.Unknown || !_jump.Acts))
-        {
-            s.Branch = DragJump.At(u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate).Branch;
-        }
+        s.Branch = DragJump.Choose(_around.Air.Jumps, _jump.Acts, s.Branch, u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate);
 
         // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
         // full vector.
@@ -101,7 +98,7 @@ internal sealed class FlightPhase<TIntegrator>
     }
 
     /// <summary>True if the ball touches level ground and does not leave it.</summary>
-    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactSearch.Leaving && s.Position.Y <= _world.LevelContact + ContactSearch.Touching;
+    public bool IsHeld(in BallState s) => s.Velocity.Y <= ContactTolerances.Leaving && s.Position.Y <= _world.LevelContact + ContactTolerances.Touching;
 
     /// <summary>Stops a ball in a net if its energy is below the rest energy and all forces balance.</summary>
     private bool RestsInNet(ref BallState s, ref StepRun run)

@@ -87,9 +87,9 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             mostSquared = most * most;
         }
 
-        if (_air.Jumps && (branch == DragBranch.Unknown || !_locatesJump))
+        if (_air.Jumps)
         {
-            branch = DragJump.At(speedSquared, _radiusSquared * spin * spin).Branch;
+            branch = DragJump.Choose(jumps: true, _locatesJump, branch, speedSquared, _radiusSquared * spin * spin);
             s.Branch = branch;
         }
 

@@ -3,12 +3,6 @@ namespace FootballPhysics;
 /// <summary>Whole steps of a ball on several stationary surfaces, for any laws of the air.</summary>
 internal abstract class LineStep
 {
-    /// <summary>A slip below this has ended, m/s.</summary>
-    public const double Sticking = 1e-7;
-
-    /// <summary>Maximum velocity off the line, m/s.</summary>
-    public const double OnLine = 1e-12;
-
     /// <summary>Share of its value that a load or a margin must keep in a step.</summary>
     public const double Clear = 0.25;
 

@@ -13,10 +13,9 @@ namespace FootballPhysics;
 internal sealed unsafe class LineStep<TAir> : LineStep
     where TAir : struct, IFlightAir
 {
-    /// <summary>The search radius is this multiple of the distance covered at the current speed, plus a margin in m.</summary>
+    /// <summary>The search radius is this multiple of the distance covered at the current speed, plus <see cref="ContactTolerances.LineRoom"/>.</summary>
     /// <remarks>No other object may be nearer.</remarks>
     private const double Faster = 1.5;
-    private const double LeastRoom = 5e-3;
 
     /// <summary>Maximum share of a slip that one step may remove: on surfaces with a constant normal, and on other surfaces.</summary>
     private const double MostOfSlip = 0.75;
@@ -43,7 +42,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
     /// <summary>True if this class covers the scene: all air forces act on the ground, and the drag law does not jump.</summary>
     public static bool Covers(Surroundings around, int order) =>
-        order > 1 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
+        order is 2 or 4 && !around.World.IsBare && around.World.SharesAir && !around.Air.Laws.Jumps && !around.Air.HasOwnForces;
 
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -55,7 +54,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
 
         // Find the touched surfaces, with no other object within reach.
-        double room = LeastRoom + (Faster * dt * s.Velocity.Length);
+        double room = ContactTolerances.LineRoom + (Faster * dt * s.Velocity.Length);
         Touched* set = stackalloc Touched[Touched.Most];
         int count = Touched.Find(_world, in s, dt, room, set);
         if (s.Motion == MotionState.Sliding)
@@ -88,10 +87,9 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             speed = line.Speed + (dt * third.Along);
             about = line.About + (dt * third.About);
             RatesAt(in s, in forces, dt, dt * thirdSpeed, speed, about, out rates);
-            double sixth = dt / 6.0;
-            way = sixth * (line.Speed + (2.0 * (secondSpeed + thirdSpeed)) + speed);
-            endSpeed = line.Speed + (sixth * (first.Along + (2.0 * (second.Along + third.Along)) + rates.Along));
-            endAbout = line.About + (sixth * (first.About + (2.0 * (second.About + third.About)) + rates.About));
+            way = ClassicalRungeKutta.Sum(dt, line.Speed, secondSpeed, thirdSpeed, speed);
+            endSpeed = line.Speed + ClassicalRungeKutta.Sum(dt, first.Along, second.Along, third.Along, rates.Along);
+            endAbout = line.About + ClassicalRungeKutta.Sum(dt, first.About, second.About, third.About, rates.About);
             secondSpeed = 0.5 * (secondSpeed + thirdSpeed);
             secondAbout = 0.5 * (secondAbout + thirdAbout);
         }
@@ -194,21 +192,21 @@ internal sealed unsafe class LineStep<TAir> : LineStep
 
         // The motion must follow the line, without slip at the bearer.
         double speed = Vector3d.Dot(s.Velocity, in forces.Along);
-        if (!((s.Velocity - (speed * forces.Along)).Length + (_radius * (spin - SpinOf(in forces, speed, about)).Length) <= OnLine))
+        if (!((s.Velocity - (speed * forces.Along)).Length + (_radius * (spin - SpinOf(in forces, speed, about)).Length) <= ContactTolerances.OffLine))
         {
             return false;
         }
 
         double slip = forces.Slip(speed, about);
-        forces.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        forces.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
         forces.HoldsSpin = forces.SpinSign == 0 && forces.Drills;
         forces.Direction = speed < 0 ? -1.0 : 1.0;
         forces.SlipSign = slip < 0 ? -1.0 : 1.0;
         line.Slips = second.Sliding > 0;
-        bool stands = !(Math.Abs(speed) >= Slip.Rolling);
-        if (Math.Abs(slip) < Sticking && line.Slips)
+        bool stands = !(Math.Abs(speed) >= ContactTolerances.Rolling);
+        if (Math.Abs(slip) < ContactTolerances.Sticking && line.Slips)
         {
-            if (count > 2 || stands || Math.Abs(slip) > OnLine || !FindBearer(set, in push, in torque, speed, bearer, other, ref line, ref forces))
+            if (count > 2 || stands || Math.Abs(slip) > ContactTolerances.OffLine || !FindBearer(set, in push, in torque, speed, bearer, other, ref line, ref forces))
             {
                 return false;
             }
@@ -236,7 +234,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         line.Speed = speed;
         line.About = about;
         line.Energy = Energy(in forces, speed, about);
-        return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + 1e-12) && IsShort(in s, dt, set, count, in line, in forces, in second, areFixed);
+        return line.Rates.IsValid && (forces.Pinned || areFixed) && line.Energy > _world.RestEnergy * (1.0 + ContactTolerances.AtRest) && IsShort(in s, dt, set, count, in line, in forces, in second, areFixed);
     }
 
     /// <summary>Chooses the active contacts among three surfaces.</summary>
@@ -259,14 +257,14 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         // A ball that spins on its spot slips at both other surfaces. The sign of their loads does not depend on rolling resistance.
         double sign = about < 0 ? -1.0 : 1.0;
         forces.SpinSign = sign;
-        if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= Sticking))
+        if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= ContactTolerances.Sticking))
         {
             return false;
         }
 
         forces.Evaluate(in push, in torque, 0, about, out LineRates rates);
         double least = Math.Min(rates.Other, rates.Third);
-        if (least > SurfaceForces.Least)
+        if (least > ContactTolerances.LeastLoad)
         {
             idle = -1;
             return true;
@@ -315,15 +313,15 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         line.Speed = Vector3d.Dot(in along, in forces.Along) < 0 ? -speed : speed;
         forces.Direction = line.Speed < 0 ? -1.0 : 1.0;
         double about = forces.AboutNormal(line.Speed, 0);
-        forces.SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0;
+        forces.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
         forces.Evaluate(in push, in torque, line.Speed, 0, out line.Rates);
     }
 
     /// <summary>True if the other surface is the bearer: its load is greater, or equal and it comes first.</summary>
     private static bool IsHeavier(in LineRates rates, bool otherIsFirst) =>
-        otherIsFirst ? !(rates.Load > rates.Other * (1.0 + SetContact.SameLoad)) : rates.Other > rates.Load * (1.0 + SetContact.SameLoad);
+        otherIsFirst ? !(rates.Load > rates.Other * (1.0 + ContactTolerances.SameLoad)) : rates.Other > rates.Load * (1.0 + ContactTolerances.SameLoad);
 
-    private static double HeavierBy(in LineRates rates) => (rates.Load * (1.0 + SetContact.SameLoad)) - rates.Other;
+    private static double HeavierBy(in LineRates rates) => (rates.Load * (1.0 + ContactTolerances.SameLoad)) - rates.Other;
 
     /// <summary>True if the current carrier keeps enough load to stay the carrier (<see cref="ContactSet.Named"/>).</summary>
     private static bool IsCarried(in Line line, in LineRates rates)

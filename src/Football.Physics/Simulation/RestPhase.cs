@@ -142,7 +142,7 @@ internal sealed unsafe class RestPhase
 
         Collider carrier = _world.CarrierOf(in s);
         ShapePoint point = carrier.At(s.Position, s.Time);
-        if (!(point.Distance - _around.Radius <= ContactSearch.Touching))
+        if (!(point.Distance - _around.Radius <= ContactTolerances.Touching))
         {
             return false;
         }
@@ -184,7 +184,7 @@ internal sealed unsafe class RestPhase
         Vector3d push = system.PushFromRest(in on)
             - ((SurfaceSystem.Tangential(in gained, in n) + (alpha * _around.Radius * Vector3d.Cross(in turned, in n))) / (1.0 + alpha));
         on.Load += Vector3d.Dot(in gained, in n);
-        return on.FreeLoad > SurfaceForces.Least && push.Length <= system.RollingFriction(in on, 0);
+        return on.FreeLoad > ContactTolerances.LeastLoad && push.Length <= system.RollingFriction(in on, 0);
     }
 
     /// <summary>True if all contacts together hold the ball, and none of them moves relative to the carrier.</summary>
@@ -215,7 +215,7 @@ internal sealed unsafe class RestPhase
 
         Collider carrier = _world.CarrierOf(in s);
         ShapePoint at = carrier.At(s.Position, s.Time);
-        if (!(at.Distance - _around.Radius <= ContactSearch.Touching))
+        if (!(at.Distance - _around.Radius <= ContactTolerances.Touching))
         {
             WorldContact.Fly(ref s, s.Velocity, s.Spin);
             return;
@@ -223,7 +223,7 @@ internal sealed unsafe class RestPhase
 
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, at.Normal, s.Time);
         Vector3d slip = Slip.Of(s.Velocity - surface, s.Spin, at.Normal, _around.Radius);
-        s.Motion = slip.Length < Slip.Rolling ? MotionState.Rolling : MotionState.Sliding;
+        s.Motion = slip.Length < ContactTolerances.Rolling ? MotionState.Rolling : MotionState.Sliding;
         if (s.Motion == MotionState.Sliding)
         {
             run.Jumped = true;

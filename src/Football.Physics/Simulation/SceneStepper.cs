@@ -111,7 +111,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     protected void TakeWholeSteps<TAir>(Scene scene, SolverSettings settings, in TAir air)
         where TAir : struct, IFlightAir
     {
-        _flat = new FlatSurfaceStep<TAir>(scene, settings, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
+        _flat = new FlatSurfaceStep<TAir>(scene, settings, _integrator, Around, in air, in _pulled, World.IsBare ? null : _clear, LocatesJump);
         _line = LineStep<TAir>.Covers(Around, _integrator.Order) ? new LineStep<TAir>(Around, in air, in _pulled, _integrator.Order) : null;
     }
 
@@ -151,7 +151,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     public override void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay)
     {
         double speedSquared = speed * speed;
-        DragBranch branch = DragJump.At(speedSquared, Around.RadiusSquared * spinRate * spinRate).Branch;
+        DragBranch branch = DragJump.BranchAt(jumps: true, speedSquared, Around.RadiusSquared * spinRate * spinRate);
         _air.Factors(speedSquared, spinRate, speedSquared, branch, out drag, out lift, out decay);
     }
 

@@ -8,16 +8,10 @@ namespace FootballPhysics;
 internal unsafe struct SetMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Tolerance of a root, as a share of the piece.</summary>
-    private const double Width = 1e-12;
-
     private const int MostSteps = 40;
 
     /// <summary>After this many evaluations per piece, no further event is located: the next piece then starts after the event.</summary>
     private const int MostEvaluations = 2048;
-
-    /// <summary>A piece ends this share of its length after the event, so that the next piece starts in the new mode.</summary>
-    private const double Beyond = 1e-9;
 
     /// <summary>A margin above this share of its value at the start is far from zero.</summary>
     private const double Clear = 0.25;
@@ -98,9 +92,9 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
             }
 
             var margin = new SetMargin<TIntegrator>((Limit)(i % Limits), i / Limits, in sweep, s.Time);
-            double x = Roots.Illinois(ref margin, 0, starts[i], sweep.Length, end, Width * length, MostSteps);
+            double x = Roots.Illinois(ref margin, 0, starts[i], sweep.Length, end, ContactTolerances.SetEventWidth * length, MostSteps);
             sweep = margin.Sweep;
-            sweep.Step(Math.Min(length, x + (Beyond * length)));
+            sweep.Step(Math.Min(length, x + (ContactTolerances.Beyond * length)));
             Look(ref sweep, s.Time);
             shortened = true;
         }
@@ -139,15 +133,15 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         switch (limit)
         {
             case Limit.Load when contact.Bears:
-                return contact.Load - SurfaceForces.Least;
+                return contact.Load - ContactTolerances.LeastLoad;
             case Limit.Grip when contact.Bears && contact.Sticks:
                 return contact.Grip;
             case Limit.Slip when contact.Bears && !contact.Sticks && contact.Sliding > 0 && contact.Slip != Vector3d.Zero:
                 return Vector3d.Dot(in contact.Slip, in contact.Direction);
             case Limit.Opening when !contact.Bears:
-                return contact.Opening + SurfaceForces.Least;
+                return contact.Opening + ContactTolerances.LeastLoad;
             case Limit.Bearer when contact.Bears && system.Bearer >= 0 && !system.IsTied && index != system.Bearer && contact.Sticks == system.Contacts[system.Bearer].Sticks:
-                return (system.Contacts[system.Bearer].Load * (1.0 + SetContact.SameLoad)) - contact.Load;
+                return (system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.SameLoad)) - contact.Load;
             case Limit.Rest when index == system.Bearer:
                 Collider carrier = system.World.Colliders[contact.Collider];
                 return Math.Sqrt(system.World.Energy(in at, carrier, time + after)) - Math.Sqrt(system.World.RestEnergy);

@@ -3,17 +3,11 @@ namespace FootballPhysics;
 /// <summary>Builds the path reported to observers for a ball on several surfaces, so that it never enters stationary objects.</summary>
 internal sealed class ShownPath(World world)
 {
-    /// <summary>Maximum depth of a reported path in a stationary object, m.</summary>
-    private const double Entered = 1e-7;
-
     /// <summary>Maximum number of times a piece of the path is halved.</summary>
     private const int MostHalved = 8;
 
     /// <summary>Number of equal parts at whose ends the depth of a piece is measured.</summary>
     private const int Samples = 16;
-
-    /// <summary>Below this gap, the displayed path of a squeezed ball follows a stationary surface, m.</summary>
-    private const double AllButTouching = 1e-4;
 
     /// <summary>Reports a piece to the observer, if there is one, with the positions and velocities at its ends.</summary>
     /// <remarks>
@@ -68,7 +62,7 @@ internal sealed class ShownPath(World world)
     {
         ShapePoint at = collider.At(in position, time);
         normal = at.Normal;
-        return at.Distance - world.Ball.Radius <= AllButTouching ? Vector3d.Dot(in velocity, in normal) : 0;
+        return at.Distance - world.Ball.Radius <= ContactTolerances.ShownContact ? Vector3d.Dot(in velocity, in normal) : 0;
     }
 
     private void ShowOutside(in BallState start, in BallState end, scoped Span<Contact> set, StepLog log, int halves)
@@ -95,7 +89,7 @@ internal sealed class ShownPath(World world)
         {
             // On a surface, keep only the velocity along it.
             ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
-            bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactSearch.Touching;
+            bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactTolerances.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;
         }
 
@@ -119,7 +113,7 @@ internal sealed class ShownPath(World world)
             for (int i = 1; i < Samples && !contact.Moves; i++)
             {
                 double t = path.Length * i / Samples;
-                if (world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -Entered)
+                if (world.Colliders[contact.Collider].At(path.At(t), time + t).Distance - world.Ball.Radius < -ContactTolerances.ShownDepth)
                 {
                     return true;
                 }

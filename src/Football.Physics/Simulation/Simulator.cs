@@ -363,7 +363,7 @@ public sealed class Simulator
         double end = state.Time + duration;
 
         // A remainder below a billionth of a step is only rounding of the clock.
-        double last = end - (1e-9 * timeStep);
+        double last = end - (ContactTolerances.StepRounding * timeStep);
         while (state.Time < last)
         {
             double left = end - state.Time;

@@ -57,10 +57,9 @@ internal sealed class SlideStep<TAir>
             RatesAt(in s, in forces, half, half * second.Speed, in third, out SlideRates ofThird);
             last = from.After(dt, in ofThird);
             RatesAt(in s, in forces, dt, dt * third.Speed, in last, out rates);
-            double sixth = dt / 6.0;
-            way = sixth * (from.Speed + (2.0 * (second.Speed + third.Speed)) + last.Speed);
-            final.Speed = from.Speed + (sixth * (first.Along + (2.0 * (ofSecond.Along + ofThird.Along)) + rates.Along));
-            final.Spin = from.Spin + (sixth * (first.Spin + (2.0 * (ofSecond.Spin + ofThird.Spin)) + rates.Spin));
+            way = ClassicalRungeKutta.Sum(dt, from.Speed, second.Speed, third.Speed, last.Speed);
+            final.Speed = from.Speed + ClassicalRungeKutta.Sum(dt, first.Along, ofSecond.Along, ofThird.Along, rates.Along);
+            final.Spin = from.Spin + ClassicalRungeKutta.Sum(dt, in first.Spin, in ofSecond.Spin, in ofThird.Spin, in rates.Spin);
             middle.Spin = 0.5 * (second.Spin + third.Spin);
             fastest = Math.Max(Math.Max(fastest, Math.Abs(third.Speed)), Math.Max(Math.Abs(last.Speed), Math.Abs(final.Speed)));
         }
@@ -114,7 +113,7 @@ internal sealed class SlideStep<TAir>
         Vector3d second = forces.SecondSlip(from.Speed, in from.Spin);
         double firstSize = first.Length;
         double secondSize = second.Length;
-        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= LineStep.OnLine) || !(firstSize >= LineStep.Sticking) || !(secondSize >= LineStep.Sticking))
+        if (!((s.Velocity - (from.Speed * forces.Along)).Length <= ContactTolerances.OffLine) || !(firstSize >= ContactTolerances.Sticking) || !(secondSize >= ContactTolerances.Sticking))
         {
             return false;
         }
@@ -125,13 +124,13 @@ internal sealed class SlideStep<TAir>
         forces.Load(in push, in forces.FirstDirection, in forces.SecondDirection, out rates.First, out rates.Second);
 
         // The loads do not depend on the choice of the bearer, so choose it by load.
-        bool isSecond = rates.Second > rates.First * (1.0 + SetContact.SameLoad);
+        bool isSecond = rates.Second > rates.First * (1.0 + ContactTolerances.SameLoad);
         forces.Bear(isSecond, isSecond ? two : one, ref from.Spin);
         forces.Evaluate(in push, in torque, from.Speed, in from.Spin, out rates);
 
         double gain = dt * ((one.Sliding * rates.First) + (two.Sliding * rates.Second));
         double airSpeed = (s.Velocity - _air.Wind).Length + _air.FastestWind + gain;
-        return rates.First > SurfaceForces.Least && rates.Second > SurfaceForces.Least && rates.HoldSpin > 0 && Energy(in from) > _world.RestEnergy * (1.0 + 1e-12)
+        return rates.First > ContactTolerances.LeastLoad && rates.Second > ContactTolerances.LeastLoad && rates.HoldSpin > 0 && Energy(in from) > _world.RestEnergy * (1.0 + ContactTolerances.AtRest)
             && dt * (_limit.RateAtMost(airSpeed, from.Spin.Length) + Math.Max(one.Damping, two.Damping)) <= StabilityLimit.LargestChange
             && IsShort(dt, in forces.FirstDirection, firstSize, forces.FirstSlip(rates.Along, in rates.Spin), one.Sliding)
             && IsShort(dt, in forces.SecondDirection, secondSize, forces.SecondSlip(rates.Along, in rates.Spin), two.Sliding);
@@ -158,7 +157,7 @@ internal sealed class SlideStep<TAir>
 
     /// <summary>Difference between the bearer's load and the other load, m/s².</summary>
     private static double Lead(in SlideForces forces, in SlideRates rates) =>
-        forces.IsSecondBearer ? (rates.Second * (1.0 + SetContact.SameLoad)) - rates.First : (rates.First * (1.0 + SetContact.SameLoad)) - rates.Second;
+        forces.IsSecondBearer ? (rates.Second * (1.0 + ContactTolerances.SameLoad)) - rates.First : (rates.First * (1.0 + ContactTolerances.SameLoad)) - rates.Second;
 
     /// <summary>½ m v² + ½ I ω², J.</summary>
     private double Energy(in Slide at) => (0.5 * _ball.Mass * at.Speed * at.Speed) + (0.5 * _ball.MomentOfInertia * at.Spin.LengthSquared);

@@ -9,10 +9,6 @@ internal readonly struct StabilityLimit
     /// <summary>Maximum relative change of the motion by any force per piece.</summary>
     public const double LargestChange = 1.0;
 
-    /// <summary>A ball that would return to the ground sooner than this stays down, s.</summary>
-    /// <remarks>This bounds the number of impacts under any gravity.</remarks>
-    public const double ShortestHop = 1e-6;
-
     /// <summary>Up to this restitution every ball comes to rest, with any integrator and step length.</summary>
     private const double MostElastic = 0.95;
 
@@ -65,7 +61,7 @@ internal readonly struct StabilityLimit
         RateBound bound = WithFall(in ofAir, upward);
 
         // Use the largest restitution, which the slowest and most oblique impacts have. Without weight there are no hops.
-        double pieces = -upward > SurfaceForces.Least ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
+        double pieces = -upward > ContactTolerances.LeastLoad ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
         // Without drag, a low-order integrator adds speed whenever it turns the velocity.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
@@ -194,7 +190,7 @@ internal readonly struct StabilityLimit
     private double PartOfHop(double h, double least, double up)
     {
         // A hop shorter than the shortest counts as staying down and needs no pieces.
-        double hop = Math.Max(2.0 * Math.Sqrt(up), ShortestHop * -_upward);
+        double hop = Math.Max(2.0 * Math.Sqrt(up), ContactTolerances.ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
 }

@@ -24,17 +24,11 @@ internal ref struct StepRun
     /// <summary>Hits by moving objects count as one series if the gap between them is at most this long, s.</summary>
     private const double CrowdedFor = 0.01;
 
-    /// <summary>Hits within this time count as simultaneous, s.</summary>
-    private const double AtOnce = 1e-9;
-
     /// <summary>The ball is squeezed if a series has more hits than this.</summary>
     private const int MostHits = 4;
 
     /// <summary>After this many pieces the part length is chosen again, because the reason for short parts may have ended.</summary>
     private const int PiecesOfOneLength = 64;
-
-    /// <summary>Minimum step length used to convert a velocity jump to an acceleration, s. It keeps the square finite.</summary>
-    private const double ShortestForJumps = 1e-100;
 
     /// <summary>Time left, s.</summary>
     public double Left;
@@ -88,7 +82,7 @@ internal ref struct StepRun
 
     /// <summary>1/length, 1/s: converts a jump at the start of the step to an acceleration.</summary>
     /// <remarks>It is bounded, so that short steps give finite results.</remarks>
-    public readonly double PerStep => 1.0 / Math.Max(Length, ShortestForJumps);
+    public readonly double PerStep => 1.0 / Math.Max(Length, ContactTolerances.ShortestForJumps);
 
     /// <summary>Number of times the ball has lost grip and started to slip.</summary>
     public int Slips;
@@ -162,7 +156,7 @@ internal ref struct StepRun
     }
 
     /// <summary>Length of the next part, s: the time left, or an equal share of it if the step had to be divided.</summary>
-    public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - 1e-9) : Left;
+    public readonly double Next => Part > 0 && Left > Part ? Left / Math.Ceiling((Left / Part) - ContactTolerances.StepRounding) : Left;
 
     /// <summary>True if the step has reported so many events that slow impacts are only counted.</summary>
     public readonly bool IsCrowded => Told >= MostInCrowd;
@@ -201,7 +195,7 @@ internal ref struct StepRun
         double since = time - _lastHit;
 
         // After a pause, start a new series. Simultaneous hits count as one.
-        _hits = since > CrowdedFor ? 1 : since > AtOnce ? _hits + 1 : _hits;
+        _hits = since > CrowdedFor ? 1 : since > ContactTolerances.AtOnce ? _hits + 1 : _hits;
         _lastHit = time;
         return _hits > MostHits;
     }

@@ -18,7 +18,8 @@ internal static class StepperFactory
         _ => throw Check.Unknown("solver.integrator", settings.Integrator),
     };
 
-    private static Stepper Create<TIntegrator>(Scene scene, SolverSettings settings)
+    /// <summary>Creates the stepper of a scene for a method of <see cref="IIntegrator"/>.</summary>
+    public static Stepper Create<TIntegrator>(Scene scene, SolverSettings settings)
         where TIntegrator : struct, IIntegrator
     {
         var air = SceneAir.Of(scene);

@@ -6,15 +6,6 @@ namespace FootballPhysics;
 internal struct SurfaceMargin<TIntegrator> : IFunction
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>If a margin keeps more than this share of its value at its sign change, it has jumped, as the load does at an
-    /// edge.</summary>
-    private const double Jump = 1e-3;
-
-    /// <summary>After a jump, the piece ends this share of its length beyond the jump.</summary>
-    /// <remarks>The second value is the tolerance for locating a jump.</remarks>
-    private const double Beyond = 1e-7;
-    private const double JumpWidth = 1e-8;
-
     public MotionSweep<SurfaceSystem, TIntegrator> Sweep;
     private readonly SurfaceLimit _what;
     private readonly double _time;
@@ -44,7 +35,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         // Track the bracket: a value that stays large in a narrow bracket has jumped.
         _last = value > 0 ? x : _last;
         _first = value > 0 ? _first : x;
-        return Math.Abs(value) > _jump && _first - _last < JumpWidth * _length;
+        return Math.Abs(value) > _jump && _first - _last < ContactTolerances.JumpWidth * _length;
     }
 
     public double Of(in Motion at, double after)
@@ -93,7 +84,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls, bool keepsGrip)
     {
         // Use the same overshoot for all margins, or a later one would shorten the piece to before the edge.
-        double beyond = Beyond * sweep.Length;
+        double beyond = ContactTolerances.BeyondJump * sweep.Length;
         bool jumps = false;
 
         // Evaluate all margins once at the end; search only for those that are negative there.
@@ -117,8 +108,8 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             if (start > 0)
             {
                 // Find the first zero on the step itself by the Illinois method. A value that is not small there has jumped.
-                margin._jump = Jump * start;
-                double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, 1e-13 * sweep.Length, 60);
+                margin._jump = ContactTolerances.MarginJump * start;
+                double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * sweep.Length, 60);
                 jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;
                 if (jumps)
                 {

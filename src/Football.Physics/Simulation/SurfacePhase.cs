@@ -8,20 +8,7 @@ namespace FootballPhysics;
 internal sealed class SurfacePhase<TIntegrator>
     where TIntegrator : struct, IIntegrator
 {
-    /// <summary>Longest closed-form end of a slide in a net or on a curved surface, s: there the push changes with the position.</summary>
-    private const double CurvedSlideEnd = 1.25e-5;
-
-    /// <summary>Tolerance for the end time of a slide in closed form, s, for a step of 20 ms.</summary>
-    /// <remarks>
-    /// The closed form requires a push on the slip that is this constant. For other steps the tolerance scales with the step length
-    /// to the power of the integrator's order.
-    /// </remarks>
-    private const double SlideEnd = 1e-10;
-
-    /// <summary>The same tolerance for integrators of an order below four, s.</summary>
-    private const double CoarseSlideEnd = 1e-7;
-
-    /// <summary>Upper bound of this tolerance as a share of the step.</summary>
+    /// <summary>Upper bound of the tolerance of a closed-form end, as a share of the step.</summary>
     private const double LargestSlideEnd = 1e-3;
 
     /// <summary>The closed form requires the squared push to be below this share of the squared friction.</summary>
@@ -41,9 +28,8 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
     private const int ManyPieces = 32;
 
-    /// <summary>Maximum number of iterations that move a ball onto a second surface, and the gap at which they stop, m.</summary>
+    /// <summary>Maximum number of iterations that move a ball onto a second surface.</summary>
     private const int MostPuts = 16;
-    private const double Closed = 1e-12;
 
     /// <summary>Maximum rotation of the normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
@@ -114,7 +100,7 @@ internal sealed class SurfacePhase<TIntegrator>
         system.CarrierGain = run.CarrierGain;
         SurfaceForces on = system.ForcesOn(s.Time, in from);
         run.Log.Evaluations++;
-        if (on.FreeLoad <= SurfaceForces.Least)
+        if (on.FreeLoad <= ContactTolerances.LeastLoad)
         {
             _contact.Leave(ref s, s.Velocity, s.Spin, ref run);
             return;
@@ -135,7 +121,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // A sliding ball without slip starts to roll if friction can hold it.
-        if (!rolls && size < Slip.Rolling && grips)
+        if (!rolls && size < ContactTolerances.Rolling && grips)
         {
             _contact.StartRolling(ref s, ref run);
             return;
@@ -146,13 +132,13 @@ internal sealed class SurfacePhase<TIntegrator>
         {
             Vector3d drive = system.Drive(in on) - on.MaterialRate;
             bool held = drive.Length <= system.RollingFriction(in on, 0);
-            if (system.Rests(in on) && _world.Energy(in from, system.Carrier, s.Time) <= _world.RestEnergy * (1.0 + 1e-12))
+            if (system.Rests(in on) && _world.Energy(in from, system.Carrier, s.Time) <= _world.RestEnergy * (1.0 + ContactTolerances.AtRest))
             {
                 _contact.Rest(ref s, ref run);
                 return;
             }
 
-            system.Pinned = size < Slip.Rolling && held;
+            system.Pinned = size < ContactTolerances.Rolling && held;
             if (system.Pinned)
             {
                 // Remove the remaining velocity, so that a pinned ball does not creep.
@@ -164,7 +150,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
             // Friction aligns a creeping ball's velocity with the push long before the step ends.
             bool creeps = !held && run.Next * system.RollingFriction(in on, 0) > Creeping * size;
-            if (creeps && size >= Slip.Rolling)
+            if (creeps && size >= ContactTolerances.Rolling)
             {
                 Creep(ref s, in on, in drive);
                 from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
@@ -173,23 +159,23 @@ internal sealed class SurfacePhase<TIntegrator>
                 size = 0;
             }
 
-            moving = size < Slip.Rolling ? drive : moving;
+            moving = size < ContactTolerances.Rolling ? drive : moving;
         }
         else
         {
-            moving = size < Slip.Rolling ? traction : moving;
+            moving = size < ContactTolerances.Rolling ? traction : moving;
         }
 
         // Direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 
-        system.LocksDirection = size < Slip.Rolling;
+        system.LocksDirection = size < ContactTolerances.Rolling;
 
         // Limit the piece by stability, nets, borders and the turning normal, then by the rate at which the direction turns.
         double h = LongestPiece(in s, in from, in on, ref run);
         MotionRates rates = system.RatesUnder(in on, s.Time, in from);
-        if (size >= Slip.Rolling)
+        if (size >= ContactTolerances.Rolling)
         {
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates, in from.Spin);
@@ -236,7 +222,7 @@ internal sealed class SurfacePhase<TIntegrator>
     private double SlideEndIn(double step)
     {
         double squared = TurnLimit.Coarseness(step) * TurnLimit.Coarseness(step);
-        return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? SlideEnd * squared * squared : CoarseSlideEnd * squared);
+        return Math.Min(LargestSlideEnd * step, _integrator.Order >= 4 ? ContactTolerances.SlideEnd * squared * squared : ContactTolerances.CoarseSlideEnd * squared);
     }
 
     /// <summary>Keeps only the velocity component of a creeping ball along the push.</summary>
@@ -332,7 +318,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double friction = perLoad * on.Load;
 
         // In a net or on a curved surface the push changes with the position, so allow only a very short end.
-        double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, CurvedSlideEnd);
+        double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
 
         // |s| < k t: the slide may end in this piece. |c|² < k²: friction outweighs the push, so it does end.
         if (!(slip.Length < friction * most) || !(push.LengthSquared < LargestPush * friction * friction))
@@ -381,7 +367,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
 
         // Reject it if the drag law jumps first: a piece must end there.
-        if (_jump.Acts && DragJump.At(in end, in _around.Wind, _around.Radius).Branch != system.Branch)
+        if (_jump.Acts && _around.BranchAt(in end) != system.Branch)
         {
             return false;
         }
@@ -508,7 +494,7 @@ internal sealed class SurfacePhase<TIntegrator>
             Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
             double gap = at.Distance - _around.Radius;
             double share = along.LengthSquared;
-            if (!(Math.Abs(gap) > Closed) || !(share > 2.0 * Flush.SameNormal))
+            if (!(Math.Abs(gap) > ContactTolerances.ClosedGap) || !(share > 2.0 * ContactTolerances.SameNormal))
             {
                 break;
             }
@@ -538,7 +524,7 @@ internal sealed class SurfacePhase<TIntegrator>
             StartSpin = from.Spin,
             IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat,
             FaceNormal = at.Normal,
-            SpinSign = about > Slip.Rolling ? 1.0 : about < -Slip.Rolling ? -1.0 : 0.0,
+            SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0,
         };
     }
 }

@@ -42,11 +42,11 @@ internal sealed class WorldContact
 
         Collider hit = _world.Colliders[collider];
         bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
-        if (!carried && _world.IsLevel && hit == _world.Ground)
+        if (!carried && hit.IsLevelGround)
         {
             // Height and vertical velocity are known exactly here. The difference is rounding, the contact tolerance or that of a
             // bisection.
-            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+            s.Position = hit.Snap(s.Position);
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
@@ -78,7 +78,7 @@ internal sealed class WorldContact
         // The separation speed, w = (v' − V')·n, determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
-        if (_gainsByHops && off > 0 && !(_world.IsLevel && hit == _world.Ground))
+        if (_gainsByHops && off > 0 && !hit.IsLevelGround)
         {
             // Subtract in advance the speed that the integrator adds in the hop. On level ground the pieces of a hop are short enough.
             double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
@@ -160,11 +160,11 @@ internal sealed class WorldContact
 
         // Solve all contacts as one set, over zero time and with zero restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        Span<Contact> set = ContactSet.Near(_world, in s, ContactSearch.Touching, room, _world.Room);
+        Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         double most = v.Length;
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactSearch.Approaching) && run.Untold++ < MostUntold;
+        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Untold++ < MostUntold;
 
         // If no impulses can stop all contacts from closing, or if this recurs, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
@@ -290,7 +290,7 @@ internal sealed class WorldContact
         Collider carrier = _world.CarrierOf(in s);
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         Vector3d slip = Slip.Of(s.Velocity - _world.SurfaceVelocity(carrier, s.Position, in n, s.Time), s.Spin, in n, _world.Ball.Radius);
-        if (slip.Length >= Slip.Rolling)
+        if (slip.Length >= ContactTolerances.Rolling)
         {
             s.Motion = MotionState.Sliding;
             run.Jumped = true;
@@ -314,7 +314,7 @@ internal sealed class WorldContact
         {
             Vector3d n = next.At(s.Position, s.Time).Normal;
             Vector3d change = _world.SurfaceVelocity(next, s.Position, in n, s.Time) - _world.SurfaceVelocity(before, s.Position, in n, s.Time);
-            if (change.Length >= Slip.Rolling)
+            if (change.Length >= ContactTolerances.Rolling)
             {
                 StartSliding(ref s, ref run);
             }
@@ -392,7 +392,7 @@ internal sealed class WorldContact
 
             s.Velocity = velocity;
             s.Carrier = first + _world.FirstCollider;
-            bool rolls = Slip.Of(velocity - _world.SurfaceVelocity(collider, s.Position, in n, s.Time), in spin, in n, _world.Ball.Radius).Length < Slip.Rolling;
+            bool rolls = Slip.Of(velocity - _world.SurfaceVelocity(collider, s.Position, in n, s.Time), in spin, in n, _world.Ball.Radius).Length < ContactTolerances.Rolling;
             s.SetGroundSpin(in spin);
             s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         }
@@ -411,9 +411,9 @@ internal sealed class WorldContact
 
         // A level pitch supports a ball that closes more slowly than the minimum bounce speed. On other surfaces any closing speed is an
         // impact.
-        double slowest = _world.IsLevel && collider == _world.Ground ? -_world.MinimumBounceSpeed : -double.Epsilon;
-        return at.Distance - _world.Ball.Radius <= ContactSearch.Touching && off < _world.MinimumBounceSpeed && off > slowest
-            && _load.Load(in s, in velocity, s.Spin, collider, in at) > SurfaceForces.Least;
+        double slowest = collider.IsLevelGround ? -_world.MinimumBounceSpeed : -double.Epsilon;
+        return at.Distance - _world.Ball.Radius <= ContactTolerances.Touching && off < _world.MinimumBounceSpeed && off > slowest
+            && _load.Load(in s, in velocity, s.Spin, collider, in at) > ContactTolerances.LeastLoad;
     }
 
     /// <summary>Sets the state of a supported ball after a hit by another object: it keeps its carrier unless the impulse lifts
@@ -433,7 +433,7 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(velocity - carrier.ShapeVelocity(s.Position, s.Time), in n);
 
         // w_s < 0: the ball moves into its carrier, so an impact with it follows at the same instant.
-        if (off < -ContactSearch.Approaching)
+        if (off < -ContactTolerances.Approaching)
         {
             s.Velocity = velocity;
             s.SetGroundSpin(in spin);
@@ -443,7 +443,7 @@ internal sealed class WorldContact
         }
 
         // The ball is lifted off the carrier and stays on the other surface: it climbs that surface, such as a kerb.
-        if (off > ContactSearch.Approaching && pressing >= 0)
+        if (off > ContactTolerances.Approaching && pressing >= 0)
         {
             Stay(ref s, pressing + _world.FirstCollider, in velocity, in spin, ref run);
             return;
@@ -458,7 +458,7 @@ internal sealed class WorldContact
         Vector3d kept = velocity - (off * n);
         Vector3d along = hitNormal - (Vector3d.Dot(in hitNormal, in n) * n);
         double share = along.LengthSquared;
-        if (pressing >= 0 && share > 1e-12)
+        if (pressing >= 0 && share > ContactTolerances.AlongNormal)
         {
             // Remove the velocity component into the other object by changing only the velocity along the carrier.
             kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
@@ -517,7 +517,7 @@ internal sealed class WorldContact
         }
 
         Vector3d surface = _world.SurfaceVelocity(carrier, s.Position, in n, s.Time);
-        if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < Slip.Rolling && _load.Grips(in s, carrier, ref run))
+        if (Slip.Of(s.Velocity - surface, in spin, in n, _world.Ball.Radius).Length < ContactTolerances.Rolling && _load.Grips(in s, carrier, ref run))
         {
             StartRolling(ref s, ref run);
         }

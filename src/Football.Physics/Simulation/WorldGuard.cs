@@ -3,12 +3,6 @@ namespace FootballPhysics;
 /// <summary>Ends a piece of motion at its first contact with the world, and handles that contact.</summary>
 internal sealed class WorldGuard
 {
-    /// <summary>A gap below this needs no correction, m.</summary>
-    private const double Closed = 1e-14;
-
-    /// <summary>A piece that ends at a grazing contact keeps at least this share of its length.</summary>
-    private const double ShortestPiece = 1e-6;
-
     /// <summary>Maximum number of searches per piece. Each shorter piece gives a more accurate path for the next search.</summary>
     private const int MostSearches = 8;
 
@@ -46,9 +40,9 @@ internal sealed class WorldGuard
             Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
             // A closing contact is an impact. A ball in the air that is pressed on a surface without closing or leaving is supported by it.
-            bool touches = gap <= ContactSearch.Touching;
-            bool hits = touches && ((rate < -ContactSearch.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
-            bool presses = touches && !hits && rate <= ContactSearch.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
+            bool touches = gap <= ContactTolerances.Touching;
+            bool hits = touches && ((rate < -ContactTolerances.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
+            bool presses = touches && !hits && rate <= ContactTolerances.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
             if ((hits || presses) && (!byside || NearThings.IsBefore(NormalOf(i, in s), i, NormalOf(first, in s), first)))
             {
                 takesUp = presses;
@@ -86,7 +80,7 @@ internal sealed class WorldGuard
         // (v − V_c)·n with V_c at the contact point c = p − r n.
         Vector3d n = collider.At(s.Position, s.Time).Normal;
         Vector3d surface = collider.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
-        return Vector3d.Dot(s.Velocity - surface, in n) < -ContactSearch.Approaching;
+        return Vector3d.Dot(s.Velocity - surface, in n) < -ContactTolerances.Approaching;
     }
 
     /// <summary>Ends a piece at its first contact.</summary>
@@ -124,7 +118,7 @@ internal sealed class WorldGuard
             double at = search.First(in s, carrier, held, out Separation found);
 
             // No earlier contact was found, or it is the same contact, earlier only by rounding.
-            if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - 1e-9) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
+            if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - ContactTolerances.StepRounding) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
@@ -146,7 +140,7 @@ internal sealed class WorldGuard
             }
 
             // The thesis' bisection only handles level ground.
-            if (_bisects && IsLevelGround(in found) && sweep.Position.Y < _world.LevelContact)
+            if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
             {
                 Bisection.End(ref sweep, _tolerance, _world.LevelContact);
                 met = found;
@@ -156,7 +150,7 @@ internal sealed class WorldGuard
             if (!Locate(ref sweep, in found, s.Time, at))
             {
                 // A grazing contact: end the piece there, because the search stopped there. The next piece searches on.
-                sweep.Step(Math.Max(at, ShortestPiece * path.Length));
+                sweep.Step(Math.Max(at, ContactTolerances.ShortestPiece * path.Length));
                 met = default;
                 break;
             }
@@ -218,13 +212,11 @@ internal sealed class WorldGuard
     /// height.</summary>
     public void PutOnto(ref BallState s, in Separation met)
     {
-        if (IsLevelGround(in met))
+        if (met.What == SeparationKind.Contact)
         {
-            s.Position = new Vector3d(s.Position.X, _world.LevelContact, s.Position.Z);
+            s.Position = _world.Colliders[met.Index].Snap(s.Position);
         }
     }
-
-    private bool IsLevelGround(in Separation met) => met.What == SeparationKind.Contact && _world.IsLevel && _world.Colliders[met.Index] == _world.Ground;
 
     private static void Report(in BallState s, BallEventKind kind, int thing, in Vector3d normal, ref StepRun run) =>
         run.Report(new BallEvent(kind, thing, in normal, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
@@ -240,7 +232,7 @@ internal sealed class WorldGuard
 
         // The gap that closes in the time between is within the contact tolerance.
         met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
-        return before * -rate <= 4.0 * ContactSearch.Touching;
+        return before * -rate <= 4.0 * ContactTolerances.Touching;
     }
 
     /// <summary>Refines a contact from the cubic to the integrator's own step: bracketed Newton iteration on the gap.</summary>
@@ -254,13 +246,13 @@ internal sealed class WorldGuard
         bool dips = atEnd > 0;
 
         // If the gap is zero at the start, reject the root there: it is the old contact.
-        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ShortestPiece * tau)
+        if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ContactTolerances.ShortestPiece * tau)
         {
             return true;
         }
 
         // The gap is within the contact tolerance all along, so there is no root. The contact starts when the ball begins to close.
-        if (!dips && sweep.Length < ShortestPiece * tau)
+        if (!dips && sweep.Length < ContactTolerances.ShortestPiece * tau)
         {
             sweep.Step(tau);
         }
@@ -268,7 +260,7 @@ internal sealed class WorldGuard
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
 
         // A step that ends inside the surface has hit it, even if its end velocity is zero (a semi-implicit hop).
-        return left <= ContactSearch.Touching && (coming < 0 || atEnd < 0);
+        return left <= ContactTolerances.Touching && (coming < 0 || atEnd < 0);
     }
 
     /// <summary>A gap that closes.</summary>
@@ -296,7 +288,7 @@ internal sealed class WorldGuard
 
             // Newton: −f/f', valid while the gap closes.
             correction = rate < 0 ? -value / rate : double.NaN;
-            if (Math.Abs(value) <= Closed || (_dips && value > 0 && rate >= 0))
+            if (Math.Abs(value) <= ContactTolerances.LocatedGap || (_dips && value > 0 && rate >= 0))
             {
                 return true;
             }

@@ -26,6 +26,38 @@ public sealed class HouseRuleTests
         Assert.Equal(wrong, HouseRules.ReadOnlySpans([File(path, $"class A {{ {member} }}")]).Count > 0);
 
     [Fact]
+    public void Each_contact_tolerance_is_in_one_file() => Assert.Empty(HouseRules.LooseTolerances(SourceFile.Library));
+
+    [Fact]
+    public void Each_file_with_other_small_numbers_contains_one() => Assert.All(
+        HouseRules.OtherSmallNumbers.Keys, path => Assert.NotEmpty(HouseRules.LooseTolerances([File("Contact/A.cs", SourceFile.Library.Single(file => file.Path == path).Text)])));
+
+    [Fact]
+    public void Each_constant_of_a_law_is_in_one_file() => Assert.Empty(HouseRules.RepeatedNumbers(SourceFile.Library));
+
+    [Theory]
+    [InlineData("Contact/A.cs", "1e-12", true)]
+    [InlineData("Simulation/Several/A.cs", "2.5e-7", true)]
+    [InlineData("Simulation/A.cs", "0.5e-3", false)]
+    [InlineData("Simulation/A.cs", "1e9", false)]
+    [InlineData("Aiming/A.cs", "1e-9", false)]
+    [InlineData("Simulation/ZoneSearch.cs", "1e-9", false)]
+    [InlineData("Contact/ContactTolerances.cs", "1e-9", false)]
+    public void A_loose_tolerance_is_found(string path, string number, bool wrong) =>
+        Assert.Equal(wrong, HouseRules.LooseTolerances([File(path, $"class A {{ const double B = {number}; }}")]).Count > 0);
+
+    [Theory]
+    [InlineData("Air/A.cs", "287.058", "Scenes/B.cs", "287.058", true)]
+    [InlineData("Numerics/A.cs", "287.058", "Numerics/B.cs", "287.058", false)]
+    [InlineData("Air/A.cs", "0.125", "Scenes/B.cs", "0.125", false)]
+    [InlineData("Air/A.cs", "287.058", "Air/A.cs", "287.058", false)]
+    public void A_repeated_number_is_found(string path, string number, string other, string same, bool wrong)
+    {
+        SourceFile[] tree = [File(path, $"class A {{ const double C = {number}; }}"), File(other, $"class B {{ const double C = {same}; }}")];
+        Assert.Equal(wrong, HouseRules.RepeatedNumbers(tree).Count > 0);
+    }
+
+    [Fact]
     public void A_long_file_is_found()
     {
         Assert.Empty(HouseRules.LongFiles([File("Air/A.cs", Lines(600))]));

@@ -6,6 +6,23 @@ internal static class HouseRules
     public const int LongestFile = 600;
     public const int LongestType = 600;
 
+    /// <summary>The only file of tolerances in the folders that move a ball.</summary>
+    public const string Tolerances = "Contact/ContactTolerances.cs";
+
+    /// <summary>Files of those folders with small numbers of another kind, and the reason.</summary>
+    public static IReadOnlyDictionary<string, string> OtherSmallNumbers { get; } = new Dictionary<string, string>
+    {
+        ["Contact/World.cs"] = "the error of a net that settles",
+        ["Integration/EventLocator.cs"] = "rounding of a time on a step, whatever the event is",
+        ["Integration/PathSegment.cs"] = "rounding of a time on a path that a game queries",
+        ["Simulation/DragJumpGuard.cs"] = "the jump of the drag law",
+        ["Simulation/FlightPhase.cs"] = "the jump of the drag law",
+        ["Simulation/SolverSettings.cs"] = "the default of a setting",
+        ["Simulation/StabilityLimit.cs"] = "stability and accuracy of a step",
+        ["Simulation/WorldGuard.cs"] = "kinks of the force of a net",
+        ["Simulation/ZoneSearch.cs"] = "zones, which no ball touches",
+    };
+
     public static IReadOnlyList<string> LongFiles(IReadOnlyList<SourceFile> tree) =>
         [.. tree.Where(file => file.Lines > LongestFile).Select(file => $"{file.Path}: {file.Lines} lines")];
 
@@ -57,6 +74,33 @@ internal static class HouseRules
            where token.Text == "ReadOnlySpan"
            select $"{file.Path}({token.Line}): use Span",
     ];
+
+    /// <summary>Numbers of 1e-4 and less in the folders that move a ball, outside the file of tolerances and the files with a reason of their own.</summary>
+    public static IReadOnlyList<string> LooseTolerances(IReadOnlyList<SourceFile> tree) =>
+    [
+        .. from file in tree
+           where file.Room is "Contact" or "Integration" or "Simulation" && file.Path != Tolerances && !OtherSmallNumbers.ContainsKey(file.Path)
+           from i in Enumerable.Range(0, file.Tokens.Count)
+           where IsSmall(file, i)
+           select $"{file.Path}({file.Tokens[i].Line}): {Text(file, i)}-{Text(file, i + 2)} belongs to {Tolerances}",
+    ];
+
+    /// <summary>Numbers of four or more digits, such as those of a law, that several files contain. The folder Numerics counts as one file.</summary>
+    public static IReadOnlyList<string> RepeatedNumbers(IReadOnlyList<SourceFile> tree) =>
+    [
+        .. from file in tree
+           from i in Enumerable.Range(0, file.Tokens.Count)
+           where Text(file, i + 1) == "." && char.IsDigit(Text(file, i)[0]) && Text(file, i + 2) is [>= '0' and <= '9', ..]
+           let number = $"{Text(file, i)}.{Text(file, i + 2)}".TrimEnd('f')
+           where number.Replace(".", "").Trim('0').Length >= 4
+           group file by number into files
+           let paths = files.Select(file => file.Room == "Numerics" ? file.Room : file.Path).Distinct().ToArray()
+           where paths.Length > 1
+           select $"{files.Key}: {string.Join(", ", paths)}",
+    ];
+
+    private static bool IsSmall(SourceFile file, int i) =>
+        Text(file, i) is [>= '0' and <= '9', .., 'e' or 'E'] && Text(file, i + 1) == "-" && int.TryParse(Text(file, i + 2), out int power) && power >= 4;
 
     /// <summary>Switch expressions over an enumeration of the tree whose last arm takes every value to come for one of those that there are.</summary>
     public static IReadOnlyList<string> OpenSwitches(IReadOnlyList<SourceFile> tree)

@@ -73,7 +73,7 @@ internal sealed class PlaneShooter : KickObserver
         _targetTime = targetTime;
         _end = _wantsThrough ? throughTime : targetTime;
         _step = StepTo(_end);
-        _flight.Fly(ref state, AimContext.LongestFlight - (1e-9 * longestStep));
+        _flight.Fly(ref state, AimContext.LongestFlight - (ContactTolerances.StepRounding * longestStep));
         _context.CountSimulation(_flight.Pieces);
     }
 

@@ -17,9 +17,6 @@ internal sealed partial class BallCluster
     /// <summary>Margin factor for the reach of a ball that moves farther than expected.</summary>
     private const double MoreReach = 1.25;
 
-    /// <summary>Gap below which two balls touch, m, and time difference below which two times are equal, s.</summary>
-    private const double Closed = 1e-13;
-
     private readonly Simulator[] _simulators;
     private readonly ContactMaterial _contact;
     private readonly BallState[] _before;
@@ -195,7 +192,7 @@ internal sealed partial class BallCluster
                 break;
             }
 
-            atOnce = first.Time - last <= Closed ? atOnce + 1 : 0;
+            atOnce = first.Time - last <= ContactTolerances.BallsTouch ? atOnce + 1 : 0;
             last = first.Time;
             impacts++;
             if (first.IsMeeting)

@@ -163,7 +163,7 @@ public sealed partial class BallGroup
     {
         // Take at least one step, because it validates the states.
         double end = (states.Length > 0 ? states[0].Time : 0) + duration;
-        double last = end - (1e-9 * timeStep);
+        double last = end - (ContactTolerances.StepRounding * timeStep);
         do
         {
             double left = end - (states.Length > 0 ? states[0].Time : 0);

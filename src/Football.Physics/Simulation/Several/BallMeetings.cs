@@ -33,7 +33,7 @@ internal sealed class BallMeetings
     /// <summary>True if two balls with given reaches in this step may touch, m.</summary>
     public bool MayMeet(BallState[] before, int ball, double reach, int other, double otherReach)
     {
-        double most = reach + otherReach + _radii[ball] + _radii[other] + ContactSearch.Touching;
+        double most = reach + otherReach + _radii[ball] + _radii[other] + ContactTolerances.Touching;
         return (before[ball].Position - before[other].Position).LengthSquared <= most * most;
     }
 

@@ -64,7 +64,7 @@ internal sealed class BallNeighbours
 
     /// <summary>True if a ball is within its sphere, so that all balls that it touches are among its neighbours.</summary>
     public bool Covers(int ball, in BallState at) =>
-        _step > 0 && (at.Position - _spheres[ball].Center).Length + _spheres[ball].Radius + ContactSearch.Touching <= _spheres[ball].Outer;
+        _step > 0 && (at.Position - _spheres[ball].Center).Length + _spheres[ball].Radius + ContactTolerances.Touching <= _spheres[ball].Outer;
 
     /// <summary>True if a ball's sphere allows a speed, given as its square, m²/s².</summary>
     public bool Allows(int ball, double speedSquared) => speedSquared <= _spheres[ball].SpeedSquared;

@@ -49,7 +49,7 @@ internal sealed partial class BallPile
 
         // Warm start: the loads are close to those in the previous part.
         double last = _length > 0 ? RestPart / _length : 0;
-        Find(states, Leaning, 0);
+        Find(states, ContactTolerances.Leaning, 0);
         Continue(last);
         for (int i = 0; i < _solver.ContactCount; i++)
         {
@@ -60,8 +60,8 @@ internal sealed partial class BallPile
             }
         }
 
-        _solver.Solve(RestPart, RestRounds, 1e-3 * Held * pull, Held * pull);
-        return _solver.Fastest() <= Held * pull;
+        _solver.Solve(RestPart, RestRounds, 1e-3 * ContactTolerances.PileHeld * pull, ContactTolerances.PileHeld * pull);
+        return _solver.Fastest() <= ContactTolerances.PileHeld * pull;
     }
 
     /// <summary>True if every ball is slow enough, the contacts hold all of them, and at least one stationary object has a load.</summary>

@@ -16,22 +16,10 @@ internal sealed partial class BallPile
     /// <summary>Maximum number of attempts at whole steps per step. After a part, the pile continues in parts.</summary>
     private const int MostWholes = 16;
 
-    /// <summary>Margin of the search for contacts beyond the motion of the balls, m.</summary>
-    private const double Near = 1e-5;
-
-    /// <summary>Maximum gap of two balls in sustained contact, m.</summary>
-    public const double Leaning = 1e-6;
-
     /// <summary>Solver iterations: for the first part (cold start), for further parts, and for the check of rest.</summary>
     private const int FirstRounds = 48;
     private const int NextRounds = 20;
     private const int RestRounds = 256;
-
-    /// <summary>The solver stops if a change of speed is below this share of the change by the forces in a part.</summary>
-    private const double Settled = 1e-5;
-
-    /// <summary>A pile rests if, with its contacts, each ball keeps at most this share of the forces on it.</summary>
-    private const double Held = 1e-3;
 
     /// <summary>Length of the part that is solved to check for rest, s.</summary>
     private const double RestPart = 1e-3;
@@ -201,11 +189,11 @@ internal sealed partial class BallPile
         // The forces at the start are already computed.
         for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
         {
-            _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - 1e-6));
+            _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
         }
 
         // Divide the rest of the step into equal parts.
-        double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - 1e-9));
+        double parts = Math.Max(1.0, Math.Ceiling((left / _longest) - ContactTolerances.StepRounding));
         double h = left / parts;
         double top = 0;
         double pull = 0;
@@ -216,7 +204,7 @@ internal sealed partial class BallPile
             if (!(member.FreeUntil > Time))
             {
                 member.Free = _simulators[member.Ball].Pile.Free(in s, h, atRest: false);
-                member.FreeUntil = Time + (_longest * (1.0 - 1e-6));
+                member.FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
                 logs[member.Ball].Evaluations++;
             }
 
@@ -224,7 +212,7 @@ internal sealed partial class BallPile
             top = Math.Max(top, s.Velocity.Length);
         }
 
-        Find(states, Near + (2.0 * h * (top + pull)), h);
+        Find(states, ContactTolerances.PileMargin + (2.0 * h * (top + pull)), h);
         bool bounced = _bounces.Bounce(states, h, logs);
         for (int i = 0; i < Count; i++)
         {
@@ -237,7 +225,7 @@ internal sealed partial class BallPile
         }
 
         bool warm = Continue(_length > 0 ? h / _length : 0);
-        _solver.Solve(h, warm ? NextRounds : FirstRounds, Settled * pull);
+        _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull);
 
         // A ball with a load moves at its new velocity; a ball in flight moves at the mean of both.
         for (int i = 0; i < Count; i++)
@@ -293,7 +281,7 @@ internal sealed partial class BallPile
             Time = time;
 
             // Find the contacts and their loads for later queries.
-            Find(states, Leaning, 0);
+            Find(states, ContactTolerances.Leaning, 0);
             _whole.Load(duration);
             _overlaps.PutApart(states, duration);
             return;
@@ -349,7 +337,7 @@ internal sealed partial class BallPile
             _overlaps.KeepOut(i, states);
         }
 
-        if (!rests && _overlaps.Deepest(states) > Leaning)
+        if (!rests && _overlaps.Deepest(states) > ContactTolerances.Leaning)
         {
             // Projecting the balls onto their carriers may have pushed them into each other.
             _overlaps.PutApart(states, 0);

@@ -117,7 +117,7 @@ internal sealed class BallRests
     /// <summary>True if two balls touch.</summary>
     public static bool Touches(in BallState a, double radius, in BallState b, double other)
     {
-        double most = radius + other + BallPile.Leaning;
+        double most = radius + other + ContactTolerances.Leaning;
         return (a.Position - b.Position).LengthSquared <= most * most;
     }
 
@@ -138,7 +138,7 @@ internal sealed class BallRests
     /// <param name="contact">The contact with the surface.</param>
     /// <param name="collider">Its object.</param>
     public static bool Bears(in Contact contact, Collider collider) =>
-        !contact.Moves || (collider.StandsStill && contact.Gap >= -BallPile.Leaning);
+        !contact.Moves || (collider.StandsStill && contact.Gap >= -ContactTolerances.Leaning);
 
     /// <summary>Returns the key of touched objects that are stationary in this step but may move in another one.</summary>
     [SkipLocalsInit]
@@ -148,7 +148,7 @@ internal sealed class BallRests
         if (world.Moves)
         {
             Span<Contact> room = stackalloc Contact[ContactSet.Room];
-            foreach (ref readonly Contact contact in ContactSet.Near(world, in s, BallPile.Leaning, room, world.Room))
+            foreach (ref readonly Contact contact in ContactSet.Near(world, in s, ContactTolerances.Leaning, room, world.Room))
             {
                 key += contact.Moves && Bears(in contact, world.Colliders[contact.Collider]) ? KeyOf(in contact.Normal) : 0;
             }

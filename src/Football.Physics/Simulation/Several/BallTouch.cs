@@ -7,12 +7,6 @@ namespace FootballPhysics;
 /// <param name="pushed">The motions of all objects that balls push.</param>
 internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, BallPiles piles, PushedMotions pushed)
 {
-    /// <summary>Two balls touch if their gap is below this, m.</summary>
-    private const double Closed = 1e-13;
-
-    /// <summary>The contact time is searched within this interval around the estimate from the paths, s.</summary>
-    private const double Nearby = 1e-3;
-
     private const int MostNewton = 12;
 
     private readonly BallLook _first = new();
@@ -36,7 +30,7 @@ internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, Ball
             double gap = BallContact.Gap(
                 in _first.State, simulators[met.Ball].Scene.Ball.Radius, in _second.State, simulators[met.Other].Scene.Ball.Radius, out _, out double rate);
             double next = rate < 0 ? Math.Min(Math.Max(from, span.End), Math.Max(from, time - (gap / rate))) : time;
-            if (Math.Abs(gap) <= Closed || next == time || Math.Abs(next - met.Time) > Nearby)
+            if (Math.Abs(gap) <= ContactTolerances.BallsTouch || next == time || Math.Abs(next - met.Time) > ContactTolerances.NearbyTime)
             {
                 break;
             }

@@ -169,39 +169,55 @@ internal sealed class BallTrial : PieceObserver
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
-            double bend = mine.GreatestAcceleration + its.GreatestAcceleration;
-            do
+            var gap = new BallGap(in mine, start, in its, otherStart, distance, last, atEnd && last == until);
+            if (TimeOfImpact.Finds(ref gap, ref time))
             {
-                // f = |p₁ − p₂| − d, and f'.
-                Vector3d apart = mine.At(time - start) - its.At(time - otherStart);
-                double length = apart.Length;
-                double gap = length - distance;
-                double rate = length > 0 ? Vector3d.Dot(in apart, mine.VelocityAt(time - start) - its.VelocityAt(time - otherStart)) / length : -1;
-                if (gap <= ContactSearch.Touching && (rate < -ContactSearch.Approaching || gap < -Overlap))
-                {
-                    return time;
-                }
-
-                // M bounds the relative acceleration and so the gap's second derivative: no contact occurs before f + f' s − ½ M s² = 0.
-                double room = Math.Max(0, gap);
-                double root = Math.Sqrt((rate * rate) + (2.0 * bend * room));
-                double ahead = rate < 0 ? 2.0 * room / (root - rate) : bend > 0 ? (rate + root) / bend : double.PositiveInfinity;
-                time += Math.Max(ahead, ShortestAdvance + (Rounding * time));
+                return time;
             }
-            while (time < last || (atEnd && time == until && last == until));
 
             time = Math.Max(last, Math.Min(time, Math.Min(end, otherEnd)));
         }
 
         return double.PositiveInfinity;
     }
+}
 
-    /// <summary>Minimum advance of the search if two balls touch without closing, s.</summary>
-    private const double ShortestAdvance = 1e-7;
+/// <summary>The gap between two balls on their paths, over a time in which each path is one cubic.</summary>
+/// <param name="one">The path of one ball.</param>
+/// <param name="oneStart">Its start time, s.</param>
+/// <param name="two">The path of the other ball.</param>
+/// <param name="twoStart">Its start time, s.</param>
+/// <param name="distance">Distance of the centres at contact, m.</param>
+/// <param name="last">End of the search, s.</param>
+/// <param name="includesLast">Whether to include a contact exactly at that time.</param>
+internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic two, double twoStart, double distance, double last, bool includesLast) : IGap
+{
+    private readonly PathCubic _one = one;
+    private readonly PathCubic _two = two;
+    private readonly double _oneStart = oneStart;
+    private readonly double _twoStart = twoStart;
+    private readonly double _distance = distance;
+    private readonly double _last = last;
+    private readonly bool _includesLast = includesLast;
 
-    /// <summary>Relative minimum advance at late times, where the clock is coarse.</summary>
-    private const double Rounding = 5e-16;
+    /// <summary>M bounds the relative acceleration, and so the second derivative of the gap.</summary>
+    private readonly double _bend = one.GreatestAcceleration + two.GreatestAcceleration;
 
-    /// <summary>Balls that overlap by more than this are separated even if they do not close, m.</summary>
-    private const double Overlap = 1e-6;
+    public bool IsClosed(double t, out double step)
+    {
+        // f = |p₁ − p₂| − d, and f'.
+        Vector3d apart = _one.At(t - _oneStart) - _two.At(t - _twoStart);
+        double length = apart.Length;
+        double gap = length - _distance;
+        double rate = length > 0 ? Vector3d.Dot(in apart, _one.VelocityAt(t - _oneStart) - _two.VelocityAt(t - _twoStart)) / length : -1;
+        bool meets = gap <= ContactTolerances.Touching && (rate < -ContactTolerances.Approaching || gap < -ContactTolerances.BallOverlap);
+        step = meets ? 0 : TimeOfImpact.Safe(Math.Max(0, gap), rate, _bend);
+        return meets;
+    }
+
+    public bool Advance(ref double t, double step)
+    {
+        t += Math.Max(step, ContactTolerances.ShortestAdvance + (ContactTolerances.ClockRounding * t));
+        return t < _last || (_includesLast && t == _last);
+    }
 }

@@ -7,21 +7,9 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ClusterModes
 {
-    /// <summary>A slip below this counts as zero, m/s: it is within the error of the impulses.</summary>
-    private const double Sticking = 3e-5;
-
-    /// <summary>A spin about a normal below this counts as zero, rad/s.</summary>
-    private const double Turning = 3e-4;
-
-    /// <summary>A ball that rolls more slowly than this has no direction of roll, m/s.</summary>
-    private const double Standing = 1e-6;
-
     /// <summary>Maximum number of mode changes per contact, and maximum number of iterations to find the bearers.</summary>
     private const int ChangesOfContact = 3;
     private const int MostBearers = 4;
-
-    /// <summary>Maximum overlap at the end of two balls that touch without load, m.</summary>
-    private const double Entered = 1e-9;
 
     /// <summary>Determines the modes, starting with all contacts active.</summary>
     /// <param name="system">The balls and contacts, already updated.</param>
@@ -41,12 +29,12 @@ internal static class ClusterModes
             ref ClusterContact contact = ref system.Contacts[i];
             ref SetContact on = ref contact.On;
             double slip = on.Slip.Length;
-            on.Press(Sticking);
+            on.Press(ContactTolerances.GroupSticking);
             on.Direction = slip > 0 && !on.Sticks ? on.Slip / slip : Vector3d.Zero;
             if (contact.Second >= 0)
             {
                 double about = About(system, in contact);
-                contact.TwistSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0;
+                contact.TwistSign = about > ContactTolerances.GroupTurning ? 1.0 : about < -ContactTolerances.GroupTurning ? -1.0 : 0;
                 contact.HoldsTwist = contact.TwistSign == 0 && contact.Lever > 0;
             }
         }
@@ -77,7 +65,7 @@ internal static class ClusterModes
             ref readonly ClusterContact contact = ref system.Contacts[i];
             ref readonly SetContact on = ref contact.On;
             double least = LeastLoad(system, in contact);
-            bool holds = !on.Bears ? contact.Gap > Entered || (contact.Gap >= -Entered && on.Opening >= -SurfaceForces.Least)
+            bool holds = !on.Bears ? contact.Gap > ContactTolerances.EnteredUnloaded || (contact.Gap >= -ContactTolerances.EnteredUnloaded && on.Opening >= -ContactTolerances.LeastLoad)
                 : on.Load > least
                 && (on.Sticks ? on.Grip >= 0 : !(on.Sliding > 0) || Vector3d.Dot(in on.Slip, in on.Direction) > 0)
                 && (contact.HoldsTwist ? contact.TwistGrip >= 0 : !(contact.TwistSign * About(system, in contact) < 0));
@@ -118,9 +106,9 @@ internal static class ClusterModes
         contact.Second < 0 ? 0 : Vector3d.Dot(system.Balls[contact.First].At.Spin - system.Balls[contact.Second].At.Spin, in contact.On.Normal);
 
     /// <summary>Returns the load below which a contact counts as unloaded, N.</summary>
-    private static double LeastLoad(ClusterSystem system, in ClusterContact contact) => SurfaceForces.Least / system.Balls[contact.First].PerMass;
+    private static double LeastLoad(ClusterSystem system, in ClusterContact contact) => ContactTolerances.LeastLoad / system.Balls[contact.First].PerMass;
 
-    private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + SetContact.BeyondCone);
+    private static bool IsHeld(in ClusterBall ball, in SetContact on) => Math.Abs(ball.HeldSpin) <= on.Drilling * ball.PerMass * on.Load * (1.0 + ContactTolerances.BeyondCone);
 
     /// <summary>Solves the forces with the current modes; the bearers follow from the loads.</summary>
     private static bool Force(ClusterSystem system)
@@ -164,12 +152,12 @@ internal static class ClusterModes
     private static bool Roll(ref ClusterBall ball, in SetContact on)
     {
         double about = Vector3d.Dot(ball.At.Spin, in on.Normal) - on.CarrierSpin;
-        ball.SpinSign = about > Turning ? 1.0 : about < -Turning ? -1.0 : 0.0;
+        ball.SpinSign = about > ContactTolerances.GroupTurning ? 1.0 : about < -ContactTolerances.GroupTurning ? -1.0 : 0.0;
         ball.HoldsSpin = ball.SpinSign == 0 && on.Drilling > 0;
         Vector3d rolling = SurfaceSystem.Tangential(in on.RollingVelocity, in on.Normal);
         double speed = rolling.Length;
         ball.Along = speed > 0 ? rolling / speed : Vector3d.Zero;
-        return !on.Sticks || speed > Standing;
+        return !on.Sticks || speed > ContactTolerances.Undirected;
     }
 
     /// <summary>Returns the sticking contact with the greatest load on a stationary object; if none sticks, the one with the greatest
@@ -216,7 +204,7 @@ internal static class ClusterModes
             return true;
         }
 
-        least = -SurfaceForces.Least;
+        least = -ContactTolerances.LeastLoad;
         for (int i = 0; i < system.ContactCount; i++)
         {
             ref readonly SetContact on = ref system.Contacts[i].On;
@@ -229,7 +217,7 @@ internal static class ClusterModes
 
         if (worst >= 0)
         {
-            system.Contacts[worst].On.Press(Sticking);
+            system.Contacts[worst].On.Press(ContactTolerances.GroupSticking);
             ForgetBearers(system);
             return true;
         }
@@ -268,7 +256,7 @@ internal static class ClusterModes
         for (int i = 0; i < system.ContactCount; i++)
         {
             ref ClusterContact contact = ref system.Contacts[i];
-            if (contact.On.Bears && contact.HoldsTwist && Math.Abs(contact.Twist) > contact.Lever * contact.On.Load * (1.0 + SetContact.BeyondCone))
+            if (contact.On.Bears && contact.HoldsTwist && Math.Abs(contact.Twist) > contact.Lever * contact.On.Load * (1.0 + ContactTolerances.BeyondCone))
             {
                 contact.HoldsTwist = false;
                 contact.TwistSign = contact.Twist > 0 ? -1.0 : 1.0;

@@ -5,9 +5,6 @@ internal static class ClusterProjection
 {
     private const int MostRounds = 40;
 
-    /// <summary>Errors below this are not corrected, m and m/s.</summary>
-    private const double Closed = 1e-15;
-
     /// <summary>Projects the positions at the end: balls by their masses, then onto stationary objects, which they must not
     /// enter.</summary>
     public static void Places(ClusterSystem system)
@@ -32,7 +29,7 @@ internal static class ClusterProjection
                 Vector3d shift = gap / ((a.PerMass + b.PerMass) * distance) * apart;
                 a.End.Position -= a.PerMass * shift;
                 b.End.Position += b.PerMass * shift;
-                moved |= Math.Abs(gap) > Closed;
+                moved |= Math.Abs(gap) > ContactTolerances.ProjectionError;
             }
 
             for (int i = 0; i < system.ContactCount; i++)
@@ -55,7 +52,7 @@ internal static class ClusterProjection
     {
         double largest = 0;
         double change = double.PositiveInfinity;
-        for (int round = 0; round < MostRounds && change > Closed; round++)
+        for (int round = 0; round < MostRounds && change > ContactTolerances.ProjectionError; round++)
         {
             change = 0;
             for (int i = 0; i < system.ContactCount; i++)
@@ -103,12 +100,7 @@ internal static class ClusterProjection
         ref BallState s = ref ball.End;
         Collider collider = ball.World.Colliders[index];
         ShapePoint at = collider.At(s.Position, s.Time);
-        s.Position += (ball.Radius - at.Distance) * at.Normal;
-        if (ball.World.IsLevel && collider == ball.World.Ground)
-        {
-            // Set the exact height of a ball on level ground.
-            s.Position = new Vector3d(s.Position.X, ball.World.LevelContact, s.Position.Z);
-        }
+        s.Position = collider.Snap(s.Position + ((ball.Radius - at.Distance) * at.Normal));
     }
 
     /// <summary>Projects the velocity of a ball on a stationary object.</summary>

@@ -3,10 +3,6 @@ namespace FootballPhysics;
 /// <content>The forces of the contacts: one linear system for all of them.</content>
 internal sealed partial class ClusterSystem
 {
-    /// <summary>Tolerance of the conditions if the forces are not unique, as a share of the largest one.</summary>
-    /// <remarks>Otherwise there is no solution.</remarks>
-    private const double Met = 1e-7;
-
     /// <summary>Solves the contact forces, and with them the rates.</summary>
     /// <returns>False if no forces satisfy all conditions.</returns>
     public unsafe bool Solve()
@@ -257,7 +253,7 @@ internal sealed partial class ClusterSystem
                 left -= _g[(i * size) + j] * _x[j];
             }
 
-            if (!(Math.Abs(left) <= Met * largest))
+            if (!(Math.Abs(left) <= ContactTolerances.SolvedForces * largest))
             {
                 return false;
             }

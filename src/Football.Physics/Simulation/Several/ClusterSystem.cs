@@ -176,19 +176,9 @@ internal sealed partial class ClusterSystem
 
     private static void EndClassical(ref ClusterBall ball, double h)
     {
-        double sixth = h / 6.0;
         Motion from = From(in ball);
-        ref readonly MotionRates k1 = ref ball.First;
-        ref readonly MotionRates k2 = ref ball.SecondRates;
-        ref readonly MotionRates k3 = ref ball.ThirdRates;
-        ref readonly MotionRates k4 = ref ball.Rates;
-
-        // y' = y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
-        var end = new Motion(
-            from.Position + (sixth * (from.Velocity + (2.0 * (ball.Second.Velocity + ball.Third.Velocity)) + ball.At.Velocity)),
-            from.Velocity + (sixth * (k1.Acceleration + (2.0 * (k2.Acceleration + k3.Acceleration)) + k4.Acceleration)),
-            from.Spin + (sixth * (k1.SpinAcceleration + (2.0 * (k2.SpinAcceleration + k3.SpinAcceleration)) + k4.SpinAcceleration)),
-            from.AirDistance + (sixth * (k1.AirSpeed + (2.0 * (k2.AirSpeed + k3.AirSpeed)) + k4.AirSpeed)));
+        Motion end = ClassicalRungeKutta.End(
+            in from, h, in ball.First, in ball.Second, in ball.SecondRates, in ball.Third, in ball.ThirdRates, in ball.At, in ball.Rates);
         Vector3d rotation = RotationVector.Of(in from.Spin, 0.5 * (ball.Second.Spin + ball.Third.Spin), in end.Spin, h);
         End(ref ball, in end, in rotation);
     }

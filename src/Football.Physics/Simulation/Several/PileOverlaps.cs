@@ -9,13 +9,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
     private const int MostRounds = 128;
     private const int MostCorners = 64;
 
-    /// <summary>Tolerance of an overlap between balls, and with stationary objects, m.</summary>
-    private const double Overlap = 1e-7;
-    private const double Closed = 1e-13;
-
-    /// <summary>Maximum depth of a ball in stationary surfaces at the end of a part, m, and the maximum number of projections to reach
-    /// it.</summary>
-    private const double Inside = 5e-10;
+    /// <summary>Maximum number of projections that move a ball out of stationary surfaces after a part.</summary>
     private const int MostWays = 16;
 
     /// <summary>Maximum speed at which an overlap with moving objects is resolved, m/s.</summary>
@@ -48,7 +42,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                         Vector3d shift = over * contact.NormalMass / distance * apart;
                         states[a.Ball].Position += a.PerMass * shift;
                         states[b.Ball].Position -= b.PerMass * shift;
-                        moved |= over > Overlap;
+                        moved |= over > ContactTolerances.PileOverlap;
                     }
                 }
             }
@@ -113,7 +107,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
     {
         foreach (ref readonly Contact contact in near)
         {
-            if (!contact.Moves && contact.Gap < -Inside)
+            if (!contact.Moves && contact.Gap < -ContactTolerances.Overlap)
             {
                 return true;
             }
@@ -153,18 +147,14 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                     Collider collider = world.Colliders[solver.Contacts[i].Collider];
                     ShapePoint at = collider.At(s.Position, s.Time);
                     double over = member.Radius - at.Distance;
-                    if (over > Closed && (pass == 1 || round == 0))
+                    if (over > ContactTolerances.PileCorrection && (pass == 1 || round == 0))
                     {
                         s.Position += (pass == 0 ? Math.Min(over, outOfTheWay) : over) * at.Normal;
                         inside |= pass == 1;
-                        moved |= over > Overlap;
+                        moved |= over > ContactTolerances.PileOverlap;
                     }
 
-                    if (world.IsLevel && collider == world.Ground)
-                    {
-                        // Set the exact height of a ball on level ground.
-                        s.Position = new Vector3d(s.Position.X, Math.Max(s.Position.Y, world.LevelContact), s.Position.Z);
-                    }
+                    s.Position = collider.SnapUp(s.Position);
                 }
 
                 // Limit the total displacement by all movers to the limit for a single one.

@@ -7,12 +7,6 @@ internal sealed class PilePhase
     /// <summary>Maximum number of nets and goals on the path of a part.</summary>
     private const int MostPassages = 8;
 
-    /// <summary>A ball with a slip below this rolls, m/s.</summary>
-    private const double RollingSlip = 1e-6;
-
-    /// <summary>A ball deeper than this in a moving object is squeezed by it and not supported, m.</summary>
-    private const double LargestOverlap = 1e-6;
-
     /// <summary>Below this speed no slide or roll is reported, m/s: in a pile a ball may alternately slip and grip.</summary>
     private const double ToldSpeed = 0.05;
 
@@ -37,7 +31,7 @@ internal sealed class PilePhase
     /// <summary>The integrator of its whole steps.</summary>
     public IIntegrator Method { get; }
 
-    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster.</summary>
+    /// <summary>Returns the longest whole step of the integrator, s; 0 if the integrator would make the ball faster, or has an order without whole steps of groups.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="h">The requested length, s.</param>
     /// <param name="damping">Rate at which a surface damps the spin, 1/s.</param>
@@ -46,7 +40,7 @@ internal sealed class PilePhase
     {
         bool spirals = false;
         double part = _limit.PartOf(ref _around.Air, h, (s.Velocity - _around.Wind).Length, s.Spin.Length, s.Branch, ref spirals, damping, gain);
-        return spirals ? 0 : part;
+        return spirals || Method.Order is not (1 or 2 or 4) ? 0 : part;
     }
 
     /// <summary>Computes the forces on the ball without contacts, for a part of a step.</summary>
@@ -61,7 +55,7 @@ internal sealed class PilePhase
 
         // Lock the drag law to the branch at the start of the part: its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
-        DragBranch branch = _around.Air.Jumps ? DragJump.At(in at, in _around.Wind, _around.Radius).Branch : DragBranch.Unknown;
+        DragBranch branch = _around.BranchAt(in at);
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
         var ball = new ForceContext(s.Time, s.Position, in v, in u, in w, carried ? MotionState.Sliding : MotionState.Airborne, s.AirDistance);
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
@@ -125,7 +119,7 @@ internal sealed class PilePhase
     public void Release(ref BallState s, int carrier, StepLog log)
     {
         Vector3d w = s.Spin;
-        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > LargestOverlap)
+        if (carrier >= 0 && _world.Colliders[carrier].Moves && _around.Radius - _world.Colliders[carrier].At(s.Position, s.Time).Distance > ContactTolerances.SqueezedDepth)
         {
             StaySqueezed(ref s, carrier, log);
             return;
@@ -153,7 +147,7 @@ internal sealed class PilePhase
         _world.Exit(ref s);
         Vector3d n = _world.Hold(ref s, on);
         Vector3d relative = s.Velocity - _world.SurfaceVelocity(on, s.Position, in n, s.Time);
-        bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < RollingSlip;
+        bool rolls = Slip.Of(in relative, in w, in n, _around.Radius).Length < ContactTolerances.SolvedSlip;
         s.Motion = rolls ? MotionState.Rolling : MotionState.Sliding;
         s.SetGroundSpin(rolls ? Slip.RollingSpin(in relative, Vector3d.Dot(in w, in n), in n, _around.Radius) : w);
         bool changed = !same || before != s.Motion;

@@ -134,7 +134,7 @@ internal sealed class PileSolver
         for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
         {
             // If two loads are equal to within rounding, take the first contact.
-            if (Contacts[i].Load > most * (1.0 + 1e-9))
+            if (Contacts[i].Load > most * (1.0 + ContactTolerances.SameLoad))
             {
                 most = Contacts[i].Load;
                 bearer = i;
@@ -244,7 +244,7 @@ internal sealed class PileSolver
         double load = 0;
         for (int i = ball.FirstContact; i < ball.FirstContact + ball.OwnContacts; i++)
         {
-            bearer = Contacts[i].Load > load * (1.0 + 1e-9) ? i : bearer;
+            bearer = Contacts[i].Load > load * (1.0 + ContactTolerances.SameLoad) ? i : bearer;
             load = Math.Max(load, Contacts[i].Load);
         }
 

@@ -9,12 +9,6 @@ namespace FootballPhysics;
 /// <param name="room">Memory that all piles of a group share.</param>
 internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, double friction, double lever, ClusterRoom room)
 {
-    /// <summary>Maximum relative speed of two balls in sustained contact, m/s.</summary>
-    private const double Pressing = 3e-5;
-
-    /// <summary>A correction below this does not change the forces, m/s.</summary>
-    private const double Corrected = 1e-11;
-
     /// <summary>Maximum rotation of a normal per whole step, rad: of a curved surface, or of the line of centres of two balls.</summary>
     private const double LargestTurn = 0.05;
     private const double LargestTurnOfBalls = 0.1;
@@ -55,7 +49,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         bool holds = Prepare(system, states, least) && FindModes(system);
         if (holds)
         {
-            double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - 1e-9));
+            double parts = Math.Max(1.0, Math.Ceiling((left / LongestWhole(system, states, left)) - ContactTolerances.StepRounding));
             Length = left / parts;
             holds = (parts <= 1 || Length >= least) && Advance(system, Length) && ClusterModes.Hold(system) && MeetsNothing(system, Length);
         }
@@ -185,7 +179,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     {
         ref readonly ClusterBall ball = ref system.Balls[i];
         Span<Contact> near = _touching.AsSpan(i * ContactSet.Room, ContactSet.Room);
-        int count = ContactSet.Near(ball.World, in ball.Start, BallPile.Leaning, near, ball.World.Room).Length;
+        int count = ContactSet.Near(ball.World, in ball.Start, ContactTolerances.Leaning, near, ball.World.Room).Length;
         if (count > near.Length)
         {
             return false;
@@ -195,12 +189,12 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         for (int k = 0; k < count; k++)
         {
             double rate = Vector3d.Dot(ball.Start.Velocity, in near[k].Normal);
-            if (near[k].Moves || rate < -Pressing || system.ContactCount == ClusterSystem.MostContacts)
+            if (near[k].Moves || rate < -ContactTolerances.Pressing || system.ContactCount == ClusterSystem.MostContacts)
             {
                 return false;
             }
 
-            if (rate <= Pressing)
+            if (rate <= ContactTolerances.Pressing)
             {
                 ref ClusterContact contact = ref system.Contacts[system.ContactCount++];
                 contact = new ClusterContact { First = i, Second = -1 };
@@ -225,12 +219,12 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             }
 
             BallContact.Gap(in ball.Start, ball.Radius, in other.Start, other.Radius, out _, out double rate);
-            if (rate < -Pressing || system.ContactCount == ClusterSystem.MostContacts)
+            if (rate < -ContactTolerances.Pressing || system.ContactCount == ClusterSystem.MostContacts)
             {
                 return false;
             }
 
-            if (rate <= Pressing)
+            if (rate <= ContactTolerances.Pressing)
             {
                 ref ClusterContact contact = ref system.Contacts[system.ContactCount++];
                 contact = new ClusterContact { First = i, Second = j, Lever = lever };
@@ -258,7 +252,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
         }
 
         bool holds = true;
-        if (ClusterProjection.Velocities(system, atEnd: false) > Corrected)
+        if (ClusterProjection.Velocities(system, atEnd: false) > ContactTolerances.GroupUnmoved)
         {
             for (int i = 0; i < system.Count; i++)
             {
@@ -387,7 +381,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
     private bool Meet(in ClusterBall ball, in PathCubic path, in ClusterBall other, double h)
     {
         PathCubic its = PathOf(in other, h);
-        double most = ball.Radius + other.Radius + ContactSearch.Touching + (h * (path.FastestSpeed + its.FastestSpeed));
+        double most = ball.Radius + other.Radius + ContactTolerances.Touching + (h * (path.FastestSpeed + its.FastestSpeed));
         if ((ball.Start.Position - other.Start.Position).LengthSquared > most * most)
         {
             return false;
