@@ -73,6 +73,10 @@ internal static class ContactTolerances
     /// <remarks>Above: a displayed ball enters a wall. Below: paths that only touch are corrected.</remarks>
     public const double ShownDepth = 1e-7;
 
+    /// <summary>The maximum distance between the path of a piece in a net and the polynomial through its ends, m.</summary>
+    /// <remarks>Above: a contact near the net is missed or late. Below: a step in a net takes more pieces.</remarks>
+    public const double NetBend = 3e-7;
+
     /// <summary>The upper bound of the projection onto the carrier after a piece, m.</summary>
     /// <remarks>Above: a ball behind the mouth of a goal could enter it from behind. Below: a goal is missed after a projection at its
     /// mouth.</remarks>
@@ -312,6 +316,14 @@ internal static class ContactTolerances
     /// <remarks>It selects the least-squares solution if there are several. Above: loads are too small. Below: an undetermined set is
     /// singular.</remarks>
     public const double Regularisation = 1e-11;
+
+    /// <summary>The tension of a net, 1 + b δ̇, below which the kink of its force is located.</summary>
+    /// <remarks>Above: the integrator loses its order at the kink. Below: rounding of the speed prevents an end.</remarks>
+    public const double NetSlack = 1e-10;
+
+    /// <summary>A piece that starts with a smaller tension than this starts at the kink of a net's force.</summary>
+    /// <remarks>Above: a kink soon after the start is missed. Below <see cref="NetSlack"/>: the kink is located again.</remarks>
+    public const double AtNetSlack = 1e-9;
 
     /// <summary>If a pivot is below this share of the largest entry, the solution is not unique.</summary>
     /// <remarks>Above: unique loads are shared by least squares. Below: undetermined loads are amplified rounding.</remarks>

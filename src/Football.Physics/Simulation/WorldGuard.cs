@@ -312,18 +312,11 @@ internal sealed class WorldGuard
 /// <remarks>The force has a kink when the net goes slack or taut.</remarks>
 internal sealed class NetGuard
 {
-    /// <summary>Maximum distance between the path of a piece and the cubic through its ends, m.</summary>
-    private const double LargestBend = 3e-7;
-
     /// <summary>Factor by which a piece that bends too much is shortened.</summary>
     private const double Shorter = 0.8;
 
     /// <summary>Maximum number of times a piece next to a collider is shortened.</summary>
     private const int MostHalved = 4;
-
-    /// <summary>Tolerance of the tension at a kink. A piece that starts below the second value starts at a kink.</summary>
-    private const double Kink = 1e-10;
-    private const double AtKink = 1e-9;
 
     /// <summary>Maximum number of parts per piece: the cost of a step is only checked between pieces.</summary>
     private const int MostParts = 64;
@@ -341,7 +334,7 @@ internal sealed class NetGuard
             if ((s.Nets >> i & 1) != 0)
             {
                 // The deviation of the path scales with the sixth power of the piece's length.
-                while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > LargestBend)
+                while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > ContactTolerances.NetBend)
                 {
                     h *= Shorter;
                 }
@@ -381,7 +374,7 @@ internal sealed class NetGuard
             double side = World.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
-            if (Math.Abs(start) > AtKink && start < 0 != end < 0)
+            if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
             {
                 // The motion is smooth up to the kink, so its rate at the start gives a better first guess than the secant across it.
                 double sign = start < 0 ? -1.0 : 1.0;
@@ -405,7 +398,7 @@ internal sealed class NetGuard
             // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64. It falls with the fourth power of the length.
             double h = sweep.Length;
             Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
-            double share = LargestBend / off.Length;
+            double share = ContactTolerances.NetBend / off.Length;
             if (!(share < 1))
             {
                 return;
@@ -444,7 +437,7 @@ internal sealed class NetGuard
         {
             // Newton on ± (1 + b δ̇), whose rate needs the acceleration at the end.
             value = sign * net.Tension(sweep.Velocity, side);
-            bool isThere = Math.Abs(value) < Kink;
+            bool isThere = Math.Abs(value) < ContactTolerances.NetSlack;
             double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);
             correction = rate < 0 ? -value / rate : double.NaN;
             return isThere;
