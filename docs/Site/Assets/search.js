@@ -53,7 +53,7 @@ function show() {
   found.replaceChildren(...results.map(r => {
     const item = document.createElement("li");
     const link = Object.assign(document.createElement("a"), { href: r.address });
-    link.append(r.heading === r.page ? r.page : `${r.page}: ${r.heading}`);
+    link.append(r.isMember || r.heading === r.page ? r.heading : `${r.page}: ${r.heading}`);
     link.append(Object.assign(document.createElement("small"), { textContent: snippet(r.text, search.value) }));
     item.append(link);
     return item;
