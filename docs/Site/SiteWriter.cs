@@ -18,7 +18,8 @@ internal static partial class SiteWriter
         (string Source, string Group)[] sources = [("README.md", ""), (SitePage.ContentsSource, ""), .. Grouped(Read(repository, SitePage.ContentsSource))];
         var api = new ApiIndex(Read(repository, SitePage.Api));
         (SitePage Page, string Group)[] pages = [.. sources.Select(source => (new SitePage(source.Source, source.Source == SitePage.Api ? api.Overview : Read(repository, source.Source), api), source.Group))];
-        ILookup<string, Section> uses = Uses(pages.Where(page => page.Group == "Guides" || page.Page.Source == "docs/data-sets.md").SelectMany(page => page.Page.Sections), [.. api.Types.Select(type => type.Name)]);
+        HashSet<string> types = [.. api.Types.Select(type => type.Name)];
+        ILookup<string, Section> uses = Uses(pages.Where(page => page.Group == "Guides"), types).Concat(Uses(pages.Where(page => page.Page.Source == "docs/data-sets.md"), types)).ToLookup(use => use.Type, use => use.Section);
         SitePage[] all = [.. pages.Select(page => page.Page), .. api.Types.Select(type => new TypePage(type, api, [.. uses[type.Name]]))];
         Directory.CreateDirectory(folder);
         string frame = Asset("page.html");
@@ -52,13 +53,13 @@ internal static partial class SiteWriter
         from source in Linked().Matches(part).Select(match => "docs/" + match.Groups[1].Value).Distinct()
         select (source, part.Split('\n')[0]);
 
-    /// <summary>The sections by the types in their code. Sections that use a type often, and few others, come first.</summary>
-    private static ILookup<string, Section> Uses(IEnumerable<Section> sections, HashSet<string> types) =>
-        (from section in sections
-         let names = Word().Matches(section.Code).Select(word => word.Value).Where(types.Contains).GroupBy(name => name).ToArray()
-         from name in names
-         orderby (double)Math.Min(name.Count(), 3) / names.Length descending
-         select (name.Key, section)).ToLookup(use => use.Key, use => use.section);
+    /// <summary>The sections that have a type in their code. Sections that use the type often, and few others, come first.</summary>
+    private static IEnumerable<(string Type, Section Section)> Uses(IEnumerable<(SitePage Page, string Group)> pages, HashSet<string> types) =>
+        from section in pages.SelectMany(page => page.Page.Sections)
+        let names = Word().Matches(section.Code).Select(word => word.Value).Where(types.Contains).GroupBy(name => name).ToArray()
+        from name in names
+        orderby (double)Math.Min(name.Count(), 3) / names.Length descending
+        select (name.Key, section);
 
     /// <summary>Links to all pages, in groups; a page of a type also has links to its family.</summary>
     private static string Menu((SitePage Page, string Group)[] pages, SitePage current, ApiIndex api)
