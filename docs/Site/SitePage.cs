@@ -6,37 +6,57 @@ using Markdig.Syntax.Inlines;
 
 namespace FootballPhysics.Site;
 
+/// <summary>A section of a page.</summary>
+/// <param name="Page">The title of the page.</param>
+/// <param name="Heading">The heading of the section.</param>
+/// <param name="Address">The address of the section in the site.</param>
+/// <param name="Text">Its words, for the search.</param>
+/// <param name="Code">Its programs and the code in its sentences.</param>
+internal sealed record Section(string Page, string Heading, string Address, string Text, string Code);
+
 /// <summary>A page of the site, made from a page of Markdown.</summary>
-internal sealed class SitePage
+internal class SitePage
 {
     private static readonly MarkdownPipeline Pipeline = new MarkdownPipelineBuilder().UsePipeTables().UseAutoIdentifiers(AutoIdentifierOptions.GitHub).Build();
 
-    private readonly MarkdownDocument _document;
-    private readonly IReadOnlySet<string> _types;
+    private readonly ApiIndex _api;
 
     /// <summary>Reads a page.</summary>
     /// <param name="source">Its path in the repository, with slashes.</param>
     /// <param name="text">Its Markdown.</param>
-    /// <param name="types">The headings of the API reference, as addresses, each of which has a page of its own.</param>
+    /// <param name="api">The API reference, to link types and members.</param>
     /// <param name="file">Its name in the site; null for that of the source.</param>
-    public SitePage(string source, string text, IReadOnlySet<string> types, string? file = null)
+    public SitePage(string source, string text, ApiIndex api, string? file = null)
     {
-        _types = types;
+        _api = api;
         Source = source;
         File = file ?? FileOf(source);
-        _document = Markdown.Parse(text, Pipeline);
-        Title = Words(_document.Descendants<HeadingBlock>().First().Inline!);
-        foreach (LinkInline link in _document.Descendants<LinkInline>())
+        Document = Markdown.Parse(text, Pipeline);
+        Title = Words(Document.Descendants<HeadingBlock>().First().Inline!);
+        foreach (LinkInline link in Document.Descendants<LinkInline>())
         {
             Turn(link);
+        }
+
+        if (source == Api)
+        {
+            MakeHeadings();
+        }
+        else if (!source.StartsWith(Internals, StringComparison.Ordinal))
+        {
+            // Pages for contributors also name folders and private types.
+            LinkCode();
         }
     }
 
     /// <summary>The API reference, which is one page of Markdown and many of the site.</summary>
     public const string Api = "docs/api.md";
 
-    /// <summary>The page of a type of the API.</summary>
-    public static string TypePage(string address) => $"api-{address}.html";
+    /// <summary>The page that lists all others.</summary>
+    public const string ContentsSource = "docs/contents.md";
+
+    /// <summary>The folder of the pages for contributors.</summary>
+    public const string Internals = "docs/internals/";
 
     public string Source { get; }
 
@@ -48,49 +68,60 @@ internal sealed class SitePage
     /// <summary>Files of the repository that it shows, by their paths.</summary>
     public List<string> Pictures { get; } = [];
 
-    /// <summary>Its sections of the second level: address within the page, and heading.</summary>
-    public IEnumerable<(string Address, string Heading)> Contents => _document.OfType<HeadingBlock>().Where(heading => heading.Level == 2)
-        .Select(heading => ("#" + heading.GetAttributes().Id, Words(heading.Inline!)));
+    /// <summary>The entries of "On this page": address within the page, heading, and whether it belongs to the heading above.</summary>
+    public virtual IEnumerable<(string Address, string Heading, bool IsSub)> Contents => Document.OfType<HeadingBlock>().Where(heading => heading.Level == 2)
+        .Select(heading => ("#" + heading.GetAttributes().Id, Words(heading.Inline!), false));
 
-    /// <summary>The address of a heading, as in a link to it.</summary>
-    public static string AddressOf(string heading) => Markdown.Parse("# " + heading, Pipeline).Descendants<HeadingBlock>().First().GetAttributes().Id!;
-
-    /// <summary>What stands in it, as HTML.</summary>
-    public string Html => _document.ToHtml(Pipeline);
-
-    /// <summary>Its sections, for the search: heading, where it is, and the words below it.</summary>
-    public IEnumerable<(string Heading, string Address, string Text)> Sections
+    /// <summary>Its sections, for the search and for the lists of guides that use a type.</summary>
+    public virtual IEnumerable<Section> Sections
     {
         get
         {
             string heading = Title;
             string address = File;
-            var words = new List<string>();
-            foreach (Block block in _document)
+            var blocks = new List<Block>();
+            foreach (Block block in Document)
             {
                 if (block is HeadingBlock next)
                 {
-                    yield return (heading, address, string.Join(' ', words));
-                    (heading, address, words) = (Words(next.Inline!), $"{File}#{next.GetAttributes().Id}", []);
+                    yield return Made();
+                    (heading, address, blocks) = (Words(next.Inline!), $"{File}#{next.GetAttributes().Id}", []);
                 }
                 else
                 {
-                    words.Add(Words(block));
+                    blocks.Add(block);
                 }
             }
 
-            yield return (heading, address, string.Join(' ', words));
+            yield return Made();
+
+            Section Made() => new(Title, heading, address, string.Join(' ', blocks.Select(Words)), string.Join(' ', blocks.Select(Code)));
         }
     }
 
-    /// <summary>The page that lists all others.</summary>
-    public const string ContentsSource = "docs/contents.md";
+    /// <summary>The page as HTML, without the frame.</summary>
+    public string Html => Document.ToHtml(Pipeline);
 
-    /// <summary>The folder of the pages for contributors.</summary>
-    public const string Internals = "docs/internals/";
+    protected MarkdownDocument Document { get; }
 
-    private static string FileOf(string source) => source == "README.md" ? "index.html"
-        : (source.StartsWith(Internals, StringComparison.Ordinal) ? "internals-" : "") + Path.GetFileNameWithoutExtension(source) + ".html";
+    /// <summary>The address of a heading, as in a link to it.</summary>
+    public static string AddressOf(string heading) => Markdown.Parse("# " + heading, Pipeline).Descendants<HeadingBlock>().First().GetAttributes().Id!;
+
+    /// <summary>A heading of the second level.</summary>
+    protected static HeadingBlock Heading(string text)
+    {
+        var heading = (HeadingBlock)Markdown.Parse("## " + text, Pipeline)[0];
+        heading.Parent!.Remove(heading);
+        return heading;
+    }
+
+    protected static string Words(Block block) => block switch
+    {
+        LeafBlock { Inline: { } inline } => Words(inline),
+        CodeBlock code => code.Lines.ToString().ReplaceLineEndings(" "),
+        ContainerBlock container => string.Join(' ', container.Select(Words)),
+        _ => "",
+    };
 
     private static string Words(ContainerInline inlines) => string.Concat(inlines.Descendants().Select(inline => inline switch
     {
@@ -100,38 +131,54 @@ internal sealed class SitePage
         _ => "",
     }));
 
-    private static string Words(Block block) => block switch
-    {
-        LeafBlock { Inline: { } inline } => Words(inline),
-        CodeBlock code => code.Lines.ToString().ReplaceLineEndings(" "),
-        ContainerBlock container => string.Join(' ', container.Select(Words)),
-        _ => "",
-    };
+    private static string Code(Block block) => string.Join(' ', block.Descendants<CodeInline>().Select(code => code.Content)
+        .Concat(block.Descendants<CodeBlock>().Concat(block is CodeBlock self ? [self] : []).Select(code => code.Lines.ToString())));
 
-    /// <summary>Links to pages lead to those of the site; what else is in the repository is not in it.</summary>
+    private static string FileOf(string source) => source == "README.md" ? "index.html"
+        : (source.StartsWith(Internals, StringComparison.Ordinal) ? "internals-" : "") + Path.GetFileNameWithoutExtension(source) + ".html";
+
+    /// <summary>The API reference has its families of types as bold lines; they become headings, so that links can lead to them.</summary>
+    private void MakeHeadings()
+    {
+        foreach (ParagraphBlock line in Document.OfType<ParagraphBlock>().Where(line => line.Inline!.FirstChild is EmphasisInline { DelimiterCount: 2, NextSibling: null }).ToArray())
+        {
+            Document[Document.IndexOf(line)] = Heading(Words(line.Inline!));
+        }
+    }
+
+    /// <summary>Names of types and members in the sentences of a guide become links to the reference.</summary>
+    private void LinkCode()
+    {
+        foreach (CodeInline code in Document.Descendants<ParagraphBlock>().SelectMany(text => text.Inline!.Descendants<CodeInline>()).Where(code => code.Parent is not LinkInline).ToArray())
+        {
+            if (_api.Find(code.Content) is { } address)
+            {
+                var link = new LinkInline(address, "");
+                code.ReplaceBy(link);
+                link.AppendChild(code);
+            }
+        }
+    }
+
+    /// <summary>Links to pages lead to those of the site; links to other files of the repository stay as they are.</summary>
     private void Turn(LinkInline link)
     {
         string url = link.Url!;
-        if (url.StartsWith('#') && Source == Api && _types.Contains(url[1..]))
-        {
-            link.Url = TypePage(url[1..]);
-        }
-
-        if (url.Contains("://", StringComparison.Ordinal) || url.StartsWith('#'))
+        string[] parts = url.Split('#', 2);
+        if (url.Contains("://", StringComparison.Ordinal) || (parts[0].Length == 0 && Source != Api))
         {
             return;
         }
 
-        string[] parts = url.Split('#', 2);
-        string target = Path.GetRelativePath("/", Path.GetFullPath(Path.Combine("/", Path.GetDirectoryName(Source)!, parts[0]))).Replace('\\', '/');
+        string target = parts[0].Length == 0 ? Source : Path.GetRelativePath("/", Path.GetFullPath(Path.Combine("/", Path.GetDirectoryName(Source)!, parts[0]))).Replace('\\', '/');
         if (link.IsImage)
         {
             Pictures.Add(target);
             link.Url = Path.GetFileName(target);
         }
-        else if (target == Api && parts.Length > 1 && _types.Contains(parts[1]))
+        else if (target == Api && parts.Length > 1 && _api.At(parts[1]) is { } type)
         {
-            link.Url = TypePage(parts[1]);
+            link.Url = (link.FirstChild is CodeInline { NextSibling: null } code ? _api.Find(code.Content) : null) ?? type.Page;
         }
         else
         {

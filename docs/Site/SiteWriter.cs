@@ -11,26 +11,24 @@ internal static partial class SiteWriter
 {
     /// <summary>Writes it; the names of its pages, the first page first.</summary>
     /// <param name="repository">The folder of the repository.</param>
-    /// <param name="folder">Where the site goes.</param>
+    /// <param name="folder">The folder of the site.</param>
     public static IReadOnlyList<string> Write(string repository, string folder)
     {
-        // The page of contents gives the order.
-        string[] sources = ["README.md", SitePage.ContentsSource, .. Linked().Matches(Read(repository, SitePage.ContentsSource)).Select(match => "docs/" + match.Groups[1].Value).Distinct()];
-        string[] reference = Read(repository, SitePage.Api).Split("\n## ");
-        var types = reference.Skip(1).Select(part => SitePage.AddressOf(part.Split('\n')[0])).ToHashSet();
-        SitePage[] pages = [.. sources.Select(source => new SitePage(source, source == SitePage.Api ? reference[0] : Read(repository, source), types))];
-        SitePage[] all =
-        [
-            .. pages,
-            .. reference.Skip(1).Select(part => new SitePage(SitePage.Api, "# " + part, types, SitePage.TypePage(SitePage.AddressOf(part.Split('\n')[0])))),
-        ];
+        // The page of contents gives the order and the groups.
+        (string Source, string Group)[] sources = [("README.md", ""), (SitePage.ContentsSource, ""), .. Grouped(Read(repository, SitePage.ContentsSource))];
+        var api = new ApiIndex(Read(repository, SitePage.Api));
+        (SitePage Page, string Group)[] pages = [.. sources.Select(source => (new SitePage(source.Source, source.Source == SitePage.Api ? api.Overview : Read(repository, source.Source), api), source.Group))];
+        HashSet<string> types = [.. api.Types.Select(type => type.Name)];
+        ILookup<string, Section> uses = Uses(pages.Where(page => page.Group == "Guides"), types).Concat(Uses(pages.Where(page => page.Page.Source == "docs/data-sets.md"), types)).ToLookup(use => use.Type, use => use.Section);
+        SitePage[] all = [.. pages.Select(page => page.Page), .. api.Types.Select(type => new TypePage(type, api, [.. uses[type.Name]]))];
         Directory.CreateDirectory(folder);
         string frame = Asset("page.html");
         foreach (SitePage page in all)
         {
             string written = frame
                 .Replace("{{title}}", WebUtility.HtmlEncode(page.Title), StringComparison.Ordinal)
-                .Replace("{{pages}}", Menu(pages, page), StringComparison.Ordinal)
+                .Replace("{{pages}}", Menu(pages, page, api), StringComparison.Ordinal)
+                .Replace("{{crumbs}}", Crumbs(pages, page), StringComparison.Ordinal)
                 .Replace("{{first}}", page.File == "index.html" ? Asset("first.html") : "", StringComparison.Ordinal)
                 .Replace("{{contents}}", Contents(page), StringComparison.Ordinal)
                 .Replace("{{version}}", typeof(Ball).Assembly.GetName().Version!.ToString(3), StringComparison.Ordinal)
@@ -46,34 +44,84 @@ internal static partial class SiteWriter
         File.WriteAllText(Path.Combine(folder, "pages.js"), Asset("pages.js"));
         File.WriteAllText(Path.Combine(folder, "style.css"), Asset("style.css"));
         File.WriteAllText(Path.Combine(folder, "search.js"), $"const SECTIONS = {Index(all)};\n{Asset("search.js")}");
-        return [.. pages.Select(page => page.File)];
+        return [.. pages.Select(page => page.Page.File)];
     }
 
-    /// <summary>Links to all pages; those for contributors follow under a heading.</summary>
-    private static string Menu(SitePage[] pages, SitePage current)
+    /// <summary>The pages that the page of contents links, each with the heading above its link.</summary>
+    private static IEnumerable<(string Source, string Group)> Grouped(string contents) =>
+        from part in contents.Split("\n## ").Skip(1)
+        from source in Linked().Matches(part).Select(match => "docs/" + match.Groups[1].Value).Distinct()
+        select (source, part.Split('\n')[0]);
+
+    /// <summary>The sections that have a type in their code. Sections that use the type often, and few others, come first.</summary>
+    private static IEnumerable<(string Type, Section Section)> Uses(IEnumerable<(SitePage Page, string Group)> pages, HashSet<string> types) =>
+        from section in pages.SelectMany(page => page.Page.Sections)
+        let names = Word().Matches(section.Code).Select(word => word.Value).Where(types.Contains).GroupBy(name => name).ToArray()
+        from name in names
+        orderby (double)Math.Min(name.Count(), 3) / names.Length descending
+        select (name.Key, section);
+
+    /// <summary>Links to all pages, in groups; a page of a type also has links to its family.</summary>
+    private static string Menu((SitePage Page, string Group)[] pages, SitePage current, ApiIndex api)
     {
-        int guides = pages.Count(page => !page.Source.StartsWith(SitePage.Internals, StringComparison.Ordinal));
-        return string.Concat(pages.Take(guides).Select(page => Entry(page, current))) + "<p>Internals</p>\n"
-            + string.Concat(pages.Skip(guides).Select(page => Entry(page, current)));
+        var menu = new StringBuilder();
+        string group = "";
+        foreach ((SitePage page, string its) in pages)
+        {
+            menu.Append(its == group ? "" : $"<p>{its}</p>\n");
+            group = its;
+            menu.Append(Entry(page.File, page.Title, page.File == current.File));
+            if (page.Source == SitePage.Api && current is TypePage { Type: { } type })
+            {
+                menu.Append("<div class=\"family\">\n").AppendJoin("", api.Types.Where(other => other.Family == type.Family).Select(other => Entry(other.Page, other.Name, other == type))).Append("</div>\n");
+            }
+        }
+
+        return menu.ToString();
     }
 
-    private static string Entry(SitePage page, SitePage current) =>
-        $"<a href=\"{page.File}\"{(page.Source == current.Source ? " aria-current=\"page\"" : "")}>{WebUtility.HtmlEncode(page.Title)}</a>\n";
+    private static string Entry(string file, string title, bool isCurrent) => $"<a href=\"{file}\"{(isCurrent ? " aria-current=\"page\"" : "")}>{WebUtility.HtmlEncode(title)}</a>\n";
 
-    /// <summary>What is on a page, where that is more than fits on a screen.</summary>
+    /// <summary>The path from the first page to a page.</summary>
+    private static string Crumbs((SitePage Page, string Group)[] pages, SitePage page)
+    {
+        SitePage home = pages[0].Page;
+        if (page == home)
+        {
+            return "";
+        }
+
+        (string File, string Title)[] path;
+        if (page is TypePage { Type.Family: { } family })
+        {
+            SitePage reference = pages.Single(other => other.Page.Source == SitePage.Api).Page;
+            path = [(reference.File, "API"), ($"{reference.File}#{SitePage.AddressOf(family)}", family)];
+        }
+        else
+        {
+            string group = pages.Single(other => other.Page == page).Group;
+            path = group.Length == 0 ? [] : [($"{pages[1].Page.File}#{SitePage.AddressOf(group)}", group)];
+        }
+
+        return "<nav class=\"crumbs\" aria-label=\"Breadcrumb\"><ol>"
+            + string.Concat(path.Prepend((home.File, "Home")).Select(step => $"<li><a href=\"{step.Item1}\">{WebUtility.HtmlEncode(step.Item2)}</a></li>"))
+            + $"<li aria-current=\"page\">{WebUtility.HtmlEncode(page.Title)}</li></ol></nav>\n";
+    }
+
+    /// <summary>The headings of a page, or the members of a type, if there are more than fit on a screen.</summary>
     private static string Contents(SitePage page)
     {
-        (string Address, string Heading)[] sections = [.. page.Contents];
+        (string Address, string Heading, bool IsSub)[] sections = [.. page.Contents];
         return sections.Length < 3 ? ""
             : "<aside aria-label=\"On this page\"><details open><summary>On this page</summary>\n"
-                + string.Concat(sections.Select(section => $"<a href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</details></aside>\n";
+                + string.Concat(sections.Select(section => $"<a{(section.IsSub ? " class=\"sub\"" : "")} href=\"{section.Address}\">{WebUtility.HtmlEncode(section.Heading)}</a>\n")) + "</details></aside>\n";
     }
 
     private static string Index(SitePage[] pages) => JsonSerializer.Serialize(
         from page in pages
         from section in page.Sections
         where section.Text.Length > 0
-        select new[] { page.Title, section.Heading, section.Address, section.Text });
+        select new[] { section.Page, section.Heading, section.Address, section.Text });
 
     private static string Read(string repository, string source) => File.ReadAllText(Path.Combine(repository, source)).ReplaceLineEndings("\n");
 
@@ -85,4 +133,7 @@ internal static partial class SiteWriter
 
     [GeneratedRegex(@"\]\(((?:internals/)?[a-z-]+\.md)")]
     private static partial Regex Linked();
+
+    [GeneratedRegex(@"\w+")]
+    private static partial Regex Word();
 }

@@ -1,16 +1,16 @@
+using System.Text.RegularExpressions;
+
 namespace FootballPhysics.Package.Tests;
 
-/// <summary>What one does with a type: by the folder of its source, of which there is one for each.</summary>
-internal static class ApiGroups
+/// <summary>The families of types in the API reference, by the folders of the sources.</summary>
+internal static partial class ApiGroups
 {
-    private const string Others = "More";
-
     /// <summary>Folders of the sources by what their types are for, in the order in which a reader meets them.</summary>
     private static readonly (string Title, string[] Folders)[] s_groups =
     [
         ("A ball in a game", ["Game", "Events"]),
-        ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds"]),
-        ("Things that the ball meets", ["Scenes/Shapes", "Contact"]),
+        ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds", "Air"]),
+        ("Objects that the ball hits", ["Scenes/Shapes", "Contact"]),
         ("Where the ball will be", ["Prediction"]),
         ("Which kick", ["Aiming"]),
         ("Step by step, and the methods", ["Simulation", "Integration", "State"]),
@@ -21,21 +21,21 @@ internal static class ApiGroups
         ("The methods of the thesis: Football.Physics.Thesis", ["Thesis"]),
     ];
 
-    /// <summary>Types that are things, or forces, though they stand among the scenes.</summary>
+    /// <summary>Types whose sources are among the scenes, but which a reader expects elsewhere.</summary>
     private static readonly Dictionary<string, string> s_moved = new()
     {
-        ["Obstacle"] = "Things that the ball meets",
-        ["Goal"] = "Things that the ball meets",
-        ["Net"] = "Things that the ball meets",
-        ["SurfaceMaterial"] = "Things that the ball meets",
-        ["KinematicBody"] = "Things that the ball meets",
-        ["KinematicBodies"] = "Things that the ball meets",
-        ["Pitch"] = "Things that the ball meets",
-        ["RigidMotion"] = "Things that the ball meets",
-        ["IEngineColliders"] = "Things that the ball meets",
-        ["EngineCollider"] = "Things that the ball meets",
-        ["EngineHits"] = "Things that the ball meets",
-        ["SphereCast"] = "Things that the ball meets",
+        ["Obstacle"] = "Objects that the ball hits",
+        ["Goal"] = "Objects that the ball hits",
+        ["Net"] = "Objects that the ball hits",
+        ["SurfaceMaterial"] = "Objects that the ball hits",
+        ["KinematicBody"] = "Objects that the ball hits",
+        ["KinematicBodies"] = "Objects that the ball hits",
+        ["Pitch"] = "Objects that the ball hits",
+        ["RigidMotion"] = "Objects that the ball hits",
+        ["IEngineColliders"] = "Objects that the ball hits",
+        ["EngineCollider"] = "Objects that the ball hits",
+        ["EngineHits"] = "Objects that the ball hits",
+        ["SphereCast"] = "Objects that the ball hits",
     };
 
     private static readonly (string Project, string Room)[] s_parts =
@@ -49,20 +49,26 @@ internal static class ApiGroups
             .ToDictionary(files => files.Key, files => files.First().Folder);
 
     /// <summary>All titles, in order.</summary>
-    public static IEnumerable<string> Titles => s_groups.Select(group => group.Title).Append(Others);
+    public static IEnumerable<string> Titles => s_groups.Select(group => group.Title);
 
     /// <summary>The title for a type.</summary>
     public static string Of(Type type)
     {
         Type outer = type.DeclaringType ?? type;
         string name = outer.Name.Split('`')[0];
-        string folder = s_folders.GetValueOrDefault(name, "");
-        return s_moved.GetValueOrDefault(name) ?? Titled(folder) ?? Titled(folder.Split('/')[0]) ?? Others;
+        string folder = s_folders[name];
+        return s_moved.GetValueOrDefault(name) ?? Titled(folder) ?? Titled(folder.Split('/')[0]) ?? throw new InvalidOperationException($"ApiGroups has no family for {folder}, the folder of {name}.");
     }
 
     private static IEnumerable<(string Name, string Folder)> FoldersOf(string root, string room) =>
-        from file in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
-        select (Path.GetFileNameWithoutExtension(file), room + Path.GetRelativePath(root, Path.GetDirectoryName(file)!).Replace('\\', '/').TrimStart('.'));
+        from file in Directory.GetFiles(root, "*.cs", SearchOption.AllDirectories).Order(StringComparer.Ordinal)
+        let folder = Path.GetRelativePath(root, Path.GetDirectoryName(file)!).Replace('\\', '/')
+        where folder.Split('/')[0] is not ("bin" or "obj")
+        from type in Declared().Matches(File.ReadAllText(file))
+        select (type.Groups[1].Value, room + folder.TrimStart('.'));
 
     private static string? Titled(string folder) => s_groups.Where(group => group.Folders.Contains(folder)).Select(group => group.Title).FirstOrDefault();
+
+    [GeneratedRegex(@"^\s*public [\w ]*\b(?:class|struct|interface|enum|record|delegate \S+) (\w+)", RegexOptions.Multiline)]
+    private static partial Regex Declared();
 }

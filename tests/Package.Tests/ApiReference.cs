@@ -34,7 +34,7 @@ internal sealed partial class ApiReference
     {
         Type[] types = [.. assemblies.SelectMany(assembly => assembly.GetExportedTypes()).Where(type => type.Namespace!.StartsWith("Football", StringComparison.Ordinal)).OrderBy(Name, StringComparer.Ordinal)];
         (string Title, Type[] Types)[] groups = [.. ApiGroups.Titles.Select(title => (title, types.Where(type => ApiGroups.Of(type) == title).ToArray())).Where(group => group.Item2.Length > 0)];
-        _page.Append("# API reference\n\nBy what one does with it. Made from the documentation in the code by `tests/regenerate.sh`; a test keeps it current.\n");
+        _page.Append("# API reference\n\nAll public types, by task. `tests/regenerate.sh` generates this page from the comments in the code; a test checks that it is up to date.\n");
         var anchors = new Dictionary<string, int>();
         foreach (Type type in groups.SelectMany(group => group.Types))
         {
@@ -62,7 +62,7 @@ internal sealed partial class ApiReference
     private void Write(Type type)
     {
         XElement? document = Document(type);
-        _page.Append(CultureInfo.InvariantCulture, $"\n## {Name(type)}\n\n{Kind(type)}. {Text(document?.Element("summary"))}\n");
+        _page.Append(CultureInfo.InvariantCulture, $"\n## {Name(type)}\n\n{Kind(type)} in `{type.Namespace}`. {Text(document?.Element("summary"))}\n");
         if (document?.Element("remarks") is { } remarks)
         {
             _page.Append(CultureInfo.InvariantCulture, $"\n{Text(remarks)}\n");

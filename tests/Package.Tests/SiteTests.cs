@@ -49,6 +49,80 @@ public sealed partial class SiteTests
     }
 
     [Fact]
+    public void Every_page_but_the_first_has_a_breadcrumb_and_that_of_a_type_names_its_family()
+    {
+        Assert.DoesNotContain("class=\"crumbs\"", Text("index.html"));
+        Assert.All(s_all.Where(page => page != "index.html"), page => Assert.Contains("<nav class=\"crumbs\" aria-label=\"Breadcrumb\"><ol><li><a href=\"index.html\">Home</a></li>", Text(page)));
+        Assert.Contains("<li><a href=\"contents.html#guides\">Guides</a></li><li aria-current=\"page\">Cookbook</li>", Text("cookbook.html"));
+        string family = "";
+        int types = 0;
+        foreach (string line in Repository.Text("docs/api.md").Split("\n## ")[0].Split('\n'))
+        {
+            family = line.StartsWith("**", StringComparison.Ordinal) ? line.Trim('*') : family;
+            if (Listed().Match(line) is { Success: true } type)
+            {
+                types++;
+                string page = Text($"api-{type.Groups[2].Value}.html");
+                Assert.Matches($"<li><a href=\"api.html\">API</a></li><li><a href=\"api.html#[a-z-]+\">{Regex.Escape(family)}</a></li><li aria-current=\"page\">{type.Groups[1].Value}</li>", page);
+                Assert.Contains($"<a href=\"api-{type.Groups[2].Value}.html\" aria-current=\"page\">", page);
+            }
+        }
+
+        Assert.Equal(s_all.Count(page => page.StartsWith("api-", StringComparison.Ordinal)), types);
+    }
+
+    [Fact]
+    public void Every_member_has_an_anchor_of_its_own_with_a_link_and_stands_on_the_list_of_its_page()
+    {
+        foreach (string part in Repository.Text("docs/api.md").Split("\n## ").Skip(1))
+        {
+            string type = part.Split('\n')[0];
+            string page = Text($"api-{SitePage.AddressOf(type)}.html");
+            string[] ids = [.. Id().Matches(page).Select(match => match.Groups[1].Value)];
+            Assert.Distinct(ids);
+            string[] signatures = [.. Signature().Matches(part).Select(match => match.Groups[1].Value)];
+            string[] anchors = [.. MemberAnchor().Matches(page).Select(match => match.Groups[1].Value)];
+            Assert.Equal(signatures.Select(signature => ApiMember.Of(signature).Id), anchors);
+            Assert.All(anchors, anchor => Assert.Contains($"<a class=\"anchor\" href=\"#{anchor}\"", page));
+            if (page.Contains("<aside", StringComparison.Ordinal))
+            {
+                Assert.All(signatures, signature => Assert.Contains($"<a class=\"sub\" href=\"#{ApiMember.Of(signature).ShortId}\">", page));
+            }
+            else
+            {
+                Assert.True(signatures.Length < 2, type);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData("new Ball(Scene? scene = null, SolverSettings? settings = null)", "Constructors", "new", "new-Scene-SolverSettings")]
+    [InlineData("void Kick(in AimResult kick)", "Methods", "Kick", "Kick-AimResult")]
+    [InlineData("Vector3d Position { get; }", "Properties", "Position", "Position")]
+    [InlineData("ref KickInput this[int index] { get; }", "Properties", "this", "this-int")]
+    [InlineData("static IReadOnlyDictionary<string, Ground> Presets { get; }", "Properties", "Presets", "Presets")]
+    [InlineData("const int Size = 228", "Fields", "Size", "Size")]
+    [InlineData("double X", "Fields", "X", "X")]
+    [InlineData("event Action<int> Changed", "Events", "Changed", "Changed")]
+    [InlineData("Impact", "Values", "Impact", "Impact")]
+    [InlineData("static Vector3d operator Multiply(double left, Vector3d right)", "Operators", "operator Multiply", "operator-Multiply-double-Vector3d")]
+    [InlineData("static IForce From(Func<ForceContext, Vector3d> force, double[] at)", "Methods", "From", "From-Func-ForceContext-Vector3d-double-array")]
+    [InlineData("ReadOnlySpan<T>.Enumerator GetEnumerator()", "Methods", "GetEnumerator", "GetEnumerator")]
+    public void The_anchor_of_a_member_is_its_name_and_the_types_of_its_parameters(string signature, string group, string name, string id) =>
+        Assert.Equal(new ApiMember(group, name, id), ApiMember.Of(signature));
+
+    [Fact]
+    public void Types_in_signatures_texts_and_guides_lead_to_the_reference_and_a_type_to_its_guides()
+    {
+        string ball = Text("api-ball.html");
+        Assert.Contains("void <b>LookAhead</b>(<a href=\"api-lookaheadrequest.html\">LookAheadRequest</a> request, <a href=\"api-trajectory.html\">Trajectory</a> into)", ball);
+        Assert.Contains("<a href=\"api-simulator.html\">Simulator</a> <b>Simulator</b> { get; set; }", ball);
+        Assert.Contains("<a href=\"api-solversettings.html#Default\"><code>SolverSettings.Default</code></a>", ball);
+        Assert.Contains("<a href=\"prediction.html#looking-ahead\">", Text("api-trajectory.html"));
+        Assert.Contains("<a href=\"api-ball.html#LookAhead\"><code>Ball.LookAhead</code></a>", string.Concat(s_pages.Select(Text)));
+    }
+
+    [Fact]
     public void It_needs_no_network()
     {
         foreach (string page in s_pages)
@@ -91,6 +165,15 @@ public sealed partial class SiteTests
 
     [GeneratedRegex("id=\"([^\"]+)\"")]
     private static partial Regex Id();
+
+    [GeneratedRegex("<li id=\"([^\"]+)\">(?:<span id=\"[^\"]+\"></span>)?<code class=\"signature\">")]
+    private static partial Regex MemberAnchor();
+
+    [GeneratedRegex("^- `([^`]+)`", RegexOptions.Multiline)]
+    private static partial Regex Signature();
+
+    [GeneratedRegex(@"^- \[(\w+)\]\(#([\w-]+)\)")]
+    private static partial Regex Listed();
 
     [GeneratedRegex("(?:href|src)=\"([^\"]+)\"")]
     private static partial Regex Url();

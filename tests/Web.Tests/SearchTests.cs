@@ -68,4 +68,27 @@ public sealed class SearchTests(Browser browser, ITestOutputHelper told)
         Assert.Equal(40, s_questions.Length);
         Assert.True(right >= 37);
     }
+
+    [Theory]
+    [InlineData("Ball.LookAhead", "api-ball.html#LookAhead-LookAheadRequest-Trajectory", 1280)]
+    [InlineData("ball.lookahead", "api-ball.html#LookAhead-LookAheadRequest-Trajectory", 390)]
+    [InlineData("UntilPlane", "api-lookaheadrequest.html#UntilPlane", 1280)]
+    [InlineData("Simulator.Validate", "api-simulator.html#Validate-BallState", 390)]
+    [InlineData("Vector3d.ToVector3", "api-vector3d.html#ToVector3", 1280)]
+    [InlineData("Ball", "api-ball.html", 1280)]
+    public async Task The_name_of_a_member_leads_to_its_anchor_in_the_window(string query, string address, int width)
+    {
+        string folder = Path.Combine(Browser.Pictures, "site");
+        FootballPhysics.Site.SiteWriter.Write(Browser.Repository, folder);
+        await using Window window = await browser.Open(Path.Combine(folder, "index.html"), width);
+        await window.Page.FillAsync("#search", query);
+        await window.Page.PressAsync("#search", "Enter");
+        await window.Page.WaitForURLAsync(url => url.EndsWith(address, StringComparison.Ordinal));
+        string anchor = address.Contains('#', StringComparison.Ordinal) ? "document.querySelector(':target > .signature b')" : "document.querySelector('h1')";
+        Assert.Equal(query.Split('.')[^1], await window.Page.EvaluateAsync<string>($"() => {anchor}.textContent"), ignoreCase: true);
+        double[] place = await window.Numbers($"[document.querySelector('header').getBoundingClientRect().bottom, {anchor}.getBoundingClientRect().top, {anchor}.getBoundingClientRect().bottom, innerHeight, document.documentElement.scrollWidth, innerWidth]");
+        Assert.True(place[0] <= place[1] && place[2] <= place[3], $"{query} is behind the header or outside the window: {string.Join(", ", place)}");
+        Assert.True(place[4] <= place[5], $"the page is {place[4]} pixels wide");
+        Assert.Empty(window.Errors);
+    }
 }

@@ -1,3 +1,10 @@
+// A link to each heading, seen when the pointer is on it; members have theirs from the generator.
+for (const heading of document.querySelectorAll("main :is(h2, h3)[id]")) {
+  const link = Object.assign(document.createElement("a"), { className: "anchor", href: `#${heading.id}`, textContent: "#" });
+  link.setAttribute("aria-label", `Link to ${heading.textContent}`);
+  heading.append(link);
+}
+
 // Code in colours, and a button that copies it.
 const KEYWORDS = "using|var|new|foreach|for|while|if|else|in|is|and|or|not|return|class|sealed|record|struct|public|private|internal|static|readonly|const|double|int|bool|string|byte|long|ulong|null|true|false|with|switch|break|continue|out|ref|default|get|set|init|namespace|void|this|base|override";
 const TOKENS = new RegExp(`(//[^\\n]*)|(\\$?"(?:\\\\.|[^"\\\\])*")|\\b(${KEYWORDS})\\b|\\b(\\d[\\d_]*(?:\\.\\d+)?(?:e-?\\d+)?)\\b|\\b([A-Z][A-Za-z0-9]*)\\b`, "g");

@@ -1,6 +1,6 @@
 const search = document.getElementById("search");
 const found = document.getElementById("found");
-const words = text => text.toLowerCase().split(/[^\p{L}\p{N}_.]+/u).filter(w => w.length > 0);
+const words = text => text.toLowerCase().split(/[^\p{L}\p{N}_.]+/u).map(w => w.replace(/^\.+|\.+$/g, "")).filter(w => w.length > 0);
 
 // What everybody writes in a question says nothing of where the answer is.
 const COMMON = new Set("a an the i my me you your we it its is are be can could do does did how what when where which who why will would should to of in on at for with by from and or not no so as that this there have has get make use want need".split(" "));
@@ -10,10 +10,13 @@ const stem = w => w.length > 4 ? w.replace(/(ies)$/, "y").replace(/(ings?|ers?|e
 const INDEX = SECTIONS.map(([page, heading, address, text]) => {
   const counts = new Map();
   const count = (from, weight) => words(from).forEach(w => counts.set(stem(w), (counts.get(stem(w)) || 0) + weight));
-  count(heading, 100);
+  // A member is found by its name with or without its type. Without the type, only a name of several words is certainly no other word.
+  const isMember = address.startsWith("api-") && address.includes("#"), bare = heading.split(/[. ]/).pop();
+  const names = isMember ? [heading, bare].filter(name => /[.]|[a-z][A-Z]/.test(name)) : [heading];
+  names.forEach(name => count(name, 100));
   count(page, 4);
   count(text, 1);
-  return { page, heading, address, text, counts, length: words(text).length };
+  return { page, heading, address, text, counts, length: words(text).length, isMember, names: names.map(name => stem(name.toLowerCase())) };
 });
 const KNOWN = new Map();
 for (const { counts } of INDEX) for (const w of counts.keys()) KNOWN.set(w, (KNOWN.get(w) || 0) + 1);
@@ -21,7 +24,7 @@ for (const { counts } of INDEX) for (const w of counts.keys()) KNOWN.set(w, (KNO
 // How much a word counts in a section: rare words more than common ones, in a heading more than below it, and again and again only a little more.
 function weight(section, w) {
   let n = section.counts.get(w) || 0;
-  if (n === 0 && w.length > 3) for (const [k, c] of section.counts) if (k.startsWith(w) || (k.length > 4 && w.startsWith(k))) n = Math.max(n, 0.4 * c);
+  if (n === 0 && w.length > 3) for (const [k, c] of section.counts) if (k.includes(".") === w.includes(".") && (k.startsWith(w) || (k.length > 4 && w.startsWith(k)))) n = Math.max(n, 0.4 * c);
   if (n === 0) return 0;
   const body = n % 100, rare = Math.log(1 + INDEX.length / (KNOWN.get(w) || 3));
   return rare * ((n >= 40 ? 3 : 0) + body / (body + 0.6 + section.length / 400));
@@ -32,7 +35,9 @@ function look(query) {
   if (wanted.length === 0) return [];
   return INDEX.map(section => {
     const each = wanted.map(w => weight(section, w)), met = each.filter(x => x > 0).length;
-    return { ...section, score: each.reduce((a, b) => a + b, 0) * (met / wanted.length) ** 2 };
+    const isNamed = !section.isMember || wanted.some((w, i) => section.names.includes(w) || (w.includes(".") && each[i] > 0));
+    const score = (isNamed ? 1 : 0.5) * each.reduce((a, b) => a + b, 0) * (met / wanted.length) ** 2;
+    return { ...section, score: section.heading.toLowerCase() === query.trim().toLowerCase() ? score + 20 : score };
   }).filter(s => s.score > 0).sort((a, b) => b.score - a.score).slice(0, 12);
 }
 
@@ -48,7 +53,7 @@ function show() {
   found.replaceChildren(...results.map(r => {
     const item = document.createElement("li");
     const link = Object.assign(document.createElement("a"), { href: r.address });
-    link.append(r.heading === r.page ? r.page : `${r.page}: ${r.heading}`);
+    link.append(r.isMember || r.heading === r.page ? r.heading : `${r.page}: ${r.heading}`);
     link.append(Object.assign(document.createElement("small"), { textContent: snippet(r.text, search.value) }));
     item.append(link);
     return item;
@@ -69,4 +74,6 @@ document.addEventListener("keydown", e => {
   }
 });
 document.addEventListener("click", e => { if (!found.contains(e.target) && e.target !== search) found.hidden = true; });
-if (matchMedia("(max-width: 800px)").matches) document.querySelectorAll("nav details, aside details").forEach(part => { part.open = false; });
+if (matchMedia("(max-width: 800px)").matches) document.querySelectorAll(".pages details, aside details").forEach(part => { part.open = false; });
+const menu = document.querySelector(".pages details"), current = menu.querySelector("[aria-current]");
+if (current) menu.scrollTop = current.offsetTop - menu.clientHeight / 2;
