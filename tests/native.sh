@@ -75,6 +75,10 @@ quietly "refusals.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/refu
 "$work/refusals" > "$work/said" 2> "$log" || fail "refusals.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said")"
 
+quietly "unload.c" gcc -O2 -std=c99 -D_GNU_SOURCE -Wall -Wextra -Werror tests/Native/unload.c -o "$work/unload" -ldl
+"$work/unload" "$library" > "$work/said" 2> "$log" || fail "unload.c: $(tail -n 1 "$work/said")"
+ok "$(tail -n 1 "$work/said")"
+
 quietly "hostile.c" gcc -O1 -g -std=c99 -pthread -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/hostile.c -o "$work/hostile" "${link[@]}"
 start=$SECONDS
 # The runtime has a handler of its own for a null pointer, and keeps its heap to the end.
