@@ -107,9 +107,11 @@ ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
 "$work/venv/bin/python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
 ok "$(tail -n 1 "$work/said")"
 
-# --- games: a kick without a person, and its picture
+# --- LÖVE and pygame: a kick without a person, and its picture
 
 start=$SECONDS
+"$work/venv/bin/python" "$root/tests/Python/pages.py" --lua "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md, Lua"
+ok "$(tail -n 1 "$work/said")"
 kick=$(grep -oE 'Goal! hash [0-9a-f]{16}' "$root/samples/Love/main.lua")
 FOOTBALL_PHYSICS=$work/prefix xvfb-run -a timeout 60 love "$root/samples/Love" --picture love.png > "$work/said" 2> "$log" || fail "samples/Love"
 [[ $(cat "$work/said") == "$kick" ]] || fail "samples/Love: $(cat "$work/said"); expected: $kick"
