@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks with the bits of C#, hostile calls, the header in C++, what is exported,
-# and the wheel for Python, installed into a fresh environment.
+# the wheel for Python, installed into a fresh environment, and the games in LÖVE and pygame, each with a picture.
 #   tests/native.sh [CALLS]       hostile calls; default 1 000 000
-# Needs clang or gcc, g++, CMake, and Debian's python3-numpy and python3-venv.
+# Needs clang or gcc, g++, CMake, and Debian's python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -75,6 +75,10 @@ quietly "refusals.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/refu
 "$work/refusals" > "$work/said" 2> "$log" || fail "refusals.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said")"
 
+quietly "unload.c" gcc -O2 -std=c99 -D_GNU_SOURCE -Wall -Wextra -Werror tests/Native/unload.c -o "$work/unload" -ldl
+"$work/unload" "$library" > "$work/said" 2> "$log" || fail "unload.c: $(tail -n 1 "$work/said")"
+ok "$(tail -n 1 "$work/said")"
+
 quietly "hostile.c" gcc -O1 -g -std=c99 -pthread -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/hostile.c -o "$work/hostile" "${link[@]}"
 start=$SECONDS
 # The runtime has a handler of its own for a null pointer, and keeps its heap to the end.
@@ -102,3 +106,16 @@ goals=$(awk '/goals of 100/ { print $1 }' "$work/said")
 ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
 "$work/venv/bin/python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
 ok "$(tail -n 1 "$work/said")"
+
+# --- LÖVE and pygame: a kick without a person, and its picture
+
+start=$SECONDS
+"$work/venv/bin/python" "$root/tests/Python/pages.py" --lua "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md, Lua"
+ok "$(tail -n 1 "$work/said")"
+kick=$(grep -oE 'Goal! hash [0-9a-f]{16}' "$root/samples/Love/main.lua")
+FOOTBALL_PHYSICS=$work/prefix xvfb-run -a timeout 60 love "$root/samples/Love" --picture love.png > "$work/said" 2> "$log" || fail "samples/Love"
+[[ $(cat "$work/said") == "$kick" ]] || fail "samples/Love: $(cat "$work/said"); expected: $kick"
+"$work/venv/bin/python" "$root/samples/Pygame/free_kick.py" --picture pygame.png > "$work/said" 2> "$log" || fail "samples/Pygame"
+[[ $(cat "$work/said") == "$kick" ]] || fail "samples/Pygame: $(cat "$work/said"); expected: $kick"
+/usr/bin/python3 "$root/tests/Python/picture.py" love.png pygame.png > "$work/said" 2> "$log" || fail "picture.py"
+ok "samples/Love and samples/Pygame: $kick, as in C#; each picture contains $(head -n 1 "$work/said" | cut -d ' ' -f 2-), in $(( SECONDS - start )) s"

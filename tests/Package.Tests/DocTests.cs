@@ -9,7 +9,7 @@ namespace FootballPhysics.Package.Tests;
 /// <summary>
 /// Compiles and runs every C# block of README.md, CONTRIBUTING.md, docs/ and docs/internals/. A block is a program of its own; <c>csharp continued</c> goes on where
 /// the block before it ended; <c>csharp unity</c> and <c>csharp godot</c> are classes for the engine's project and are compiled against
-/// the shims. A <c>text</c> block right after a program is what it prints.
+/// the shims, as are the programs <c>csharp monogame</c> and <c>csharp raylib</c>. A <c>text</c> block right after a program is what it prints.
 /// </summary>
 [Collection(EngineTests.Statics)]
 public sealed class DocTests
@@ -114,13 +114,23 @@ public sealed class DocTests
         var compilation = CSharpCompilation.Create(
             "Doc" + Guid.NewGuid().ToString("N"),
             trees,
-            References(engine),
+            References(block.Kind),
             new CSharpCompilationOptions(engine ? OutputKind.DynamicallyLinkedLibrary : OutputKind.ConsoleApplication, nullableContextOptions: engine ? NullableContextOptions.Disable : NullableContextOptions.Enable));
         using var bytes = new MemoryStream();
         var result = compilation.Emit(bytes);
         var problems = result.Diagnostics.Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").ToList();
         Assert.True(problems.Count == 0, $"line {block.Line}:\n{string.Join('\n', problems)}\n{block.Code}");
-        return engine ? Load(bytes, block) : Execute(bytes, block);
+        string said = engine ? Load(bytes, block) : Execute(bytes, block);
+        if (block.Kind == "csharp monogame")
+        {
+            CheckMonoGame();
+        }
+        else if (block.Kind == "csharp raylib")
+        {
+            CheckRaylib();
+        }
+
+        return said;
     }
 
     private static string Execute(MemoryStream bytes, Block block)
@@ -202,13 +212,44 @@ public sealed class DocTests
         return "";
     }
 
-    private static IEnumerable<MetadataReference> References(bool engine)
+    /// <summary>The ball is on the screen in every frame and moves after the kick; the pitch, its lines and a goal are there too.</summary>
+    private static void CheckMonoGame()
     {
+        Microsoft.Xna.Framework.Game game = Microsoft.Xna.Framework.Game.Last!;
+        List<List<Microsoft.Xna.Framework.Graphics.DrawnMesh>> frames = game.GraphicsDevice.Frames;
+        Assert.Equal("Goal!", game.Window.Title);
+        Assert.All(frames, frame => Assert.True(frame.Count(mesh => mesh.Triangles > 0) >= 6));
+        System.Numerics.Vector3[] ball = [.. frames.Select(frame => frame.Single(mesh => mesh.IsTextured && mesh.Triangles > 100).Middle)];
+        Assert.All(ball, middle => Assert.True(Math.Abs(middle.X) < 1 && Math.Abs(middle.Y) < 1 && middle.Z is > 0 and < 1));
+        Assert.Single(ball.Take(10).Distinct());
+        Assert.Equal(60, ball.Skip(15).Take(60).Distinct().Count());
+    }
+
+    /// <summary>Every frame has the ball, its six marks, the frame of the goal and the shadow; the ball moves after the kick and the marks with it.</summary>
+    private static void CheckRaylib()
+    {
+        List<Raylib_cs.Raylib.Frame> frames = Raylib_cs.Raylib.Drawn;
+        Assert.False(Raylib_cs.Raylib.IsOpen);
+        Assert.Equal("Goal!", frames[^1].Text);
+        Assert.All(frames, frame => Assert.Equal((1, 3, 1, 7), (frame.Planes, frame.Capsules.Count, frame.Cylinders.Count, frame.Spheres.Count)));
+        Assert.All(frames, frame => Assert.All(frame.Spheres.Skip(1), mark => Assert.Equal(0.09, (mark.Center - frame.Spheres[0].Center).Length(), 4)));
+        Assert.All(frames, frame => Assert.True(Math.Abs(frame.Spheres[0].Center.X - frame.Cylinders[0].X) < 1e-4));
+        Assert.Single(frames.Take(10).Select(frame => frame.Spheres[0].Center).Distinct());
+        Assert.Equal(60, frames.Skip(15).Take(60).Select(frame => frame.Spheres[0].Center).Distinct().Count());
+        Assert.True(frames.Skip(15).Take(60).Select(frame => frame.Spheres[1].Center - frame.Spheres[0].Center).Distinct().Count() > 30);
+        Assert.InRange(frames[83].Spheres[0].Center.Z, -24.2f, -21.5f);
+    }
+
+    private static IEnumerable<MetadataReference> References(string kind)
+    {
+        bool engine = kind is "csharp unity" or "csharp godot";
+        bool framework = kind is "csharp monogame" or "csharp raylib";
         string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         return trusted.Split(Path.PathSeparator)
             .Where(file => Path.GetFileName(file) is var name
                 && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll"
                     or "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
+                    || (framework && name is "Frameworks.dll")
                     || (engine && (name.StartsWith("Football.Physics.", StringComparison.Ordinal) || name is "GodotSharp.dll" or "UnityEngine.dll"))))
             .Select(file => MetadataReference.CreateFromFile(file));
     }

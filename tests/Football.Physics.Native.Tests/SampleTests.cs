@@ -3,8 +3,8 @@ using FootballPhysics.Package.Tests;
 
 namespace FootballPhysics.Native.Tests;
 
-/// <summary>The kick of samples/Pygame, in C#: its hash is the one that the sample prints.</summary>
-public sealed class PygameTests
+/// <summary>The kick of samples/Love and samples/Pygame, in C#: its hash is the one that the samples print.</summary>
+public sealed class SampleTests
 {
     private const string Scene = """
         {"goals": [{"center": [0, 0, -22.0], "facing": [0, 0, 1]}],
@@ -13,8 +13,10 @@ public sealed class PygameTests
 
     private const string Request = """{"from": [0.0, 0.11, 0.0], "target": [2.9, 1.7, -22.0], "speed": 24, "spin": {"side": -45}}""";
 
-    [Fact]
-    public void The_sample_prints_the_hash_of_CSharp()
+    [Theory]
+    [InlineData("samples/Love/main.lua", "samples/Love/conf.lua")]
+    [InlineData("samples/Pygame/free_kick.py")]
+    public void A_sample_prints_the_hash_of_CSharp(params string[] files)
     {
         CompiledScene scene = Requests.Scene(Encoding.UTF8.GetBytes(Scene));
         AimResult aim = Requests.Aim(scene, Encoding.UTF8.GetBytes(Request));
@@ -33,8 +35,8 @@ public sealed class PygameTests
         }
 
         Assert.True(scores);
-        string sample = Repository.Text("samples/Pygame/free_kick.py");
-        Assert.Contains($"Goal! hash {Snapshot.Hash(in ball):x16}", sample);
-        Assert.InRange(sample.Split('\n').Length, 50, 151);
+        string[] texts = [.. files.Select(Repository.Text)];
+        Assert.Contains($"Goal! hash {Snapshot.Hash(in ball):x16}", texts[0]);
+        Assert.InRange(texts.Sum(text => text.Count(character => character == '\n')), 50, 150);
     }
 }
