@@ -16,19 +16,8 @@ internal sealed class TrackRuns
     private const double Spike = 0.3;
     private const double SpikeShare = 8;
 
-    /// <summary>The median of |x| relative to the standard deviation.</summary>
-    private const double Median = 0.6745;
-
-    /// <summary>If points are missing, more differences span an impact. Differences above this many standard deviations are then left out, in several rounds.</summary>
-    private const double MostDeviations = 3;
-    private const int Rounds = 4;
-    private const double UnequalSpans = 1.2;
-
     /// <summary>Waits above this multiple of the median wait do not count for the mean wait.</summary>
     private const double LongWait = 10;
-
-    /// <summary>The share of third differences used to estimate the noise: those over the shortest times, in which a path bends least.</summary>
-    private const double ShortestShare = 0.5;
 
     private readonly double _mean;
 
@@ -36,7 +25,7 @@ internal sealed class TrackRuns
     {
         TrackPoint[] track = TrackTiming.Unrounded(WithoutRepeats(seen));
         Wait = UsualWait(track, out _mean);
-        Noise = NoiseOf(track);
+        Noise = TrackNoise.Of(track, (2 * _mean) + LongestWait);
         Points = WithoutSpikes(track);
         List<int> ends = [];
         for (int i = 1; i < Points.Length; i++)
@@ -64,7 +53,10 @@ internal sealed class TrackRuns
     public double Noise { get; }
 
     /// <summary>True if there is a gap between two times.</summary>
-    public bool IsGap(double from, double to) => to - from > Math.Max((_mean > Scattered * Wait ? ScatteredGap : GapShare) * _mean, LeastGap);
+    public bool IsGap(double from, double to) => to - from > LongestWait;
+
+    /// <summary>The longest wait that is not a gap, in s.</summary>
+    private double LongestWait => Math.Max((_mean > Scattered * Wait ? ScatteredGap : GapShare) * _mean, LeastGap);
 
     /// <summary>Removes points with the same time as the one before.</summary>
     private static TrackPoint[] WithoutRepeats(TrackPoint[] track)
@@ -105,75 +97,6 @@ internal sealed class TrackRuns
 
         mean = Math.Max(median, sum / count);
         return median;
-    }
-
-    /// <summary>Estimates the noise from third divided differences, which are small for a smooth path at any spacing.</summary>
-    private double NoiseOf(TrackPoint[] track)
-    {
-        List<(double Span, int Last)> windows = [];
-        for (int i = 3; i < track.Length; i++)
-        {
-            double span = track[i].Time - track[i - 3].Time;
-            if (!IsGap(0, span - (2 * _mean)))
-            {
-                windows.Add((span, i));
-            }
-        }
-
-        windows.Sort();
-        double longest = windows.Count > 0 ? windows[(int)(ShortestShare * (windows.Count - 1))].Span * (1 + 1e-6) : 0;
-        bool isUnequal = windows.Count > 0 && windows[windows.Count / 2].Span > UnequalSpans * windows[0].Span;
-        double squares = 0;
-        List<double> differences = [];
-        for (int axis = 0; axis < 3; axis++)
-        {
-            differences.Clear();
-            foreach ((double span, int last) in windows)
-            {
-                if (span <= longest)
-                {
-                    Vector3d third = ThirdDifference(track, last);
-                    differences.Add(Math.Abs(axis == 0 ? third.X : axis == 1 ? third.Y : third.Z));
-                }
-            }
-
-            differences.Sort();
-            double deviation = differences.Count == 0 ? 0
-                : differences[differences.Count / 2] / Median;
-            for (int i = 0; isUnequal && i < Rounds && differences.Count > 0; i++)
-            {
-                double most = MostDeviations * deviation;
-                int kept = differences.FindLastIndex(difference => difference <= most) + 1;
-                deviation = differences[kept / 2] / Median;
-            }
-
-            squares += deviation * deviation;
-        }
-
-        return Math.Sqrt(squares / 3);
-    }
-
-    /// <summary>The third divided difference of four points up to one, in deviations of a point: Σ cᵢ pᵢ / √Σ cᵢ², cᵢ = 1/Π (tᵢ − tⱼ).</summary>
-    private static Vector3d ThirdDifference(TrackPoint[] track, int last)
-    {
-        // In units of the four points' time, so that no power of it is lost.
-        int first = last - 3;
-        double unit = track[last].Time - track[first].Time;
-        Vector3d sum = Vector3d.Zero;
-        double squares = 0;
-        for (int i = first; i <= last; i++)
-        {
-            double product = 1;
-            for (int j = first; j <= last; j++)
-            {
-                product *= j == i ? 1 : (track[i].Time - track[j].Time) / unit;
-            }
-
-            sum += (1 / product) * (track[i].Position - track[first].Position);
-            squares += 1 / (product * product);
-        }
-
-        return double.IsFinite(squares) ? (1 / Math.Sqrt(squares)) * sum : Vector3d.Zero;
     }
 
     private TrackPoint[] WithoutSpikes(TrackPoint[] track)

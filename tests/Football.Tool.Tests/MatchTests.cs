@@ -31,6 +31,12 @@ public sealed class MatchTests
         JsonElement fitted = summary.GetProperty("fitted");
         Assert.All((string[])["drag", "groundHeight", "restitution", "friction"], name => Assert.Equal(JsonValueKind.Number, fitted.GetProperty(name).ValueKind));
 
+        // In the terms of robot soccer: friction and a little drag slow the slide, and the ball is a shell.
+        JsonElement robot = summary.GetProperty("robotSoccer");
+        Assert.InRange(robot.GetProperty("acc_slide").GetDouble() / -9.81, fitted.GetProperty("slidingFriction").GetDouble(), fitted.GetProperty("slidingFriction").GetDouble() + 0.15);
+        Assert.InRange(robot.GetProperty("k_switch").GetDouble(), 0.55, 0.6);
+        Assert.All((string[])["acc_roll", "damping_xy_first_hop", "damping_xy_other_hops", "damping_z"], name => Assert.Equal(JsonValueKind.Number, robot.GetProperty(name).ValueKind));
+
         // y up, and z against the file's y: the flight goes along −y of the file.
         JsonElement velocity = pieces.First(piece => piece.GetProperty("kind").GetString() == "flight").GetProperty("velocity");
         Assert.InRange(velocity[0].GetDouble(), 11, 13);

@@ -153,6 +153,23 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
         return v + (W * t) + Vector3d.Cross(q, t);
     }
 
+    /// <summary>Returns the constant spin that turns this orientation into another, in rad/s.</summary>
+    /// <remarks>Use it to compute the spin of a bone from two frames of an animation. It takes the shorter of the two turns, at most π.</remarks>
+    /// <param name="next">The later orientation.</param>
+    /// <param name="duration">The time between the two orientations, in s; above 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="duration"/> is not above 0.</exception>
+    public Vector3d SpinTo(in Quaterniond next, double duration)
+    {
+        Check.Positive(nameof(duration), duration);
+
+        // next q⁻¹ has the vector part sin(θ/2) n; the same rotation has the opposite sign too.
+        Quaterniond turn = next * new Quaterniond(-X, -Y, -Z, W);
+        var axis = new Vector3d(turn.X, turn.Y, turn.Z);
+        double sine = axis.Length;
+        double angle = 2.0 * Elementary.Atan2(sine, Math.Abs(turn.W));
+        return sine > 0 ? (turn.W < 0 ? -angle : angle) / (sine * duration) * axis : Vector3d.Zero;
+    }
+
     /// <summary>Converts to single precision, with rounding.</summary>
     public Quaternion ToQuaternion() => new((float)X, (float)Y, (float)Z, (float)W);
 

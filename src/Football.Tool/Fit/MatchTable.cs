@@ -33,6 +33,18 @@ internal static class MatchTable
             terminal.Person.WriteLine(FormattableString.Invariant(
                 $"Rolling: c₀ + c₁ v is {MatchWriter.RollingResistance(fit):0.000} ± {fit.RollingDeviation:0.000} at {fit.RollingSpeed:0.0} m/s, where it is known best."));
         }
+
+        PrintRobotSoccer(fit, terminal);
+    }
+
+    /// <summary>The fitted ball in the terms of robot soccer.</summary>
+    private static void PrintRobotSoccer(MatchFitResult fit, Terminal terminal)
+    {
+        if (RobotSoccerModel.Of(fit.Scene) is { } model)
+        {
+            terminal.Person.WriteLine(FormattableString.Invariant(
+                $"Robot soccer, kicks of 6 m/s: acc_slide {model.SlideAcceleration:0.00} m/s², acc_roll {model.RollAcceleration:0.00} m/s², k_switch {model.SwitchFraction:0.000}; damping_xy {model.FirstHopDamping:0.00}, then {model.OtherHopsDamping:0.00}, damping_z {model.VerticalDamping:0.00}."));
+        }
     }
 
     /// <summary>Slides and rolls without a touch, and their resistance.</summary>

@@ -103,6 +103,7 @@ internal static class MatchWriter
         WriteDeviations(json, fit);
         json.WriteEndObject();
         WriteRolling(json, fit);
+        WriteRobotSoccer(json, fit);
         json.WriteString("goodFor", GoodFor(fit));
     });
 
@@ -141,6 +142,26 @@ internal static class MatchWriter
         else
         {
             json.WriteNull("rolling");
+        }
+    }
+
+    /// <summary>The fitted ball in the terms of robot soccer, with the names of that league.</summary>
+    private static void WriteRobotSoccer(Utf8JsonWriter json, MatchFitResult fit)
+    {
+        if (RobotSoccerModel.Of(fit.Scene) is { } model)
+        {
+            json.WriteStartObject("robotSoccer");
+            json.WriteNumber("acc_slide", model.SlideAcceleration);
+            json.WriteNumber("acc_roll", model.RollAcceleration);
+            json.WriteNumber("k_switch", model.SwitchFraction);
+            json.WriteNumber("damping_xy_first_hop", model.FirstHopDamping);
+            json.WriteNumber("damping_xy_other_hops", model.OtherHopsDamping);
+            json.WriteNumber("damping_z", model.VerticalDamping);
+            json.WriteEndObject();
+        }
+        else
+        {
+            json.WriteNull("robotSoccer");
         }
     }
 

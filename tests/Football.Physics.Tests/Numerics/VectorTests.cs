@@ -66,6 +66,33 @@ public sealed class VectorTests
         Assert.Equal(1, new Quaterniond(1, 2, 3, 4).Normalized().LengthSquared, 1e-15);
     }
 
+    /// <summary>The spin between two orientations turns the first into the second, whatever the signs and the lengths of the quaternions.</summary>
+    [Theory]
+    [InlineData(0.3, -0.8, 0.1)]
+    [InlineData(2.9, 0.4, -1.0)]
+    [InlineData(1e-9, 0, 2e-9)]
+    [InlineData(0, 0, 0)]
+    public void The_spin_between_two_orientations_turns_the_first_into_the_second(double x, double y, double z)
+    {
+        var turn = new Vector3d(x, y, z);
+        Quaterniond from = Quaterniond.FromRotationVector(new Vector3d(-1.1, 0.2, 0.7));
+        Quaterniond to = Quaterniond.FromRotationVector(turn) * from;
+        foreach (double scale in new[] { 1.0, -1.0, 3.0 })
+        {
+            Vector3d spin = from.SpinTo(new Quaterniond(scale * to.X, scale * to.Y, scale * to.Z, scale * to.W), duration: 0.02);
+            double off = Vector3d.Distance(0.02 * spin, turn);
+            Assert.True(off <= 1e-15 + (4e-15 * turn.Length), $"{off:e2}");
+        }
+    }
+
+    [Fact]
+    public void The_spin_between_two_orientations_takes_the_shorter_turn()
+    {
+        Quaterniond far = Quaterniond.FromAxisAngle(Vector3d.Up, 1.9 * Math.PI);
+        Assert.Equal(0, Vector3d.Distance(Quaterniond.Identity.SpinTo(far, 1), -0.1 * Math.PI * Vector3d.Up), 1e-14);
+        Assert.Throws<ArgumentOutOfRangeException>(() => Quaterniond.Identity.SpinTo(far, 0));
+    }
+
     /// <summary>A spin that turns about a turning axis, against many small rotations.</summary>
     [Fact]
     public void The_rotation_of_a_turning_spin_is_of_fourth_order_at_least()
