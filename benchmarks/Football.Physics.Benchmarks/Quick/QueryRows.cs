@@ -19,6 +19,7 @@ internal static class QueryRows
         new("the same, 100 of them along the ground", () => Passes(Scene.Default, 0), LookAhead),
         new("the same, each time with another spin, so that no way along the ground is known", () => Passes(Scene.Default, 0, isNew: true), LookAhead),
         new("the same in wind: 100 ways along the ground", () => Passes(Windy, 0), LookAhead),
+        .. GoalChanceRows.All,
         .. BankShotRows.All,
     ];
 
