@@ -13,7 +13,8 @@ internal static class GoalChanceRows
         new("the same, aimed at a lower corner", () => Chance(3.2, 0.4, 3), QueryRows.LookAhead),
     ];
 
-    private static Workload Chance(double aside, double height, double degrees)
+    /// <summary>The chance of a kick from 20 m at a point of the goal.</summary>
+    public static Workload Chance(double aside, double height, double degrees)
     {
         var goal = new Goal { Center = new Vector3d(0, 0, -20), Facing = new Vector3d(0, 0, 1) };
         AimResult aim = new Aimer().Find(new AimRequest { From = Shot.Spot, Target = new Vector3d(aside, height, -20), Speed = 24 });
