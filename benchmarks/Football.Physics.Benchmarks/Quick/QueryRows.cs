@@ -19,6 +19,11 @@ internal static class QueryRows
         new("the same, 100 of them along the ground", () => Passes(Scene.Default, 0), LookAhead),
         new("the same, each time with another spin, so that no way along the ground is known", () => Passes(Scene.Default, 0, isNew: true), LookAhead),
         new("the same in wind: 100 ways along the ground", () => Passes(Windy, 0), LookAhead),
+        OfItsSteps("without air, RK4, 60 Hz", Scene.Vacuum, 1 / 60.0, 2),
+        OfItsSteps("without air, RK4, 80 ms steps", Scene.Vacuum, 0.08, 2),
+        OfItsSteps("default scene, RK4, 60 Hz", new Scene(), 1 / 60.0, null),
+        OfItsSteps("default scene, RK4, 80 ms steps", new Scene(), 0.08, null),
+        .. GoalChanceRows.All,
         .. BankShotRows.All,
     ];
 
@@ -90,23 +95,55 @@ internal static class QueryRows
     }
 
     /// <summary>A look-ahead of 3 s.</summary>
-    public static Workload LookAhead()
+    public static Workload LookAhead() => LookAhead(Scene.Default, Request.TimeStep);
+
+    /// <summary>All windows of 22 players on a look-ahead of 3 s.</summary>
+    public static Workload Windows() => Runners((path, query, runners) => query.Find(path, runners), Path());
+
+    /// <summary>The steps of a look-ahead, without its path.</summary>
+    private static Workload Steps(Scene scene, double h)
     {
-        var simulator = new Simulator(Scene.Default);
+        var simulator = new Simulator(scene);
+        BallState kick = Kicks(simulator)[0];
+        var log = new StepLog();
+        return new Workload(
+            () =>
+            {
+                double sum = 0;
+                for (int i = 0; i < Count; i++)
+                {
+                    BallState state = kick;
+                    log.Clear();
+                    simulator.Run(ref state, h, Request.Duration, StopAt.Time, log);
+                    sum += state.Position.X;
+                }
+
+                return sum;
+            },
+            Count);
+    }
+
+    private static Workload LookAhead(Scene scene, double h)
+    {
+        var simulator = new Simulator(scene);
         BallState kick = Kicks(simulator)[0];
         var path = new Trajectory();
+        LookAheadRequest request = Request with { TimeStep = h };
         return new Workload(
             () =>
             {
                 for (int i = 0; i < Count; i++)
                 {
-                    simulator.LookAhead(in kick, Request, path);
+                    simulator.LookAhead(in kick, request, path);
                 }
 
                 return path.EndTime;
             },
             Count);
     }
+
+    private static TargetRow OfItsSteps(string name, Scene scene, double h, double? target) =>
+        new($"3 s look-ahead, {name}, of its steps", () => LookAhead(scene, h), () => Steps(scene, h)) { Target = target };
 
     private static Workload Runners(Action<Trajectory, Interception, Player[]> ask, Trajectory path)
     {

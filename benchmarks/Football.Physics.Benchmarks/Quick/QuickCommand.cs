@@ -8,13 +8,14 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE]";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] --costs FILE";
 
     public static int Run(string[] arguments)
     {
         double seconds = 20;
         string? only = null;
         string? markdown = null;
+        string? costs = null;
         for (int i = 0; i < arguments.Length; i += 2)
         {
             string? value = i + 1 < arguments.Length ? arguments[i + 1] : null;
@@ -31,10 +32,19 @@ internal static class QuickCommand
                 case "--markdown" when value is not null:
                     markdown = value;
                     break;
+                case "--costs" when value is not null:
+                    costs = value;
+                    break;
                 default:
                     Console.Error.WriteLine($"'{arguments[i]}' is not understood. Usage: {Usage}");
                     return 2;
             }
+        }
+
+        if (costs is not null)
+        {
+            CostTable.Write(costs, seconds);
+            return 0;
         }
 
         string text = Report(seconds, only, string.Join(' ', arguments));

@@ -49,9 +49,12 @@ internal static class WorldTable
         }
     }
 
-    private static Workload Flights(Scene scene, in Vector3d from)
+    /// <summary>Flights from before the goal, with the default integrator.</summary>
+    public static Workload BeforeTheGoal(Scene scene) => Flights(scene, s_nearGoal, SolverSettings.Default.Integrator);
+
+    private static Workload Flights(Scene scene, in Vector3d from, Integrator integrator = Integrator.Rk2)
     {
-        var simulator = new Simulator(scene, new SolverSettings { Integrator = Integrator.Rk2 });
+        var simulator = new Simulator(scene, new SolverSettings { Integrator = integrator });
         BallState[] states = Shots.Launch(simulator, Free(from));
         var log = new StepLog();
         return new Workload(() => Batches.Chain(simulator, states, Steps, H, log), states.Length * Steps);

@@ -26,6 +26,7 @@ internal sealed class FramePlays
     private const double Gone = 1.5;
 
     private const double TimeStep = 0.02;
+    private const double ApproachStep = 0.08;
 
     private readonly Simulator _simulator;
     private readonly GoalMouth _mouth;
@@ -82,7 +83,51 @@ internal sealed class FramePlays
             return true;
         }
 
-        return beyondPost < halfAside && beyondBar < halfUp && Play(_simulator.LaunchAt(kick.Position, in velocity, in spin, 0), at.Time + Longest);
+        if (!(beyondPost < halfAside && beyondBar < halfUp))
+        {
+            return false;
+        }
+
+        // Approach the frame in long steps; only the last metres need short ones.
+        BallState ball = _simulator.LaunchAt(kick.Position, in velocity, in spin, 0);
+        double closing = Math.Max(1e-3, Math.Abs(Vector3d.Dot(in velocity, _mouth.Out)));
+        double lead = Math.Max(0.5 * at.Time, at.Time - (2.0 * Before / closing));
+        _log.Clear();
+        if (lead > 0)
+        {
+            _simulator.Run(ref ball, ApproachStep, lead, StopAt.Time, _log);
+        }
+
+        return HasScored() || Play(ball, at.Time + Longest);
+    }
+
+    /// <summary>True if a point of the mouth is in one of the spans in which kicks go in.</summary>
+    public bool IsIn(double aside, double height) => IsIn(_aside, aside) && IsIn(_up, height);
+
+    private static bool IsIn(List<FrameSpan> spans, double at)
+    {
+        foreach (FrameSpan span in spans)
+        {
+            if (at > span.From && at <= span.To)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool HasScored()
+    {
+        foreach (ref readonly BallEvent happened in _log.Events.Span)
+        {
+            if (happened.Kind == BallEventKind.Goal && happened.ColliderIndex == _thing)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Finds the spans in which kicks like this one go in, as far as their crossing points spread.</summary>
@@ -182,18 +227,17 @@ internal sealed class FramePlays
         {
             _log.Clear();
             _simulator.Step(ref ball, TimeStep, _log);
-            foreach (ref readonly BallEvent happened in _log.Events.Span)
+            if (HasScored())
             {
-                if (happened.Kind == BallEventKind.Goal && happened.ColliderIndex == _thing)
-                {
-                    return true;
-                }
+                return true;
             }
 
-            // Back on the pitch or past the goal: the ball will not come back.
+            // Back on the pitch, past the goal, or behind the line beside it: the ball will not come back.
             double before = _mouth.BeforeMouth(ball.Position);
             double closing = Vector3d.Dot(ball.Velocity, _mouth.Out);
-            if ((before > Gone && closing > 0) || before < -Gone)
+            _mouth.Place(ball.Position, out double aside, out double height);
+            bool isBeside = before < 0 && (Math.Abs(aside) > _axisAside || height > _axisUp);
+            if ((before > Gone && closing > 0) || before < -Gone || isBeside)
             {
                 return false;
             }

@@ -6,8 +6,12 @@ public readonly record struct GoalChanceResult
     /// <summary>The method that computed the result.</summary>
     public GoalChanceMethod Method { get; init; }
 
-    /// <summary>The number of simulated kicks.</summary>
+    /// <summary>The number of simulated kicks: random kicks, or with derivatives the test kicks.</summary>
     public int Kicks { get; init; }
+
+    /// <summary>The standard error of <see cref="Scores"/> from the finite number of kicks, 0 … 1; with derivatives 0.</summary>
+    /// <remarks>The error of derivatives is not random; it is at most about 0.005.</remarks>
+    public double StandardError { get; init; }
 
     /// <summary>The share of the kicks that cross the plane, 0 … 1; the numbers below refer to these.</summary>
     public double Crosses { get; init; }

@@ -1,8 +1,13 @@
 namespace FootballPhysics.Batch;
 
 /// <summary>Counts kicks and accumulates their crossing points.</summary>
-internal struct GoalChanceSum
+internal sealed class GoalChanceSum
 {
+    /// <summary>The smallest number of kicks whose copies are compared.</summary>
+    private const int FewestForCopies = 200;
+
+    private readonly int[] _scored = new int[KickDraws.Copies];
+    private int _added;
     private int _crosses;
     private int _in;
     private int _covered;
@@ -19,6 +24,7 @@ internal struct GoalChanceSum
     /// <param name="goesIn">True if it goes in, directly or off the frame.</param>
     public void Add(in GoalPlane plane, in PlaneCrossingPoint at, bool goesIn)
     {
+        int copy = _added++ % KickDraws.Copies;
         if (!(at.Time >= 0))
         {
             return;
@@ -35,12 +41,14 @@ internal struct GoalChanceSum
         if (goesIn)
         {
             _in++;
-            _covered += plane.IsCovered(x, y, at.Time) ? 1 : 0;
+            bool isCovered = plane.IsCovered(x, y, at.Time);
+            _covered += isCovered ? 1 : 0;
+            _scored[copy] += isCovered ? 0 : 1;
         }
     }
 
     /// <summary>Returns the result for a number of kicks.</summary>
-    public readonly GoalChanceResult Result(int count)
+    public GoalChanceResult Result(int count)
     {
         double per = _crosses > 0 ? 1.0 / _crosses : 0;
         double x = per * _x;
@@ -61,6 +69,26 @@ internal struct GoalChanceSum
             Correlation = product > 0 ? Math.Min(1, Math.Max(-1, ((per * _xy) - (x * y)) / product)) : 0,
             OnTarget = (double)_in / count,
             Covered = (double)_covered / count,
+            StandardError = StandardError(count),
         };
+    }
+
+    /// <summary>Estimates the standard error of the share that scores from the differences between the copies of the lattice.</summary>
+    private double StandardError(int count)
+    {
+        double mean = (double)(_in - _covered) / count;
+        double sum = 0;
+        for (int i = 0; i < _scored.Length; i++)
+        {
+            // The first copies have one kick more if the number is not a multiple.
+            int kicks = (count / _scored.Length) + (i < count % _scored.Length ? 1 : 0);
+            double off = kicks > 0 ? ((double)_scored[i] / kicks) - mean : 0;
+            sum += off * off;
+        }
+
+        // With few kicks per copy, or none that scores, use the error of independent kicks, but at least half a kick.
+        double independent = Math.Sqrt(mean * (1.0 - mean) / count);
+        double copies = Math.Sqrt(sum / (_scored.Length * (_scored.Length - 1)));
+        return Math.Max(0.5 / count, count < FewestForCopies ? independent : copies);
     }
 }

@@ -83,7 +83,10 @@ internal readonly struct GoalPlane
         double half = radius > Math.Abs(off) ? Math.Sqrt((radius * radius) - (off * off)) : double.NegativeInfinity;
         from = aside - half;
         to = aside + half;
+
+        // No ball crosses below the ground. A linear map may place it there, and a goalkeeper who reaches the ground covers it.
         low = _keeper.Lowest - Center.Y;
+        low = low > 0 ? low : double.NegativeInfinity;
         high = _keeper.Highest - Center.Y;
     }
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>A segment of smooth motion between two events, with a path that can be evaluated at any time.</summary>
@@ -12,6 +14,7 @@ public readonly struct PathSegment
     private const int MostEvaluations = 60;
 
     private readonly int _degree;
+    private readonly Vector3d _endAcceleration;
 
     internal PathSegment(
         double time,
@@ -32,7 +35,7 @@ public readonly struct PathSegment
         StartAcceleration = startAcceleration;
         EndPosition = endPosition;
         EndVelocity = endVelocity;
-        EndAcceleration = endAcceleration;
+        _endAcceleration = endAcceleration;
         Motion = motion;
         _degree = degree;
     }
@@ -41,6 +44,9 @@ public readonly struct PathSegment
     /// <param name="order">The order of the method.</param>
     /// <param name="hasEndAcceleration">True if the acceleration at the end is known.</param>
     internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
+
+    /// <summary>Completes a segment whose acceleration at the end was not known.</summary>
+    internal static void Close(ref PathSegment open, in Vector3d endAcceleration) => Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
 
     /// <summary>Returns the cubic between the ends of a step without events.</summary>
     internal static PathSegment Cubic(in BallState start, in BallState end) => new(
@@ -74,7 +80,7 @@ public readonly struct PathSegment
     public Vector3d EndVelocity { get; }
 
     /// <summary>The acceleration at the end, in m/s².</summary>
-    public Vector3d EndAcceleration { get; }
+    public Vector3d EndAcceleration => _endAcceleration;
 
     /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
     public MotionState Motion { get; }

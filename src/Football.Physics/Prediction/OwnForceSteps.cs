@@ -11,56 +11,50 @@ internal static class OwnForceSteps
     /// <summary>The share of the tolerance below which the next step doubles; the error of RK4 grows by 2⁵.</summary>
     private const double Plenty = 1.0 / 64.0;
 
-    /// <summary>The first step, in s, and the shortest step as a share of the longest.</summary>
-    private const double FirstStep = 0.005;
+    /// <summary>The first step, in s.</summary>
+    public const double FirstStep = 0.005;
+
+    /// <summary>The shortest step as a share of the longest.</summary>
     private const double Shortest = 1e-5;
 
     /// <summary>The largest error to accept in the shortest step, in m.</summary>
     private const double Lost = 1e-3;
 
-    /// <summary>Advances a ball to a time, or to the event that ends the look-ahead.</summary>
+    /// <summary>Takes a step, or halves its length if it is too inaccurate.</summary>
     /// <param name="simulator">The scene.</param>
     /// <param name="state">The ball.</param>
-    /// <param name="request">The duration, and the longest step.</param>
+    /// <param name="step">The length to try, in s; it changes with the error.</param>
+    /// <param name="left">The time that is left, in s.</param>
+    /// <param name="longest">The longest step, in s.</param>
     /// <param name="log">Receives the segments and events.</param>
     /// <param name="trial">A log for the trial steps.</param>
     /// <exception cref="InvalidOperationException">A force is too stiff for any step.</exception>
-    public static void Run(Simulator simulator, ref BallState state, LookAheadRequest request, StepLog log, StepLog trial)
+    public static void Take(Simulator simulator, ref BallState state, ref double step, double left, double longest, StepLog log, StepLog trial)
     {
-        double shortest = request.TimeStep * Shortest;
-        double end = state.Time + request.Duration;
+        double shortest = longest * Shortest;
+        double length = Math.Min(step, left);
 
-        // Stop within a rounding error of the end, to avoid an empty last step.
-        double last = end - (ContactTolerances.StepRounding * request.TimeStep);
-        double step = Math.Min(FirstStep, request.TimeStep);
-        log.Halted = false;
-        log.StopAt = request.StopAt;
-        while (state.Time < last && !log.Halted && !simulator.StaysAtRest(in state))
+        // Try the step on copies first, and make the real step only once it is short enough.
+        double difference = Difference(simulator, in state, length, trial);
+        if (difference > Tolerance && length > shortest)
         {
-            double length = Math.Min(step, end - state.Time);
+            step = 0.5 * length;
+            return;
+        }
 
-            // Try the step on copies first, and make the real step only once it is short enough.
-            double difference = Difference(simulator, in state, length, trial);
-            if (difference > Tolerance && length > shortest)
-            {
-                step = 0.5 * length;
-                continue;
-            }
+        // Even the shortest step is too inaccurate, or the result is NaN.
+        if (!(difference <= Lost))
+        {
+            throw new InvalidOperationException(FormattableString.Invariant(
+                $"forces.customForces is too stiff for a look-ahead at {state.Time} s, even in steps of {shortest} s. Use a weaker force, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is never divided."));
+        }
 
-            // Even the shortest step is too inaccurate, or the result is NaN.
-            if (!(difference <= Lost))
-            {
-                throw new InvalidOperationException(FormattableString.Invariant(
-                    $"forces.customForces is too stiff for a look-ahead at {state.Time} s, even in steps of {shortest} s. Use a weaker force, or a lookAhead.timeStep of at most {SimulatorExtensions.LongestOwnStep} s, which is never divided."));
-            }
+        simulator.Advance(ref state, length, log);
 
-            simulator.Advance(ref state, length, log);
-
-            // The error is far below the tolerance: double the next step, up to the requested length.
-            if (difference < Plenty * Tolerance)
-            {
-                step = Math.Min(2.0 * step, request.TimeStep);
-            }
+        // The error is far below the tolerance: double the next step, up to the requested length.
+        if (difference < Plenty * Tolerance)
+        {
+            step = Math.Min(2.0 * step, longest);
         }
     }
 

@@ -56,46 +56,21 @@ public static class SimulatorExtensions
         Check.Given(nameof(from), from);
         Check.Given(nameof(request), request);
         Check.Given(nameof(into), into);
-        request.Validate();
-        if (from.Length != group.Count || into.Length != group.Count)
-        {
-            throw new ArgumentException($"from has {from.Length} states and into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one of each for each ball.");
-        }
-
-        // A single ball that reaches the plane would end all paths.
-        if (request.UntilPlane is not null || request.UntilPassing is not null)
-        {
-            string field = request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane";
-            throw Check.Conflict(field, field + " is not supported for several balls. Leave it unset, and search each path for the crossing.");
-        }
-
-        request.CheckClock(in from[0]);
-
-        // All balls share one step; with custom forces, it is at most the longest step that is not divided.
-        double step = group.SimulatorOf(0).Scene.HasOwnForces ? Math.Min(request.TimeStep, LongestOwnStep) : request.TimeStep;
-        BallState[] states = [.. from];
-        for (int i = 0; i < into.Length; i++)
-        {
-            Check.GivenItem(nameof(into), i, into[i], "a trajectory");
-
-            // Each path stores the segments and events of its own ball.
-            into[i].Begin(group.SimulatorOf(i), in from[i], request, endsWhenFull: false, goesOn: true);
-        }
-
-        BeginMoving(group.SimulatorOf(0), into[0], in states[0]);
+        CheckGroup(group, from, request, into);
+        var steps = new GroupLookAheadSteps(group, into);
+        steps.Begin(from, request);
+        BeginMoving(group.SimulatorOf(0), into[0], in from[0]);
         try
         {
-            group.Run(states, step, request.Duration, request.StopAt, [.. into.Select(path => path.Log)], into[0].OnStep);
+            while (steps.Take())
+            {
+            }
         }
         finally
         {
             // Even after an exception, restore the bodies, and end each path at its ball's position.
             EndMoving(group.SimulatorOf(0), into[0]);
-            for (int i = 0; i < into.Length; i++)
-            {
-                into[i].End(in states[i]);
-                into[i].EndFull();
-            }
+            steps.End(isComplete: true);
         }
     }
 
@@ -144,33 +119,21 @@ public static class SimulatorExtensions
         WarmUpScenes.Group(simulator.Settings, log);
     }
 
-    /// <summary>Runs a look-ahead: in fixed steps if bodies move, in adaptive steps for custom forces with a long step, or as requested.</summary>
+    /// <summary>Runs a look-ahead to its end.</summary>
     private static void Run(Simulator simulator, in BallState from, LookAheadRequest request, Trajectory into, bool endsWhenFull)
     {
-        into.Begin(simulator, in from, request, endsWhenFull);
-        BallState state = from;
-        BeginMoving(simulator, into, in state);
+        var steps = new LookAheadSteps(simulator, in from, request, into, endsWhenFull);
+        BeginMoving(simulator, into, in from);
         try
         {
-            // With moving bodies, the steps must be known in advance, so use short steps for custom forces. Otherwise stiff forces may divide a step.
-            if (into.OnStep is { } move)
+            while (steps.Take())
             {
-                double longest = simulator.Scene.HasOwnForces ? LongestOwnStep : request.TimeStep;
-                simulator.RunChecked(ref state, Math.Min(request.TimeStep, longest), request.Duration, request.StopAt, into.Log, move);
-            }
-            else if (simulator.Scene.HasOwnForces && request.TimeStep > LongestOwnStep)
-            {
-                OwnForceSteps.Run(simulator, ref state, request, into.Log, into.Trial);
-            }
-            else
-            {
-                simulator.RunChecked(ref state, request.TimeStep, request.Duration, request.StopAt, into.Log, null);
             }
         }
         catch
         {
             // Remove the segments of the failed step.
-            into.Break(in state);
+            into.Break(in steps.State);
             throw;
         }
         finally
@@ -178,7 +141,30 @@ public static class SimulatorExtensions
             EndMoving(simulator, into);
         }
 
-        into.End(in state);
+        into.End(in steps.State);
+    }
+
+    /// <summary>Throws if a group cannot look ahead with these arguments.</summary>
+    internal static void CheckGroup(BallGroup group, BallState[] from, LookAheadRequest request, Trajectory[] into)
+    {
+        request.Validate();
+        if (from.Length != group.Count || into.Length != group.Count)
+        {
+            throw new ArgumentException($"from has {from.Length} states and into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one of each for each ball.");
+        }
+
+        // A single ball that reaches the plane would end all paths.
+        if (request.UntilPlane is not null || request.UntilPassing is not null)
+        {
+            string field = request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane";
+            throw Check.Conflict(field, field + " is not supported for several balls. Leave it unset, and search each path for the crossing.");
+        }
+
+        request.CheckClock(in from[0]);
+        for (int i = 0; i < into.Length; i++)
+        {
+            Check.GivenItem(nameof(into), i, into[i], "a trajectory");
+        }
     }
 
     /// <summary>Starts the motion of the game's bodies and of movable obstacles for a look-ahead.</summary>

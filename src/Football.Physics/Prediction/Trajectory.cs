@@ -4,6 +4,9 @@ namespace FootballPhysics.Prediction;
 /// <remarks>Create one and reuse it: a look-ahead overwrites the path without allocating.</remarks>
 public sealed partial class Trajectory
 {
+    /// <summary>The factor from a position tolerance to a velocity tolerance, in 1/s; a larger deviation counts as a kick.</summary>
+    private const double VelocityShare = 100;
+
     private readonly PathSegment[] _pieces;
     private readonly Recorder _recorder;
     private BallState _final;
@@ -48,7 +51,7 @@ public sealed partial class Trajectory
     /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False if the buffer filled up, or a custom force threw, before the look-ahead ended.</summary>
+    /// <summary>False if the buffer filled up, or a custom force threw, before the look-ahead ended, and while a <see cref="LookAheadRun"/> is not finished.</summary>
     public bool IsComplete { get; private set; }
 
     /// <summary>The number of right-hand-side evaluations.</summary>
@@ -60,6 +63,9 @@ public sealed partial class Trajectory
     internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
     internal int Count { get; private set; }
+
+    /// <summary>A counter that changes whenever the path is computed again or extended.</summary>
+    internal int Uses { get; private set; }
 
     /// <summary>Returns a reference to a segment.</summary>
     internal ref readonly PathSegment Piece(int index) => ref _pieces[index];
@@ -210,6 +216,7 @@ public sealed partial class Trajectory
 
         Log.Clear();
         Log.Events.Ball = 0;
+        Uses++;
         Count = 0;
         IsComplete = true;
         StartTime = from.Time;
@@ -217,7 +224,11 @@ public sealed partial class Trajectory
         _final = from;
     }
 
-    internal void End(in BallState final) => _final = final;
+    internal void End(in BallState final)
+    {
+        _recorder.Close();
+        _final = final;
+    }
 
     /// <summary>Marks the path incomplete if a segment did not fit.</summary>
     internal void EndFull() => IsComplete &= !_recorder.Overflows;
@@ -225,9 +236,40 @@ public sealed partial class Trajectory
     /// <summary>True if the path ends with a whole step, rather than at an event or a full buffer within a step.</summary>
     internal bool EndsWhole => IsComplete ? !Log.Halted : Count < _pieces.Length && !Log.Halted;
 
+    /// <summary>True if a ball is on the path: no kick or hit has moved it away.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="tolerance">The maximum distance, in m; for velocities it is multiplied by 100/s.</param>
+    internal bool Has(in BallState ball, double tolerance)
+    {
+        // No comparison is possible before the start of the path, or after its end if the ball is still moving there.
+        if (!(ball.Time >= StartTime && (ball.Time <= EndTime || Final.Motion == MotionState.Rest)))
+        {
+            return false;
+        }
+
+        // Compare the velocity too, so that a kick is detected at once.
+        return Vector3d.Distance(PositionAt(ball.Time), ball.Position) <= tolerance
+            && Vector3d.Distance(VelocityAt(ball.Time), ball.Velocity) <= tolerance * VelocityShare;
+    }
+
+    /// <summary>Shows the path so far, before a look-ahead in parts continues.</summary>
+    internal void Pause(in BallState at)
+    {
+        _recorder.Complete();
+        _final = at;
+        IsComplete = false;
+    }
+
+    /// <summary>Lets pieces of flight take the acceleration at their ends from the next step, if no stop condition needs their shape at once.</summary>
+    internal void LeaveOpen(LookAheadRequest request) => _recorder.LeavesOpen = request.UntilPlane is null && request.UntilPassing is null;
+
+    /// <summary>Continues after <see cref="Pause"/>.</summary>
+    internal void GoOn() => IsComplete = true;
+
     /// <summary>Prepares to continue from the end.</summary>
     internal void Resume()
     {
+        Uses++;
         Log.Halted = false;
         IsComplete = true;
     }
@@ -241,6 +283,7 @@ public sealed partial class Trajectory
             Count--;
         }
 
+        _recorder.Close();
         IsComplete = false;
         _final = final;
     }
@@ -313,62 +356,6 @@ public sealed partial class Trajectory
         }
 
         return high;
-    }
-
-    /// <summary>Stores the segments, and ends the look-ahead as soon as a stop condition is met.</summary>
-    private sealed class Recorder : PieceObserver
-    {
-        private readonly Trajectory _owner;
-        private bool _untilPlane;
-        private Plane3d _plane;
-        private bool _untilPassing;
-        private PassingCriterion? _passing;
-
-        public Recorder(Trajectory owner) => _owner = owner;
-
-        public override bool WantsEndAcceleration => true;
-
-        /// <summary>True to end with the last segment that fits; false to end at the first one that does not.</summary>
-        public bool EndsWhenFull { get; set; } = true;
-
-        /// <summary>True if the ball continues without a path once the buffer is full.</summary>
-        public bool GoesOn { get; set; }
-
-        /// <summary>True if a segment did not fit.</summary>
-        public bool Overflows { get; private set; }
-
-        public void Begin(Simulator simulator, in BallState from, LookAheadRequest request)
-        {
-            Overflows = false;
-            _untilPlane = request.UntilPlane is not null;
-            _plane = request.UntilPlane.GetValueOrDefault();
-            _untilPassing = request.UntilPassing is not null;
-            if (_untilPassing)
-            {
-                _passing ??= new PassingCriterion();
-                _passing.Begin(simulator, in from, request);
-            }
-        }
-
-        public override bool Add(in PathSegment piece)
-        {
-            PathSegment[] pieces = _owner._pieces;
-
-            // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
-            // after every segment would restart the step each time, possibly forever.
-            if (_owner.Count == pieces.Length)
-            {
-                Overflows = true;
-                return !GoesOn;
-            }
-
-            pieces[_owner.Count++] = piece;
-
-            // End at the last segment that fits, at the plane, or when the ball comes no closer to the point.
-            bool full = EndsWhenFull && _owner.Count == pieces.Length;
-            _owner.IsComplete = !full;
-            return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
-        }
     }
 
     /// <inheritdoc/>

@@ -7,9 +7,6 @@ namespace FootballPhysics.Prediction;
 /// </remarks>
 public sealed class TrajectoryCache
 {
-    /// <summary>The factor from the position tolerance to the velocity tolerance, in 1/s; a larger deviation counts as a kick.</summary>
-    private const double VelocityShare = 100;
-
     private readonly Simulator _simulator;
     private readonly LookAheadRequest _request;
     private bool _valid;
@@ -52,7 +49,7 @@ public sealed class TrajectoryCache
     public bool Update(in BallState real)
     {
         _request.CheckClock(in real);
-        bool keeps = _valid && OnPath(in real);
+        bool keeps = _valid && Path.Has(in real, Tolerance);
 
         // Mark the path invalid first, so that it is not reused if an exception interrupts the update.
         _valid = false;
@@ -75,18 +72,5 @@ public sealed class TrajectoryCache
 
         _valid = true;
         return false;
-    }
-
-    private bool OnPath(in BallState real)
-    {
-        // No comparison is possible before the start of the path, or after its end if the ball is still moving there.
-        if (!(real.Time >= Path.StartTime && (real.Time <= Path.EndTime || Path.Final.Motion == MotionState.Rest)))
-        {
-            return false;
-        }
-
-        // Compare the velocity too, so that a kick is detected at once.
-        return Vector3d.Distance(Path.PositionAt(real.Time), real.Position) <= Tolerance
-            && Vector3d.Distance(Path.VelocityAt(real.Time), real.Velocity) <= Tolerance * VelocityShare;
     }
 }

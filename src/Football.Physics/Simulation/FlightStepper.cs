@@ -162,6 +162,20 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
     }
 
+    public override void EndAcceleration(in BallState s, double h, out Vector3d acceleration)
+    {
+        // Use the form of the laws that the next step uses at its start: the results are bit-identical.
+        Vector3d u = s.Flight.Velocity - _wind;
+        if (_air.Covers(u.LengthSquared, s.Flight.SpinRate, h))
+        {
+            FlightRates.Of(ref _air, in s, _upward, in u, s.Flight.SpinRate, out acceleration, out _);
+        }
+        else
+        {
+            base.EndAcceleration(in s, h, out acceleration);
+        }
+    }
+
     /// <summary>True if a step may have crossed the jump of the drag law.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
@@ -187,10 +201,16 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double climb = vy + gained;
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
 
-        // The same conservative checks as in air. Steps with an observer are left to the pieces.
-        if (height < _contactHeight || (vy < 0 && climb > 0) || log.IsWatched)
+        // The same conservative checks as in air.
+        if (height < _contactHeight || (vy < 0 && climb > 0))
         {
             return WholeFlight.NotTaken;
+        }
+
+        if (log.IsWatched)
+        {
+            ShowFall(log, ref s, h, end, climb, height);
+            return WholeFlight.Done;
         }
 
         s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
@@ -200,5 +220,39 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         log.Steps++;
         log.Evaluations += _integrator.Stages;
         return WholeFlight.Done;
+    }
+
+    /// <summary>Takes the same step in a vacuum, and reports it to the observers.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void ShowFall(StepLog log, ref BallState s, double h, double end, double climb, double height)
+    {
+        double time = s.Time;
+        Vector3d position = s.Position;
+        Vector3d velocity = s.Velocity;
+        double angle = s.Angle;
+        var moved = new Vector3d(position.X + (h * velocity.X), height, position.Z + (h * velocity.Z));
+        var after = new Vector3d(velocity.X, climb, velocity.Z);
+        var acceleration = new Vector3d(0, _upward, 0);
+        s.Position = moved;
+        s.Velocity = after;
+        s.Angle += h * s.SpinRate;
+        s.Time = end;
+        log.Steps++;
+        log.Evaluations += _integrator.Stages;
+        if (log.WantsPathOnly)
+        {
+            // A look-ahead needs no states: leave out their copies.
+            log.Show(new PathSegment(
+                time, end - time, in position, in velocity, in acceleration, in moved, in after, in acceleration, MotionState.Airborne,
+                PathSegment.DegreeOf(_integrator.Order, true)));
+            return;
+        }
+
+        BallState before = s;
+        before.Time = time;
+        before.Position = position;
+        before.Velocity = velocity;
+        before.Angle = angle;
+        log.Show(in before, in s, in acceleration, in acceleration, _integrator.Order);
     }
 }

@@ -4,6 +4,7 @@ namespace FootballPhysics;
 public sealed partial class StepLog
 {
     private PieceObserver? _observer;
+    private bool _wantsPathOnly;
     private ZoneWatch? _zones;
     private ZoneCrossing[] _crossings = [];
     private int _crossingCount;

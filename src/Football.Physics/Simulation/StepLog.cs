@@ -73,8 +73,23 @@ public sealed partial class StepLog
         {
             _observer = value;
             IsWatched = value is not null || _zones is not null;
+            _wantsPathOnly = value is { WantsStates: false };
         }
     }
+
+    /// <summary>True if only the path is observed: see <see cref="PieceObserver.WantsStates"/>.</summary>
+    internal bool WantsPathOnly => _wantsPathOnly && _zones is null;
+
+    /// <summary>Reports the start of a step of flight to an observer that ignores the states.</summary>
+    /// <returns>True if the observer takes the acceleration at the end of the step from the start of the next one.</returns>
+    internal bool ShowStart(in Vector3d position, in Vector3d velocity, double spin, double time, in Vector3d acceleration) =>
+        _observer!.Close(in position, in velocity, spin, time, in acceleration);
+
+    /// <summary>Lets the observer complete the last piece later.</summary>
+    internal void LeaveOpen(Stepper stepper, in BallState end, double h) => _observer!.LeaveOpen(stepper, in end, h);
+
+    /// <summary>Reports a piece to an observer that ignores the states.</summary>
+    internal void Show(in PathSegment piece) => Halted |= _observer!.Add(in piece);
 
     /// <summary>Reports a piece to the zones and to the observer.</summary>
     /// <param name="before">The ball at the start of the piece.</param>

@@ -53,4 +53,10 @@ internal abstract class Stepper
 
     /// <summary>Returns the factors of the air laws at a speed and a spin: a = −drag · u + lift · (ω̂ × u), |ω|˙ = −decay.</summary>
     public abstract void AirFactors(double speed, double spinRate, out double drag, out double lift, out double decay);
+
+    /// <summary>Computes the acceleration at the end of a whole step of flight.</summary>
+    /// <param name="s">The ball at the end of the step.</param>
+    /// <param name="h">The length of the step, in s.</param>
+    /// <param name="acceleration">The acceleration, m/s².</param>
+    public abstract void EndAcceleration(in BallState s, double h, out Vector3d acceleration);
 }

@@ -85,8 +85,109 @@ public sealed class ScatterTests
     {
         var scatter = new GoalChance(Scene.Measured);
         GoalChanceResult told = scatter.Find(s_from, s_velocity, s_spin, new KickSpread { SpeedPercent = 15, ElevationDegrees = 6, AzimuthDegrees = 6 }, s_goal);
-        Assert.Equal((GoalChanceMethod.Flights, GoalChance.Flights), (told.Method, told.Kicks));
+        Assert.Equal((GoalChanceMethod.Flights, GoalChanceRequest.DefaultKicks), (told.Method, told.Kicks));
         Assert.InRange(told.OnTarget, 0.2, 0.99);
+    }
+
+    private static readonly GoalChanceRequest s_wild = new()
+    {
+        Position = s_from,
+        Velocity = s_velocity,
+        Spin = s_spin,
+        Spread = new KickSpread { SpeedPercent = 6, ElevationDegrees = 3, AzimuthDegrees = 3 },
+        Goal = s_goal,
+        Keeper = s_keeper,
+    };
+
+    /// <summary>The kicks of a request cost what it says, and the standard error it states is that of other seeds.</summary>
+    [Theory]
+    [InlineData(500)]
+    [InlineData(2000)]
+    public void The_budget_is_kept_and_the_error_that_is_stated_is_that_of_other_seeds(int kicks)
+    {
+        const int Seeds = 24;
+        var chance = new GoalChance();
+        GoalChanceResult truth = chance.Find(s_wild with { Kicks = 50_000, Seed = 99, AlwaysSimulate = true });
+        double squares = 0;
+        double stated = 0;
+        for (int seed = 0; seed < Seeds; seed++)
+        {
+            GoalChanceResult found = chance.Find(s_wild with { Kicks = kicks, Seed = seed, AlwaysSimulate = true });
+            Assert.Equal((GoalChanceMethod.Flights, kicks), (found.Method, found.Kicks));
+            squares += (found.Scores - truth.Scores) * (found.Scores - truth.Scores);
+            stated += found.StandardError * found.StandardError;
+        }
+
+        double independent = Math.Sqrt(truth.Scores * (1 - truth.Scores) / kicks);
+        Assert.InRange(Math.Sqrt(squares / stated), 0.5, 1.6);
+        Assert.InRange(Math.Sqrt(stated / Seeds), 0.2 * independent, independent);
+    }
+
+    /// <summary>Equal requests give equal bits: again, by another calculator, on another thread, and whatever was computed before.</summary>
+    [Fact]
+    public async Task Equal_requests_give_equal_bits()
+    {
+        var chance = new GoalChance();
+        GoalChanceResult first = chance.Find(s_wild with { Kicks = 700, Seed = 3 });
+        chance.Find(s_wild with { Kicks = 300, Seed = 4, Keeper = null });
+        Assert.Equal(first, chance.Find(s_wild with { Kicks = 700, Seed = 3 }));
+        Assert.Equal(first, await Task.Run(() => new GoalChance().Find(s_wild with { Kicks = 700, Seed = 3 })));
+        Assert.NotEqual(first, chance.Find(s_wild with { Kicks = 700, Seed = 4 }));
+    }
+
+    [Fact]
+    public void Progress_is_reported_and_a_simulation_can_be_cancelled()
+    {
+        var chance = new GoalChance();
+        var shares = new List<double>();
+        chance.Find(s_wild with { Kicks = 600, AlwaysSimulate = true }, new Reports(shares.Add));
+        Assert.Equal([256.0 / 600, 512.0 / 600, 1], shares);
+        using var source = new CancellationTokenSource();
+        shares.Clear();
+        var cancelling = new Reports(share =>
+        {
+            shares.Add(share);
+            source.Cancel();
+        });
+        Assert.Throws<OperationCanceledException>(() => chance.Find(s_wild with { Kicks = 600, AlwaysSimulate = true }, cancelling, source.Token));
+        Assert.Single(shares);
+        Assert.Throws<OperationCanceledException>(() => chance.Find(s_wild, null, source.Token));
+        Assert.Throws<ArgumentNullException>(() => chance.Find(null!));
+        Assert.Contains("2 … 100000000", Assert.Throws<ArgumentOutOfRangeException>(() => chance.Find(s_wild with { Kicks = 1 })).Message, StringComparison.Ordinal);
+    }
+
+    private sealed class Reports(Action<double> report) : IProgress<double>
+    {
+        public void Report(double value) => report(value);
+    }
+
+    /// <summary>A diving goalkeeper covers less of fast kicks than of slow ones: derivatives count that, or the kicks are simulated.</summary>
+    [Theory]
+    [InlineData(3.86, -2.27, 1.53, 20.1)]
+    [InlineData(4.00, -2.41, 1.78, 24.2)]
+    [InlineData(0.96, 2.23, 0.78, 21.8)]
+    [InlineData(0.76, 2.31, 0.94, 20.9)]
+    [InlineData(2.84, 2.80, 1.92, 20.7)]
+    [InlineData(1.00, 1.00, 0.50, 24.0)]
+    public void Where_the_goalkeeper_decides_the_chance_is_that_of_simulated_kicks(double degrees, double aside, double height, double speed)
+    {
+        var keeper = new Player { Position = new Vector3d(0, 0, -10.6), Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
+        AimResult aim = new Aimer().Find(new AimRequest { From = s_from, Target = new Vector3d(aside, height, -11), Speed = speed });
+        var request = new GoalChanceRequest
+        {
+            Position = s_from,
+            Velocity = aim.Velocity,
+            Spin = aim.Spin,
+            Spread = new KickSpread { SpeedPercent = 2 * degrees, ElevationDegrees = degrees, AzimuthDegrees = degrees },
+            Goal = s_goal,
+            Keeper = keeper,
+        };
+        var chance = new GoalChance();
+        GoalChanceResult found = chance.Find(request);
+        GoalChanceResult flown = chance.Find(request with { Kicks = 40_000, Seed = 5, AlwaysSimulate = true });
+        Assert.Equal(flown.Scores, found.Scores, 0.005 + (3 * found.StandardError));
+        Assert.InRange(found.StandardError, 0, 0.01);
+        Assert.Equal(found.Method == GoalChanceMethod.Derivatives, found.StandardError == 0);
     }
 
     [Fact]

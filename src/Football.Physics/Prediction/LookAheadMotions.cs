@@ -1,0 +1,52 @@
+namespace FootballPhysics.Prediction;
+
+/// <summary>The motions of the bodies and movable obstacles in a look-ahead in parts, which the game's own motions replace between the parts.</summary>
+internal sealed class LookAheadMotions
+{
+    private readonly World _world;
+    private readonly RigidMotion[] _start;
+    private readonly RigidMotion[] _now;
+
+    /// <exception cref="ArgumentOutOfRangeException">The scene has engine colliders.</exception>
+    public LookAheadMotions(World world)
+    {
+        if (world.Engine is not null)
+        {
+            throw Check.Conflict("scene.engineColliders", "scene.engineColliders is set, but engine colliders move between the parts of a look-ahead. Use LookAhead, which runs in one go.");
+        }
+
+        _world = world;
+        _start = new RigidMotion[world.Movers];
+        _now = new RigidMotion[world.Movers];
+    }
+
+    /// <summary>Saves the current motions as those of the start.</summary>
+    public void Start()
+    {
+        _world.ReadMotions(_start);
+        Restart();
+    }
+
+    /// <summary>Returns to the motions of the start.</summary>
+    public void Restart() => Array.Copy(_start, _now, _start.Length);
+
+    /// <summary>Replaces the game's motions by those of the look-ahead.</summary>
+    public void Enter()
+    {
+        if (_now.Length > 0)
+        {
+            _world.KeepMotions();
+            _world.WriteMotions(_now);
+        }
+    }
+
+    /// <summary>Restores the game's motions.</summary>
+    public void Leave()
+    {
+        if (_now.Length > 0)
+        {
+            _world.ReadMotions(_now);
+            _world.PutMotionsBack();
+        }
+    }
+}
