@@ -10,7 +10,7 @@ internal sealed class FlightEquations
     private const double SpinStep = 1;
 
     /// <summary>The distance, in standard deviations, beyond which points are down-weighted (Huber).</summary>
-    private const double Huber = 4;
+    private const double Outlier = 4;
 
     /// <summary>The error of heights at the ground, in m, and the height above the ground at which it has fallen to 0, in m.</summary>
     /// <remarks>The causes are crowned pitches, and cameras with a ball in the grass.</remarks>
@@ -152,7 +152,7 @@ internal sealed class FlightEquations
             double across = Deviation(in point);
             double up = HeightDeviation(in point);
             double off = Off(in miss, across, up);
-            double weight = off > Huber ? Huber / off : 1.0;
+            double weight = Huber.Weight(off, Outlier);
             var weights = new Vector3d(weight / (across * across), weight / (up * up), weight / (across * across));
             for (int j = 0; j < size; j++)
             {
@@ -231,7 +231,7 @@ internal sealed class FlightEquations
         {
             ref readonly TrackPoint point = ref _track[flight.First + i];
             double off = Off(point.Position - path[i], Deviation(in point), HeightDeviation(in point));
-            cost += off > Huber ? Huber * ((2 * off) - Huber) : off * off;
+            cost += Huber.Cost(off, Outlier);
         }
 
         return cost;

@@ -17,7 +17,7 @@ internal sealed class GroundFriction
     /// </remarks>
     internal const double Mad = 1.4826;
     private const double MedianLoss = 1.2533;
-    private const double Huber = 1.5;
+    private const double Outlier = 1.5;
 
     /// <summary>The prior standard deviations of c₀ and c₁ (s/m), about the ground's own values.</summary>
     private const double KnownRolling = 0.1;
@@ -121,7 +121,7 @@ internal sealed class GroundFriction
             {
                 double weight = Weight(window, scatter);
                 double off = Math.Abs(window.Resistance - level - (growth * window.Speed)) * Math.Sqrt(weight);
-                weight *= off > Huber ? Huber / off : 1;
+                weight *= Huber.Weight(off, Outlier);
                 a += weight;
                 b += weight * window.Speed;
                 c += weight * window.Speed * window.Speed;

@@ -173,7 +173,7 @@ internal sealed class SharedFit
             Eliminate(normals[i], gradients[i], couplings[i], told[i], s, unused);
         }
 
-        Invert(s, Covariance, _shared);
+        Linear.Invert(s, Covariance, _shared);
         for (int f = 0; f < flights.Count; f++)
         {
             // Sum of three terms: A⁻¹ (w(A − P) + P) A⁻¹ by the scatter w without the prior P; A⁻¹B S⁻¹ BᵀA⁻¹ by the shared parameters; and d dᵀ with
@@ -258,7 +258,7 @@ internal sealed class SharedFit
 
         double[] step = new double[_shared];
         there = null;
-        if (!Solve(s, right, step, _shared))
+        if (!Linear.Solve(s, right, step, _shared))
         {
             return double.PositiveInfinity;
         }
@@ -402,34 +402,6 @@ internal sealed class SharedFit
             a[i] = normal[(i / Launch * _size) + (i % Launch)];
         }
 
-        Invert(a, inverse, Launch);
-    }
-
-    private static void Invert(double[] a, double[] inverse, int n)
-    {
-        double[] unit = new double[n];
-        double[] column = new double[n];
-        for (int j = 0; j < n; j++)
-        {
-            Array.Clear(unit, 0, n);
-            unit[j] = 1;
-            bool solved = Solve(a, unit, column, n);
-            for (int i = 0; i < n; i++)
-            {
-                inverse[(i * n) + j] = solved ? column[i] : 0;
-            }
-        }
-    }
-
-    private static bool Solve(double[] a, double[] right, double[] x, int n)
-    {
-        double[] system = new double[n * (n + 1)];
-        for (int i = 0; i < n; i++)
-        {
-            Array.Copy(a, i * n, system, i * (n + 1), n);
-            system[(i * (n + 1)) + n] = right[i];
-        }
-
-        return n == 0 || Linear.Solve(system, x, n);
+        Linear.Invert(a, inverse, Launch);
     }
 }

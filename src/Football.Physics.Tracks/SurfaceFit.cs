@@ -20,7 +20,7 @@ internal sealed class SurfaceFit
     private const double Scatter = 0.06;
 
     /// <summary>The Huber threshold, in standard deviations.</summary>
-    private const double Huber = 1.5;
+    private const double Outlier = 1.5;
 
     /// <summary>The prior standard deviations of the parameters, about the ground's own values.</summary>
     private static readonly double[] KnownDeviations = [0.15, 0.6, 0.5];
@@ -71,12 +71,10 @@ internal sealed class SurfaceFit
         double[] normal = new double[Numbers * Numbers];
         double[] right = new double[Numbers];
         double[] step = new double[Numbers];
-        double[] system = new double[Numbers * (Numbers + 1)];
         for (int i = 0; i < MostSteps; i++)
         {
             Equations(values, likely, normal, right, out _);
-            Fill(normal, right, system);
-            if (!Linear.Solve(system, step, Numbers))
+            if (!Linear.Solve(normal, right, step, Numbers))
             {
                 break;
             }
@@ -97,12 +95,12 @@ internal sealed class SurfaceFit
 
         Equations(values, likely, normal, right, out double scatter);
         double[] deviations = new double[Numbers];
+        double[] unit = new double[Numbers];
         for (int k = 0; k < Numbers; k++)
         {
-            double[] unit = new double[Numbers];
+            Array.Clear(unit, 0, Numbers);
             unit[k] = 1;
-            Fill(normal, unit, system);
-            bool solved = Linear.Solve(system, step, Numbers);
+            bool solved = Linear.Solve(normal, unit, step, Numbers);
             deviations[k] = solved ? Math.Min(KnownDeviations[k], Math.Sqrt(Math.Max(0, step[k]) * Math.Max(1, scatter))) : KnownDeviations[k];
         }
 
@@ -115,15 +113,6 @@ internal sealed class SurfaceFit
     {
         Material = _ground.Material with { NormalRestitution = values[0], GrazingRestitutionGain = values[1], ImpactFriction = values[2] },
     };
-
-    private static void Fill(double[] normal, double[] right, double[] system)
-    {
-        for (int i = 0; i < Numbers; i++)
-        {
-            Array.Copy(normal, i * Numbers, system, i * (Numbers + 1), Numbers);
-            system[(i * (Numbers + 1)) + Numbers] = right[i];
-        }
-    }
 
     /// <summary>Assembles the normal equations, including the prior.</summary>
     private void Equations(double[] values, double[] likely, double[] normal, double[] right, out double scatter)
@@ -161,7 +150,7 @@ internal sealed class SurfaceFit
                 double unsure = impact.VelocityDeviation.Length / sizes[row];
                 double deviation = Math.Sqrt((Scatter * Scatter) + (unsure * unsure));
                 double off = Math.Abs(misses[row]) / deviation;
-                double weight = (off > Huber ? Huber / off : 1) / (deviation * deviation);
+                double weight = Huber.Weight(off, Outlier) / (deviation * deviation);
                 squares += weight * misses[row] * misses[row];
                 weights++;
                 double[] slope = new double[Numbers];

@@ -152,7 +152,7 @@ internal sealed class EnergyCheck : PieceObserver
     /// <summary>What finding an event can make, J: the weight times the height by which contact is missed, or the end of the slip; or a slip so slow that the ball rolls.</summary>
     private double OfContact(in BallState before, ReadOnlySpan<BallEvent> events, double dt)
     {
-        double slip = before.Motion == MotionState.Rolling ? Slip.Of(before.Velocity, before.Spin, _radius).Length : 0;
+        double slip = before.Motion == MotionState.Rolling ? Slip.Of(before.Velocity, before.Spin, Vector3d.Up, _radius).Length : 0;
         double made = slip <= LastSlip ? _inertiaFactor * _mass * slip * ((_radius * before.Spin.Length) + slip) : 0;
         foreach (ref readonly BallEvent item in events)
         {

@@ -3,10 +3,6 @@ namespace FootballPhysics;
 /// <summary>The slip velocity of the contact point, s = v_t + r n × ω; on the level pitch n is ŷ (thesis 2.19, corrected).</summary>
 internal static class Slip
 {
-    /// <summary>Returns the slip velocity on the level pitch.</summary>
-    public static Vector3d Of(in Vector3d velocity, in Vector3d spin, double radius) =>
-        new(velocity.X + (radius * spin.Z), 0, velocity.Z - (radius * spin.X));
-
     /// <summary>Returns the spin of a ball that rolls without slip: ω_h = ŷ × v / r.</summary>
     public static Vector3d RollingSpin(in Vector3d velocity, double aboutVertical, double radius) =>
         new(velocity.Z / radius, aboutVertical, -velocity.X / radius);

@@ -62,6 +62,22 @@ internal struct SurfaceSystem : IMotionSystem
     /// <remarks>The spin can then only decrease.</remarks>
     private double _ending;
 
+    /// <summary>Creates the system of a ball on a carrier, which slides unless <see cref="Rolls"/> is set.</summary>
+    /// <param name="around">The forces.</param>
+    /// <param name="carrier">The carrier.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    public static SurfaceSystem On(Surroundings around, Collider carrier, in BallState s, DragBranch branch) => new()
+    {
+        Around = around,
+        World = around.World,
+        Carrier = carrier,
+        Material = carrier.MaterialAt(s.Position),
+        Branch = branch,
+        Nets = s.Nets,
+        NetSides = s.NetSides,
+    };
+
     public void Rates(double time, in Motion at, out MotionRates rates)
     {
         if (HasEnded(in at.Spin))

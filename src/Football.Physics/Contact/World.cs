@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>All objects that a ball can hit or pass in a scene: colliders (the ground first), nets, goals.</summary>
 /// <remarks>Built once. Only the positions of moving objects change afterwards.</remarks>
-internal sealed class World
+internal sealed partial class World
 {
     /// <summary>The longest part of a step in nets, times the rate at which they change the motion.</summary>
     /// <remarks>At 2, shots into a goal are up to 1e-6 m off after 1.5 s; at 1.5, 1e-7 m.</remarks>
@@ -201,59 +201,6 @@ internal sealed class World
 
     /// <summary>True if the ball can push any object, including engine colliders.</summary>
     public bool MayGiveWay => GivesWay || Engine is not null;
-
-    /// <summary>Number of stored motions: bodies, then obstacles with a mass.</summary>
-    public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
-
-    /// <summary>Reads the motions of all movable objects.</summary>
-    public void ReadMotions(Span<RigidMotion> into)
-    {
-        int bodies = Bodies?.Count ?? 0;
-        for (int i = 0; i < bodies; i++)
-        {
-            into[i] = Bodies![i].Motion;
-        }
-
-        Obstacles.Read(into.Slice(bodies));
-    }
-
-    /// <summary>Saves all motions before a look-ahead.</summary>
-    public void KeepMotions()
-    {
-        Bodies?.Keep();
-        Obstacles.Keep();
-        Engine?.KeepPushes(EnginePushes.OfLook);
-    }
-
-    /// <summary>Restores the saved motions.</summary>
-    public void PutMotionsBack()
-    {
-        Bodies?.PutBack();
-        Obstacles.PutBack();
-        Engine?.PutPushesBack(EnginePushes.OfLook);
-    }
-
-    /// <summary>Returns a box around a movable object, valid for a duration if the box moves at the object's velocity.</summary>
-    public Bounds3d BoundsOfMover(int mover, double time, double duration)
-    {
-        int bodies = Bodies?.Count ?? 0;
-        return mover < bodies ? Bodies![mover].BoundsDuring(time, duration) : Obstacles.BoundsAt(mover - bodies, time);
-    }
-
-    /// <summary>Sets the motions of all movable objects.</summary>
-    public void WriteMotions(Span<RigidMotion> from)
-    {
-        int bodies = Bodies?.Count ?? 0;
-        for (int i = 0; i < bodies; i++)
-        {
-            Bodies![i].Motion = from[i];
-        }
-
-        if (Obstacles.Count > 0)
-        {
-            Obstacles.Write(from.Slice(bodies));
-        }
-    }
 
     /// <summary>The engine's colliders; null without an engine.</summary>
     public EngineThings? Engine { get; }

@@ -3,6 +3,44 @@ namespace FootballPhysics;
 /// <summary>Solves small linear systems.</summary>
 internal static class Linear
 {
+    /// <summary>Solves A x = b, and keeps A and b.</summary>
+    /// <param name="a">The matrix, row by row.</param>
+    /// <param name="b">The right-hand side.</param>
+    /// <param name="x">The solution.</param>
+    /// <param name="n">The size of the system.</param>
+    /// <returns>False if the matrix is singular.</returns>
+    public static bool Solve(double[] a, double[] b, double[] x, int n)
+    {
+        double[] system = new double[n * (n + 1)];
+        for (int i = 0; i < n; i++)
+        {
+            Array.Copy(a, i * n, system, i * (n + 1), n);
+            system[(i * (n + 1)) + n] = b[i];
+        }
+
+        return n == 0 || Solve(system, x, n);
+    }
+
+    /// <summary>Inverts a matrix column by column. The columns of a singular matrix are zero.</summary>
+    /// <param name="a">The matrix, row by row; kept.</param>
+    /// <param name="inverse">The inverse.</param>
+    /// <param name="n">The size of the matrix.</param>
+    public static void Invert(double[] a, double[] inverse, int n)
+    {
+        double[] unit = new double[n];
+        double[] column = new double[n];
+        for (int j = 0; j < n; j++)
+        {
+            Array.Clear(unit, 0, n);
+            unit[j] = 1;
+            bool solved = Solve(a, unit, column, n);
+            for (int i = 0; i < n; i++)
+            {
+                inverse[(i * n) + j] = solved ? column[i] : 0;
+            }
+        }
+    }
+
     /// <summary>Solves a system by Gaussian elimination with partial pivoting.</summary>
     /// <param name="a">n rows of n coefficients and a right-hand side; overwritten.</param>
     /// <param name="x">The solution.</param>

@@ -136,14 +136,6 @@ internal sealed class ContactLoad
         return byWeight > ContactTolerances.LeastLoad ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;
     }
 
-    private SurfaceSystem System(in BallState s, Collider carrier) => new()
-    {
-        Around = _around,
-        World = _world,
-        Carrier = carrier,
-        Material = carrier.MaterialAt(s.Position),
-        Branch = _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin)),
-        Nets = s.Nets,
-        NetSides = s.NetSides,
-    };
+    private SurfaceSystem System(in BallState s, Collider carrier) =>
+        SurfaceSystem.On(_around, carrier, in s, _around.BranchAt(new Motion(s.Position, s.Velocity, s.Spin)));
 }

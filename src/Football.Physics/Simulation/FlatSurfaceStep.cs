@@ -31,7 +31,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private TAir _air;
     private readonly ClearFlight? _clear;
     private readonly StabilityLimit _limit;
-    private readonly Material[] _materials;
+    private readonly PlaneMaterial[] _materials;
     private readonly bool _acts;
     private readonly bool _isLevel;
     private readonly bool _slides;
@@ -124,10 +124,10 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _bodyZInTraction = alpha * _bodyZInRoll;
         _airInTraction = _decayInRoll;
         ContactMaterial[] materials = _acts ? _world.Ground!.Materials : [];
-        _materials = new Material[materials.Length];
+        _materials = new PlaneMaterial[materials.Length];
         for (int i = 0; i < materials.Length; i++)
         {
-            _materials[i] = new Material(in materials[i], ball);
+            _materials[i] = new PlaneMaterial(in materials[i], ball);
         }
     }
 
@@ -140,7 +140,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        return s.Motion == MotionState.Rolling ? TryWhole<Roll>(ref s, dt, end, log) : _slides && TryWhole<Slide>(ref s, dt, end, log);
+        return s.Motion == MotionState.Rolling ? TryWhole<PlaneRoll>(ref s, dt, end, log) : _slides && TryWhole<PlaneSlide>(ref s, dt, end, log);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -176,8 +176,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double spinSquared = (start.WX * start.WX) + (start.WY * start.WY) + (start.WZ * start.WZ);
         double airSpeedSquared = (airX * airX) + (_windUp * _windUp) + (airZ * airZ);
         int patch = _materials.Length > 1 ? _world.Ground!.PatchAt(s.Position) : -1;
-        StepOn on;
-        ref readonly Material material = ref _materials[patch + 1];
+        PlaneStart on;
+        ref readonly PlaneMaterial material = ref _materials[patch + 1];
         double airSpeed = Math.Abs(airX) + Math.Abs(_windUp) + Math.Abs(airZ) + _fastestWind + (rolls ? 0 : dt * material.Sliding * _weight);
         double spinAtMost = Math.Abs(start.WX) + Math.Abs(start.WY) + Math.Abs(start.WZ);
         if (!(size >= ContactTolerances.Rolling) || !(dt * (_limit.RateAtMost(airSpeed, spinAtMost) + material.Damping) <= StabilityLimit.LargestChange)
@@ -316,7 +316,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Move(ref BallState s, in StepOn on, in Vector3d position, in Vector3d turn, in PlaneMotion last, double end)
+    private void Move(ref BallState s, in PlaneStart on, in Vector3d position, in Vector3d turn, in PlaneMotion last, double end)
     {
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = position;
@@ -331,8 +331,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     private void MoveAndShow<TMotion>(
         StepLog log,
         ref BallState s,
-        in StepOn on,
-        in Material material,
+        in PlaneStart on,
+        in PlaneMaterial material,
         in Vector3d position,
         in Vector3d turn,
         in PlaneRates first,
@@ -380,7 +380,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// B and C contain the air's share in the load, and so in friction.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void RatesOf<TMotion>(in StepOn on, in Material material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
+    private void RatesOf<TMotion>(in PlaneStart on, in PlaneMaterial material, in PlaneMotion at, double after, double wayX, double wayZ, out PlaneRates rates)
         where TMotion : struct, ISurfaceMotion
     {
         double vx = at.VX;
@@ -475,7 +475,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
 
     /// <summary>Returns the wind at a position and time, in the plane's axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private Vector3d WindAt(in StepOn on, double after, double wayX, double wayZ)
+    private Vector3d WindAt(in PlaneStart on, double after, double wayX, double wayZ)
     {
         Vector3d at = on.From + InWorld(wayX, 0, wayZ);
         Vector3d wind = _air.WindAt(on.Time + after, at.X, at.Y, at.Z);
@@ -483,7 +483,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     }
 
     /// <summary>True if the step may have crossed the jump of the drag law (conservative).</summary>
-    private bool MayCrossJump(in StepOn on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
+    private bool MayCrossJump(in PlaneStart on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
     {
         DragJump from = JumpAt(in start);
         double ux = start.VX - _windX;
@@ -500,84 +500,5 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double uz = at.VZ - _windZ;
         return DragJump.At(
             (ux * ux) + (_windUp * _windUp) + (uz * uz), _radiusSquared * ((at.WX * at.WX) + (at.WY * at.WY) + (at.WZ * at.WZ)));
-    }
-
-    /// <summary>Constants of a material, per mass or per moment of inertia.</summary>
-    private readonly struct Material(in ContactMaterial of, BallProperties ball)
-    {
-        /// <summary>μ_s.</summary>
-        public readonly double Sliding = of.SlidingFriction;
-
-        /// <summary>μ_s/(α r), 1/m: the angular acceleration per load and mass.</summary>
-        public readonly double SlidingTorque = of.SlidingFriction / (ball.InertiaFactor * ball.Radius);
-
-        /// <summary>(1 + 1/α) μ_s: the rate at which friction alone ends the slip, per load and mass.</summary>
-        public readonly double SlipFriction = (1.0 + (1.0 / ball.InertiaFactor)) * of.SlidingFriction;
-
-        /// <summary>c₀.</summary>
-        public readonly double Rolling = of.RollingFriction;
-
-        /// <summary>c₁, s/m.</summary>
-        public readonly double RollingBySpeed = of.RollingFrictionBySpeed;
-
-        /// <summary>b μ_s m/I, 1/m.</summary>
-        public readonly double Drilling = of.DrillingLength * of.SlidingFriction * ball.Mass / ball.MomentOfInertia;
-
-        /// <summary>c_ω/I, 1/s.</summary>
-        public readonly double Damping = of.SpinDamping / ball.MomentOfInertia;
-    }
-
-    /// <summary>Constants of a step.</summary>
-    private struct StepOn
-    {
-        public Vector3d From;
-        public double Time;
-
-        /// <summary>Direction of the roll or the slip at the start. Friction keeps this direction if a stage passes zero.</summary>
-        public double X;
-        public double Z;
-
-        /// <summary>Sign of the spin about the normal. Drilling friction keeps this sign.</summary>
-        public double SpinSign;
-        public DragBranch Branch;
-    }
-
-    /// <summary>Compile-time choice between rolling and sliding.</summary>
-    private interface ISurfaceMotion { bool Rolls { get; } }
-
-    private readonly struct Roll : ISurfaceMotion
-    {
-        public bool Rolls => true;
-    }
-
-    private readonly struct Slide : ISurfaceMotion
-    {
-        public bool Rolls => false;
-    }
-
-    /// <summary>Velocity and spin in the plane's axes: x and z along the plane, y along its normal.</summary>
-    private struct PlaneMotion
-    {
-        public double VX;
-        public double VZ;
-        public double WX;
-        public double WY;
-        public double WZ;
-
-        public readonly Vector3d Spin => new(WX, WY, WZ);
-    }
-
-    /// <summary>Rates of change of the motion, the load per mass, the squared traction of a roll per mass, and the squared braking of the
-    /// spin by the air in a slide.</summary>
-    private struct PlaneRates
-    {
-        public double AX;
-        public double AZ;
-        public double BX;
-        public double BY;
-        public double BZ;
-        public double Load;
-        public double TractionSquared;
-        public double BrakingSquared;
     }
 }

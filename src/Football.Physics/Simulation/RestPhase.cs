@@ -166,17 +166,8 @@ internal sealed unsafe class RestPhase
     private bool Grips(in BallState s, Collider carrier, in Vector3d velocity, in Vector3d gained, in Vector3d turned, ref int evaluations)
     {
         var still = new Motion(s.Position, in velocity, carrier.Spin);
-        var system = new SurfaceSystem
-        {
-            Around = _around,
-            World = _world,
-            Carrier = carrier,
-            Material = carrier.MaterialAt(s.Position),
-            Branch = _jump.OnSurface(DragBranch.Unknown, in still),
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-            Rolls = true,
-        };
+        var system = SurfaceSystem.On(_around, carrier, in s, _jump.OnSurface(DragBranch.Unknown, in still));
+        system.Rolls = true;
         SurfaceForces on = system.ForcesOn(s.Time, in still);
         evaluations++;
         double alpha = _world.Ball.InertiaFactor;

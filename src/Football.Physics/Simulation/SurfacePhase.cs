@@ -511,20 +511,12 @@ internal sealed class SurfacePhase<TIntegrator>
         Collider carrier = _world.CarrierOf(in s);
         ShapePoint at = carrier.At(s.Position, s.Time);
         double about = Vector3d.Dot(from.Spin, at.Normal) - Vector3d.Dot(carrier.Spin, at.Normal);
-        return new SurfaceSystem
-        {
-            Around = _around,
-            World = _world,
-            Carrier = carrier,
-            Material = carrier.MaterialAt(s.Position),
-            Branch = _jump.OnSurface(s.Branch, in from),
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-            Rolls = rolls,
-            StartSpin = from.Spin,
-            IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat,
-            FaceNormal = at.Normal,
-            SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0,
-        };
+        var system = SurfaceSystem.On(_around, carrier, in s, _jump.OnSurface(s.Branch, in from));
+        system.Rolls = rolls;
+        system.StartSpin = from.Spin;
+        system.IsFace = carrier.HasFaces && !carrier.Rotates && at.IsFlat;
+        system.FaceNormal = at.Normal;
+        system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
+        return system;
     }
 }

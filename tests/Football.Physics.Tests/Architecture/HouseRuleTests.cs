@@ -4,10 +4,23 @@ namespace FootballPhysics.Tests.Architecture;
 public sealed class HouseRuleTests
 {
     [Fact]
-    public void No_file_is_longer_than_600_lines() => Assert.Empty(HouseRules.LongFiles(SourceFile.Library));
+    public void No_file_is_longer_than_550_lines() => Assert.Empty(HouseRules.LongFiles(SourceFile.Library));
 
     [Fact]
     public void No_type_is_longer_than_600_lines_in_all_its_parts() => Assert.Empty(HouseRules.LongTypes(SourceFile.Library));
+
+    [Fact]
+    public void No_method_is_longer_than_171_lines() => Assert.Empty(HouseRules.LongMethods(SourceFile.Library));
+
+    [Fact]
+    public void A_long_method_is_found()
+    {
+        string Method(int lines) =>
+            "namespace N;\n\nclass A\n{\n    int B { get; }\n\n    [C]\n    void D<T>(T t)\n        where T : struct\n    {\n"
+            + string.Concat(Enumerable.Repeat("        E(t => { });\n", lines - 5)) + "    }\n}\n";
+        Assert.Empty(HouseRules.LongMethods([File("Air/A.cs", Method(HouseRules.LongestMethod))]));
+        Assert.Equal(["Air/A.cs(7): 172 lines"], HouseRules.LongMethods([File("Air/A.cs", Method(HouseRules.LongestMethod + 1))]));
+    }
 
     [Fact]
     public void Nothing_asks_what_a_type_parameter_is() => Assert.Empty(HouseRules.QuestionsOfType(SourceFile.Library));
@@ -60,8 +73,8 @@ public sealed class HouseRuleTests
     [Fact]
     public void A_long_file_is_found()
     {
-        Assert.Empty(HouseRules.LongFiles([File("Air/A.cs", Lines(600))]));
-        Assert.Equal(["Air/A.cs: 601 lines"], HouseRules.LongFiles([File("Air/A.cs", Lines(601))]));
+        Assert.Empty(HouseRules.LongFiles([File("Air/A.cs", Lines(HouseRules.LongestFile))]));
+        Assert.Equal(["Air/A.cs: 551 lines"], HouseRules.LongFiles([File("Air/A.cs", Lines(HouseRules.LongestFile + 1))]));
     }
 
     [Fact]

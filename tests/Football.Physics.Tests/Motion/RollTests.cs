@@ -31,7 +31,7 @@ public sealed class RollTests
         BallState state = Flight.Play(
             profile.Scene(), SolverSettings.Default, 0.01, 1, StopAt.Time, s_start, new Vector3d(3, 0, 4), new Vector3d(4 / Flight.Radius, 7, -3 / Flight.Radius), out _);
         Assert.Equal(MotionState.Rolling, state.Motion);
-        Assert.Equal(0, Slip.Of(state.Velocity, state.Spin, Flight.Radius).Length, 1e-14);
+        Assert.Equal(0, Slip.Of(state.Velocity, state.Spin, Vector3d.Up, Flight.Radius).Length, 1e-14);
         Assert.Equal(0.75, state.Velocity.X / state.Velocity.Z, 0.05);
     }
 

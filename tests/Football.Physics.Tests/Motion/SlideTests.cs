@@ -100,9 +100,9 @@ public sealed class SlideTests
                     var log = new StepLog();
                     while (state.Motion == MotionState.Sliding && state.Time < 10)
                     {
-                        Vector3d before = Slip.Of(state.Velocity, state.Spin, Flight.Radius);
+                        Vector3d before = Slip.Of(state.Velocity, state.Spin, Vector3d.Up, Flight.Radius);
                         simulator.Step(ref state, timeStep, log);
-                        Vector3d after = Slip.Of(state.Velocity, state.Spin, Flight.Radius);
+                        Vector3d after = Slip.Of(state.Velocity, state.Spin, Vector3d.Up, Flight.Radius);
                         Assert.True(Vector3d.Dot(before, after) >= -1e-14, $"{integrator} {timeStep} s: {before} to {after}");
                     }
 
@@ -125,7 +125,7 @@ public sealed class SlideTests
             Assert.Equal(BallEventKind.Roll, roll.Kind);
             Assert.InRange(roll.Time - exact, -1.5 * timeStep, 2 * timeStep);
             Assert.Equal(roll.Time / timeStep, Math.Round(roll.Time / timeStep), 1e-6);
-            Assert.Equal(0, Slip.Of(roll.Velocity, roll.Spin, Flight.Radius).Length, 1e-14);
+            Assert.Equal(0, Slip.Of(roll.Velocity, roll.Spin, Vector3d.Up, Flight.Radius).Length, 1e-14);
             Assert.Equal(4.8, roll.Velocity.X, 0.5 * 9.81 * 2 * timeStep);
         }
     }

@@ -107,7 +107,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public bool IsHit(double[] r) => new Vector3d(r[0], r[1], r[2]).Length <= Enough * _request.Tolerance;
 
-    public bool Fly(double[] x, double[] r)
+    public bool Evaluate(double[] x, double[] r)
     {
         bool meets = Fly(x[0], x[1], FineStep);
         Vector3d gap = _flight.Position - _frame.Target;

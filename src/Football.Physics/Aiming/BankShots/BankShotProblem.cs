@@ -135,7 +135,7 @@ internal sealed class BankShotProblem : ILeastSquares
     }
 
     /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
-    public bool Fly(double[] x, double[] r)
+    public bool Evaluate(double[] x, double[] r)
     {
         // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Fly for its duration, and store the gap. 3. Apply
         // the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.

@@ -157,7 +157,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
     /// <summary>Flies a kick and computes its residuals.</summary>
-    public bool Fly(double[] x, double[] r)
+    public bool Evaluate(double[] x, double[] r)
     {
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
@@ -313,7 +313,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     public double GapAt(double[] x, double time)
     {
         x[LogTime] = Elementary.Log(time);
-        Fly(x, _residuals);
+        Evaluate(x, _residuals);
         return (_residuals[0] * _residuals[0]) + (_residuals[1] * _residuals[1]) + (_residuals[2] * _residuals[2]);
     }
 

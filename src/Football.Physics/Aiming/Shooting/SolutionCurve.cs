@@ -105,7 +105,7 @@ internal sealed class SolutionCurve
     /// <summary>True if a longer time means a slower kick at this point of the curve.</summary>
     public bool SlowsWithTime(double[] x)
     {
-        _problem.Fly(x, _solver.Residuals);
+        _problem.Evaluate(x, _solver.Residuals);
         Tangent(measures: true, x);
         return _tangent[3] > 0;
     }

@@ -51,7 +51,7 @@ internal abstract class TouchProblem : ILeastSquares
     {
     }
 
-    public bool Fly(double[] x, double[] r)
+    public bool Evaluate(double[] x, double[] r)
     {
         _flights++;
         Wanted(x, out Vector3d velocity, out Vector3d spin);
@@ -75,7 +75,7 @@ internal abstract class TouchProblem : ILeastSquares
         // The solver may end on a rejected trial. Fly the best solution again, so that Strike and End belong to it.
         bool hit = _solver.Solve(x);
         _flights = 0;
-        bool flies = Fly(x, _solver.Residuals);
+        bool flies = Evaluate(x, _solver.Residuals);
         return hit && flies;
     }
 

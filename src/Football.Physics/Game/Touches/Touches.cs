@@ -90,7 +90,7 @@ public sealed class Touches
         }
 
         // Fly the chosen touch: the result reports its position, speed and strike.
-        _dribble.Fly(_x, _residuals);
+        _dribble.Evaluate(_x, _residuals);
         double miss = Off(_residuals);
         double paceMiss = Math.Abs(_residuals[2]);
         TouchStatus status = miss <= request.Tolerance ? TouchStatus.Done : !_dribble.Strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
@@ -118,7 +118,7 @@ public sealed class Touches
 
         // As a first guess, the ball takes the player's velocity at once.
         _trap.Solve(_x);
-        _trap.Fly(_x, _residuals);
+        _trap.Evaluate(_x, _residuals);
         double off = Off(_residuals);
         FootStrike strike = _trap.Strike;
         BallState end = _trap.End;
@@ -206,7 +206,7 @@ public sealed class Touches
         }
 
         (_x[0], _x[1]) = (elevation, azimuth);
-        _shot.Fly(_x, _residuals);
+        _shot.Evaluate(_x, _residuals);
     }
 
     private static AimRequest AimFor(in BallState ball, FirstTimeRequest request, double speed) => new()

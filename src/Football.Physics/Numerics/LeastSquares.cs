@@ -1,4 +1,4 @@
-namespace FootballPhysics.Aiming;
+namespace FootballPhysics;
 
 /// <summary>A problem with bounded unknowns; a solution makes its residuals zero.</summary>
 internal interface ILeastSquares
@@ -9,7 +9,7 @@ internal interface ILeastSquares
     /// <summary>The number of residuals.</summary>
     int Equations { get; }
 
-    /// <summary>True if the budget of flights is used up.</summary>
+    /// <summary>True if the budget of evaluations is used up.</summary>
     bool IsSpent { get; }
 
     /// <summary>True if an unknown is free.</summary>
@@ -25,10 +25,10 @@ internal interface ILeastSquares
     double Difference(int unknown);
 
     /// <summary>Computes the residuals.</summary>
-    /// <returns>False if a flight ends too early to have residuals.</returns>
-    bool Fly(double[] x, double[] r);
+    /// <returns>False if there are none, such as those of a flight that ends too early.</returns>
+    bool Evaluate(double[] x, double[] r);
 
-    /// <summary>Sets the closed-form columns for the last flight.</summary>
+    /// <summary>Sets the closed-form columns for the last evaluation.</summary>
     void KnownColumns(double[] x, double[] j);
 
     /// <summary>True if the residuals are small enough.</summary>
@@ -104,9 +104,9 @@ internal sealed class LeastSquares
     /// <returns>True if the solution is a hit.</returns>
     public bool Solve(double[] x, bool isMeasured = false)
     {
-        // 1. Fly to compute the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Take a step, with more
+        // 1. Compute the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Take a step, with more
         // damping until it improves. 4. Give up after several slow steps: no solution is near.
-        if (!_problem.Fly(x, Residuals))
+        if (!_problem.Evaluate(x, Residuals))
         {
             return false;
         }
@@ -123,7 +123,7 @@ internal sealed class LeastSquares
                 return true;
             }
 
-            // Without a neighbouring kick that reaches the target, there is no difference quotient.
+            // Without residuals at a neighbouring point, there is no difference quotient.
             if (measures && !Measure(x))
             {
                 return false;
@@ -151,7 +151,7 @@ internal sealed class LeastSquares
         return _problem.IsHit(Residuals);
     }
 
-    /// <summary>Measures the Jacobian at the last flight by differences.</summary>
+    /// <summary>Measures the Jacobian at the last evaluation by differences.</summary>
     public bool Measure(double[] x)
     {
         _problem.KnownColumns(x, Jacobian);
@@ -167,7 +167,7 @@ internal sealed class LeastSquares
             // Use a backward difference if a bound is in the way.
             double beside = x[k] + difference;
             _next[k] = _problem.Clamp(k, beside) == beside ? beside : x[k] - difference;
-            if (!_problem.Fly(_next, _nextResiduals))
+            if (!_problem.Evaluate(_next, _nextResiduals))
             {
                 return false;
             }
@@ -186,10 +186,10 @@ internal sealed class LeastSquares
     /// <summary>Takes a step that reduces the squares, with as much damping as necessary.</summary>
     private bool Improve(double[] x, ref double cost, ref double damping)
     {
-        // More damping shortens a step and turns it downhill. A flight that ends too early counts as a worse miss.
+        // More damping shortens a step and turns it downhill. A point without residuals counts as worse.
         for (int k = 0; k < MostTries; k++)
         {
-            if (Step(x, damping) && _problem.Fly(_next, _nextResiduals))
+            if (Step(x, damping) && _problem.Evaluate(_next, _nextResiduals))
             {
                 // Accept an improvement, and reduce the damping, which brings the next step closer to Newton's.
                 double next = Squares(_nextResiduals);
@@ -207,8 +207,8 @@ internal sealed class LeastSquares
             damping *= 10;
         }
 
-        // Restore the flight of the current kick: the next measurement is relative to it.
-        _problem.Fly(x, Residuals);
+        // Restore the evaluation of the current point: the next measurement is relative to it.
+        _problem.Evaluate(x, Residuals);
         return false;
     }
 

@@ -1,0 +1,158 @@
+namespace FootballPhysics.Aiming;
+
+/// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>
+internal class KickLook : ApproachFlight
+{
+    /// <summary>Steps on the ground as a share of those in the air, and their maximum, in s; a longer step would be split and save nothing.</summary>
+    private const double GroundShare = 0.2;
+    private const double LongestRoll = 0.08;
+
+    /// <param name="simulator">The scene.</param>
+    public KickLook(Simulator simulator)
+        : base(simulator)
+    {
+    }
+
+    /// <summary>The positions of the ball and the target.</summary>
+    protected TargetFrame Frame { get; private set; }
+
+    /// <summary>Estimates the closest approach of a kick.</summary>
+    /// <param name="frame">Ball and target.</param>
+    /// <param name="targetVelocity">The velocity of the target, in m/s.</param>
+    /// <param name="kick">The kick.</param>
+    /// <param name="speed">The speed of the kick, in m/s.</param>
+    /// <param name="timeStep">The step of the flight, in s.</param>
+    public virtual Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
+    {
+        // Fly until the ball comes no closer; the start counts as an approach.
+        kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
+        BallState state = Simulator.Launch(frame.From, velocity, spin);
+        Frame = frame;
+        Begin(in state, timeStep, AimContext.LongestFlight, in frame.Target, in targetVelocity);
+        TakeEnd(in state, state.Velocity);
+        Fly(ref state);
+        var approach = new Approach { Kick = kick, Miss = Miss, Time = Time, Gap = Gap(Position, Time) };
+        approach.Above = IsAbove(approach.Gap, kick.Direction(in frame.Forward));
+        return approach;
+    }
+
+    public override double StepFrom(in BallState state, out bool watches)
+    {
+        watches = false;
+        double step = state.Motion == MotionState.Airborne ? TimeStep : Math.Min(GroundShare * TimeStep, LongestRoll);
+        return Math.Min(step, Last - state.Time);
+    }
+
+    public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
+    {
+        // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before it.
+        Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
+        if (!Passes(in before, in after, in velocity))
+        {
+            TakeEnd(in after, in velocity);
+            return false;
+        }
+
+        if (ended || log.Steps != 1)
+        {
+            return true;
+        }
+
+        Add(PathSegment.Cubic(in before, in after));
+        return false;
+    }
+
+    public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
+    {
+        if (ended || (after.Motion == MotionState.Rest && TargetVelocity == Vector3d.Zero))
+        {
+            return true;
+        }
+
+        Vector3d gap = Gap(after.Position, after.Time);
+        return after.Motion == MotionState.Airborne ? Leaves(in after, in gap) : IsPast(after.Motion, in gap, after.Velocity, Squared);
+    }
+
+    /// <summary>True if an airborne ball can come no closer; false in wind or for a moving target, because it may still do so.</summary>
+    protected virtual bool Leaves(in BallState state, in Vector3d gap) => false;
+
+    /// <summary>True if the ball passes above the target, in the vertical plane of the motion.</summary>
+    protected bool IsAbove(in Vector3d gap, in Vector3d ahead)
+    {
+        // The side of the path on which the target lies: the sign of the cross product of velocity and gap.
+        Vector3d moving = Velocity - TargetVelocity;
+        return (Vector3d.Dot(in moving, in ahead) * gap.Y) - (moving.Y * Vector3d.Dot(in gap, in ahead)) > 0;
+    }
+
+    /// <summary>Returns the velocity with which the ball hit the ground.</summary>
+    private static Vector3d BeforeImpact(EventBuffer events)
+    {
+        int last = events.Count - 1;
+        return events[events[last].Kind == BallEventKind.Impact ? last : last - 1].VelocityBefore;
+    }
+}
+
+/// <summary>Estimates the closest approach in still air, for a target at rest, independent of the azimuth.</summary>
+/// <remarks>
+/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only the target's distance
+/// and height matter, and one flight yields the azimuth that hits.
+/// </remarks>
+internal sealed class TurningLook : KickLook
+{
+    private bool _isBeyond;
+
+    /// <param name="simulator">The scene.</param>
+    public TurningLook(Simulator simulator)
+        : base(simulator)
+    {
+    }
+
+    public override Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
+    {
+        _isBeyond = false;
+        Approach approach = base.Fly(in frame, in targetVelocity, in kick, speed, timeStep);
+
+        // The target was rotated to the ball's bearing; rotate the kick back by this bearing, so that the ball reaches the target.
+        Vector3d went = (Position - frame.From).Horizontal;
+        double length = went.Length;
+        Vector3d ahead = length > 1e-9 ? went / length : kick.Direction(in frame.Forward);
+        approach.Kick.Azimuth -= length > 0 ? Elementary.Atan2(Vector3d.Dot(in went, in frame.Left), Vector3d.Dot(in went, in frame.Forward)) : 0;
+
+        // A path that ends short of the target's distance passes below the target, whatever its final direction.
+        approach.Above = _isBeyond && IsAbove(approach.Gap, in ahead);
+        return approach;
+    }
+
+    public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
+    {
+        _isBeyond |= before.Motion == MotionState.Airborne && (after.Position - Frame.From).Horizontal.LengthSquared >= Frame.Distance * Frame.Distance;
+        return base.IsOver(in before, in after, events, ended);
+    }
+
+    protected override Vector3d TargetFor(in Vector3d position)
+    {
+        Vector3d went = (position - Frame.From).Horizontal;
+        double length = went.Length;
+        return length > 1e-9 ? new Vector3d(Frame.From.X, Target.Y, Frame.From.Z) + (Frame.Distance / length * went) : Target;
+    }
+
+    protected override double ClosestApproach(in PathSegment piece, out double time)
+    {
+        // The target rotates with the ball: start from the ball's position at the midpoint, and iterate to the closest approach.
+        time = piece.Time + (0.5 * piece.Length);
+        for (int i = 0; i < 2; i++)
+        {
+            piece.ClosestApproach(TargetFor(piece.PositionAt(time)), out time);
+        }
+
+        return Gap(piece.PositionAt(time), time).LengthSquared;
+    }
+
+    protected override bool Leaves(in BallState state, in Vector3d gap)
+    {
+        // The ball is farther away horizontally than the best approach, or is falling beyond and below the target.
+        Vector3d flat = gap.Horizontal;
+        return Vector3d.Dot(in flat, state.Velocity) > 0 && Vector3d.Dot(state.Position - Frame.From, in flat) > 0
+            && (flat.LengthSquared > Squared || (gap.Y < 0 && state.Velocity.Y < 0));
+    }
+}
