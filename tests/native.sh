@@ -27,36 +27,35 @@ quietly() {
   "$@" > "$log" 2>&1 || fail "$what"
 }
 
-# --- the library
+# page SECTION: runs the blocks of a section of a page exactly as printed, in a folder like a new clone.
+mkdir "$work/clone"
+git ls-tree -z --name-only HEAD | while IFS= read -r -d '' entry; do ln -s "$root/$entry" "$work/clone/"; done
+page() { (cd "$work/clone" && "$root/tests/blocks.py" run "$1") > "$log" 2>&1 || fail "$1"; }
+
+# --- the library and the sample
 
 start=$SECONDS
-# DIR is relative, as on the page.
-cd "$work"
-quietly "build.sh" "$root/src/Football.Physics.Native/build.sh" prefix
-cd "$root"
+CFLAGS="-Wall -Wextra -Werror -pedantic" page docs/c.md#c-c-and-unreal
+prefix=$work/clone/out/native
 if grep -qE 'warning (IL|AOT)' "$log"; then fail "build.sh has warnings"; fi
-library=$work/prefix/lib/libfootball_physics.so
+library=$prefix/lib/libfootball_physics.so
 kib=$(( $(stat -c %s "$library") / 1024 ))
 (( kib <= most_kib )) || fail "the library has $kib KiB; allowed: $most_kib"
-ok "libfootball_physics.so, $kib KiB of at most $most_kib, built in $(( SECONDS - start )) s"
+ok "libfootball_physics.so, $kib KiB of at most $most_kib, built in $(( SECONDS - start )) s as docs/c.md says"
 
 diff <(nm -D --defined-only "$library" | awk '{ sub(/@.*/, "", $3) } $3 ~ /^fp_/ { print $3 }' | sort) \
-  <(grep -oE '\bfp_[a-z_]+\(' "$work/prefix/include/football_physics.h" | grep -v '^fp_.*_ABI' | tr -d '(' | sort -u) > "$log" || fail "exports and header differ"
+  <(grep -oE '\bfp_[a-z_]+\(' "$prefix/include/football_physics.h" | grep -v '^fp_.*_ABI' | tr -d '(' | sort -u) > "$log" || fail "exports and header differ"
 ok "exports: the $(nm -D --defined-only "$library" | grep -c ' fp_') functions of the header, no more and no fewer"
 
-strict=(-Wall -Wextra -Werror -I"$work/prefix/include")
-link=(-L"$work/prefix/lib" -lfootball_physics "-Wl,-rpath,$work/prefix/lib" -lm)
+strict=(-Wall -Wextra -Werror -I"$prefix/include")
+link=(-L"$prefix/lib" -lfootball_physics "-Wl,-rpath,$prefix/lib" -lm)
 printf '#include <football_physics.h>\nint main() { return fp_hash(nullptr) != 0 || FP_CHECK_ABI() != FP_OK; }\n' > "$work/header.cpp"
 quietly "the header in C++" g++ -std=c++17 -pedantic "${strict[@]}" "$work/header.cpp" -o "$work/header" "${link[@]}"
 quietly "the C++ program" "$work/header"
 ok "the header compiles as C++17, -pedantic"
 
-# --- the sample
-
-quietly "cmake" cmake -S samples/C -B "$work/sample" "-DCMAKE_PREFIX_PATH=$work/prefix" -DCMAKE_C_FLAGS="-Wall -Wextra -Werror -pedantic"
-quietly "cmake --build" cmake --build "$work/sample"
-quietly "ctest" ctest --test-dir "$work/sample" --output-on-failure
-"$work/sample/free_kick" > "$work/said"
+quietly "ctest" ctest --test-dir "$work/clone/out/c" --output-on-failure
+"$work/clone/out/c/free_kick" > "$work/said"
 ok "samples/C, $(grep -c . samples/C/free_kick.c) lines, found by CMake: $(head -n 1 "$work/said"), $(tail -n 1 "$work/said")"
 
 # --- bits and hostile calls
@@ -87,24 +86,24 @@ ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitiz
 
 # --- Python
 
-quietly "wheel" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/wheel"
-wheel=$(echo "$work"/wheel/*.whl)
+# The system's Python has numpy.
+PATH=/usr/bin:$PATH page docs/data-sets.md#python
+wheel=$(echo "$work"/clone/out/wheel/*.whl)
+python=$work/clone/out/python/bin/python
 quietly "wheel again" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/again"
 cmp "$wheel" "$work"/again/*.whl > "$log" || fail "the wheel built twice differs"
-quietly "venv" /usr/bin/python3 -m venv --system-site-packages "$work/venv"
-quietly "pip install" "$work/venv/bin/pip" install --no-index --disable-pip-version-check "$wheel"
-ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the standard library, the same bytes twice, installed by pip into a fresh environment"
+ok "$(basename "$wheel"), $(( $(stat -c %s "$wheel") / 1024 )) KiB, built by the standard library, the same bytes twice, installed by pip into a fresh environment as docs/data-sets.md says"
 cd "$work"
-"$work/venv/bin/python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
+"$python" -m unittest discover -s "$root/tests/Python" > "$log" 2>&1 || fail "tests/Python"
 ok "tests/Python: $(grep -E '^Ran ' "$log")"
-"$work/venv/bin/python" "$root/tests/Python/pages.py" "$root/docs/data-sets.md#Python" > "$work/said" 2> "$log" || fail "docs/data-sets.md, Python"
+"$python" "$root/tests/Python/pages.py" "$root/docs/data-sets.md#Python" > "$work/said" 2> "$log" || fail "docs/data-sets.md, Python"
 ok "$(tail -n 1 "$work/said")"
-"$work/venv/bin/python" "$root/src/Football.Physics.Python/examples/free_kick.py" 150 > "$work/said" 2> "$log" || fail "examples/free_kick.py"
+"$python" "$root/src/Football.Physics.Python/examples/free_kick.py" 150 > "$work/said" 2> "$log" || fail "examples/free_kick.py"
 [[ -s free_kick.svg ]] || fail "examples/free_kick.py draws nothing"
 goals=$(awk '/goals of 100/ { print $1 }' "$work/said")
 (( goals >= 90 )) || fail "examples/free_kick.py: $goals goals of 100"
 ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
-"$work/venv/bin/python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$work/prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
+"$python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
 ok "$(tail -n 1 "$work/said")"
 
 # --- LÖVE and pygame: a kick without a person, and its picture

@@ -55,19 +55,22 @@ copy() {
 # --- the package
 
 parts=(Football.Physics Football.Physics.{Batch,Engines,Thesis,Tracks})
-version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
-# Analyzers say nothing about the bytes; the solution's own build runs them.
-pack() {
-  (cd "$1" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Packages.proj -o "$2" "-p:Version=$version" -p:RunAnalyzers=false "${@:3}")
+version=$(sed -nE 's|.*<VersionPrefix>(.*)</VersionPrefix>.*|\1|p' Directory.Build.props)
+blocks=$root/tests/blocks.py
+# page SECTION [N…]: runs the blocks of a section of a page exactly as printed, in a copy of the sources. pack_page: a block that packs, for which the SDK's own packages are in the usual cache.
+# Analyzers do not change the bytes; the build of the solution runs them.
+page() {
+  (cd "$work/one" && RunAnalyzers=false ContinuousIntegrationBuild=true "$blocks" run "$@") > "$work/said" 2> "$log" || { cat "$work/said" >> "$log"; fail "$*"; }
 }
+pack_page() { (unset NUGET_PACKAGES CI; page "$@"); }
 # entries PACKAGE: each entry with its size, time and CRC; but for code compiled ahead of time, and for the lines about the file itself.
 entries() { unzip -lv "$1" | grep -v ' runtimes/' | sed '1d;$d'; }
 
 copy "$work/one"
 copy "$work/two/elsewhere"
-quietly "pack" pack "$work/one" "$feed" -p:PackReadyToRun=true -p:ContinuousIntegrationBuild=true
+pack_page docs/performance.md#warm-up-the-first-step-is-slow
 package=$feed/Football.Physics.$version.nupkg
-ok "dotnet pack: $(cd "$feed" && echo *.nupkg), validated: the same API on every target, nothing gone that the last version had"
+ok "docs/performance.md: $(cd "$feed" && echo *.nupkg), validated: the same API on every target, nothing gone that the last version had"
 
 for part in "${parts[@]}"; do
   each=$feed/$part.$version.nupkg
@@ -109,7 +112,8 @@ has "$documented" 'M:FootballPhysics.Ball.Kick(' "no documentation of Ball.Kick"
 ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB that of the library: 3 assemblies each with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence; no dependency but on the library"
 
 # Code ahead of time is made from these assemblies by a tool of .NET's own, for a minute: not twice.
-quietly "pack again" pack "$work/two/elsewhere" "$work/feed2"
+pack_again() { (cd "$work/two/elsewhere" && env -u NUGET_PACKAGES -u CI dotnet pack -c Release src/Packages.proj -o "$work/feed2" -p:RunAnalyzers=false); }
+quietly "pack again" pack_again
 for part in "${parts[@]}"; do
   each=$part.$version
   diff <(entries "$feed/$each.nupkg") <(entries "$work/feed2/$each.nupkg") > "$log" || fail "packed in another folder, $part.nupkg differs"
@@ -121,10 +125,10 @@ ok "deterministic: packed in another folder, on no build server, the assemblies,
 
 mkdir -p "$work/one/samples"
 cp -R samples/Unity "$work/one/samples/"
-# The version is that of the package above, so that nothing is built twice; the address is one that only git is told.
+# The address is one that only git is told.
 address=https://github.com/someone/football
 tarball=$(cd "$work/one" && env -u NUGET_PACKAGES GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=remote.origin.url "GIT_CONFIG_VALUE_0=$address.git" \
-  "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh "$work/unity" 2> "$log") \
+  RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh "$work/unity" 2> "$log") \
   || fail "samples/Unity/build.sh"
 tar -xzf "$tarball" -C "$work/unity"
 manifest=$work/unity/package/package.json
@@ -141,7 +145,7 @@ ok "package for Unity, $(basename "$tarball"): the folder with its $(find "$work
 # By git URL: a branch with the built package as its only content, cloned as Unity's package manager does.
 unity_branch() {
   (cd "$work/one" && env -u NUGET_PACKAGES GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.com GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.com \
-    "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh --branch upm)
+    RunAnalyzers=false ContinuousIntegrationBuild=true samples/Unity/build.sh --branch upm)
 }
 quietly "samples/Unity/build.sh --branch" unity_branch
 quietly "git clone of the branch" git clone -q --depth 1 --branch upm "file://$work/one" "$work/upm"
@@ -230,30 +234,22 @@ same "netstandard2.1 assembly on Mono" mono "$work/mono/host.exe"
 same "netstandard2.1 assembly on Mono, floats as floats" mono -O=float32 "$work/mono/host.exe"
 same "netstandard2.1 assembly on Mono, all optimisations" mono -O=all "$work/mono/host.exe"
 
-# --- a fresh project that follows getting started, line by line, and the README's first program in it
+# --- the pages of a new user
 
-cd "$work/one"
-blocks() { awk -v kind="$2" '$0 == "```" kind { taken = 1; next } /^```/ { if (taken) print "--"; taken = 0; next } taken' "$1"; }
-first() { blocks "$1" csharp | awk '/^--$/ { exit } { print }'; }
-step=0
-while IFS= read -r line; do
-  [[ $line == -- || -z $line ]] && continue
-  step=$(( step + 1 ))
-  [[ $line == "dotnet run"* ]] && first "$root/docs/getting-started.md" > ../MyGame/Program.cs
-  # The version is that of the package above, so that nothing is built twice; the SDK's own packages are where they always are.
-  case $line in
-    "dotnet pack"*) quietly "getting started: $line" env -u NUGET_PACKAGES "Version=$version" RunAnalyzers=false ContinuousIntegrationBuild=true bash -c "$line" < /dev/null ;;
-    "dotnet add"*) bash -c "$line --prerelease" < /dev/null > "$work/said" 2> "$log" || fail "getting started: $line" ;;
-    *) bash -c "$line" < /dev/null > "$work/said" 2> "$log" || fail "getting started: $line" ;;
-  esac
-done < <(blocks "$root/docs/getting-started.md" sh)
-(( step == 4 )) || fail "docs/getting-started.md has $step lines for a shell, not 4"
-grep -q '^Impact after ' "$work/said" && grep -q '^Rest after ' "$work/said" || fail "getting started: the first kick prints $(cat "$work/said")"
-ok "getting started, $step lines as they stand: $(head -n 1 "$work/said")"
+pack_page docs/getting-started.md#install 1
+page docs/getting-started.md#install 2 3
+"$blocks" show docs/getting-started.md#a-first-kick csharp > "$work/MyGame/Program.cs"
+page docs/getting-started.md#a-first-kick
+"$blocks" show docs/getting-started.md#a-first-kick text > "$work/expected"
+diff "$work/expected" "$work/said" > "$log" || fail "docs/getting-started.md: the first kick prints something else than the page"
+ok "docs/getting-started.md: $(head -n 1 "$work/said")"
 
-cd ../MyGame
-first "$root/README.md" > Program.cs
-[[ -s Program.cs ]] || fail "README.md has no C# block"
+rm -rf "$work/MyGame"
+pack_page README.md#install 1
+page README.md#install 2
+"$blocks" show README.md#ten-lines csharp > "$work/MyGame/Program.cs"
+cd "$work/MyGame"
 dotnet run -c Release > "$work/said" 2> "$log" || fail "the README's first program"
-[[ -s $work/said ]] || fail "the README's first program prints nothing"
-ok "README's first program, $(grep -c . Program.cs) lines in that project: $(tr '\n' ' ' < "$work/said")"
+"$blocks" show README.md#ten-lines text > "$work/expected"
+diff "$work/expected" "$work/said" > "$log" || fail "the README's first program prints something else than the README"
+ok "README.md, Install, and the first program, $(grep -c . Program.cs) lines in that project: $(tr '\n' ' ' < "$work/said")"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Packs the command line as a .NET tool, installs it from a local feed as a stranger would, and runs it.
+# Packs the command line as a .NET tool, installs it as a new user would, and runs the commands of the pages exactly as printed.
 #   tests/tool.sh            one line a check; exit code 1 at the first that fails
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
 
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en
 export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
@@ -17,17 +18,35 @@ fail() {
   exit 1
 }
 
-version=0.1.0-local.$(date -u +%Y%m%d%H%M%S)
-dotnet build -c Release src/Football.Tool > "$log" 2>&1 || fail "dotnet build"
-dotnet pack -c Release --no-build src/Football.Tool -o "$work/feed" "-p:Version=$version" > "$log" 2>&1 || fail "dotnet pack"
-echo "ok    dotnet pack: Football.Physics.Tool.$version.nupkg"
+# page FOLDER SECTION [N…]: runs the blocks of a section in the folder.
+page() { (cd "$1" && "$root/tests/blocks.py" run "${@:2}") > "$log" 2>&1 || fail "${*:2}"; }
 
-export NUGET_PACKAGES=$work/cache   # empty: nothing but the feed can supply the package
-cat > "$work/nuget.config" <<CONFIG
-<configuration><packageSources><clear /><add key="local" value="$work/feed" /></packageSources></configuration>
-CONFIG
-dotnet tool install Football.Physics.Tool --version "$version" --tool-path "$work/tools" --configfile "$work/nuget.config" > "$log" 2>&1 \
-  || fail "dotnet tool install"
-"$work/tools/football" kick --speed 27 --elevation 12 --side-spin 60 > "$work/kick.json" 2> "$log" || fail "football kick"
-grep -q '"state":"stopped"' "$work/kick.json" || fail "football kick: no result"
-echo "ok    dotnet tool install; football kick: $(wc -c < "$work/kick.json") bytes of JSON"
+rm -rf out/feed/Football.Physics.Tool.*.nupkg
+page . docs/command-line.md#install 1
+# The tool is installed for a user whose home is empty.
+mkdir "$work/home"
+DOTNET_CLI_HOME=$work/home page . docs/command-line.md#install 2
+export PATH=$work/home/.dotnet/tools:$PATH
+[[ $(type -P football) == "$work"/* ]] || fail "dotnet tool install: football is not in the home of this test"
+echo "ok    docs/command-line.md, Install: $(echo out/feed/Football.Physics.Tool.*.nupkg), installed from that folder"
+page . docs/command-line.md#install 3
+grep -q '^  kick ' "$log" || fail "football help does not list kick"
+echo "ok    docs/command-line.md, Install: without installing, it lists $(grep -c '^  [a-z]' "$log") commands"
+
+mkdir "$work/user"
+page "$work/user" docs/command-line.md#a-kick
+grep -q '"state":"stopped"' "$log" || fail "football kick: no result"
+echo "ok    docs/command-line.md, A kick: $(wc -c < "$log") bytes of JSON"
+page "$work/user" docs/command-line.md#a-replay
+page "$work/user" docs/command-line.md#a-page-to-play-with
+page "$work/user" docs/cookbook.md#see-what-it-does
+for written in shots.html toy.html shot.html; do
+  grep -q '</html>' "$work/user/$written" || fail "$written is not a page"
+done
+echo "ok    docs/command-line.md and docs/cookbook.md: pages of $(cd "$work/user" && du -kc shots.html toy.html shot.html | awk 'END { print $1 }') KiB"
+
+tests/blocks.py show docs/data-sets.md#ranges "json sweep" > "$work/user/shots.json"
+page "$work/user" docs/data-sets.md#data-sets-tracks-and-python
+page "$work/user" docs/data-sets.md#many-machines
+diff -rq -x 'shard-*' "$work/user/rows" "$work/user/parts" > "$log" || fail "docs/data-sets.md: the merged shards are not the sweep"
+echo "ok    docs/data-sets.md: a sweep, and the same bytes from two shards"

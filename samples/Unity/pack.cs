@@ -22,6 +22,8 @@ if (!Directory.Exists(package) || args.Length > 2 || (args.Length == 2 && args[0
 
 foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines"])
 {
+    // Not on the standard output: that has only the path of the tarball.
+    Console.Error.WriteLine($"Building {part}");
     Run("dotnet", ["build", "-c", "Release", "-f", "netstandard2.1", Path.Combine(root, "src", part), "-v", "q"]);
     foreach (string kind in (string[])["dll", "xml"])
     {
