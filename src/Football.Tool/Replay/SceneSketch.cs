@@ -110,7 +110,7 @@ internal static class SceneSketch
     }
 
     /// <summary>Somebody, each limb the hull of two discs: a polygon between two circles, and its lit side.</summary>
-    private static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
+    public static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
     {
         foreach (PersonLimbs limb in PersonLimbs.Of(person, kit, who).OrderBy(limb => (eye.On(0.5 * (limb.From + limb.To))?.Metre) ?? 0))
         {
