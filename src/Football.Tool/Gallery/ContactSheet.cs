@@ -73,7 +73,7 @@ internal static class ContactSheet
                     new XElement("a", new XAttribute("class", "big second"), new XAttribute("href", Moving), "Watch all shots, from all sides")),
                 new XElement(
                     "p",
-                    "Each picture moves as the library says, from behind the ball; its code plays just that. ",
+                    "Each picture shows what the library computes, and its code prints the same events. ",
                     new XElement("a", new XAttribute("href", "#numbers"), "All in numbers"),
                     "."),
                 new XElement("main", new XAttribute("class", "shots"), shots.Select(Card)),

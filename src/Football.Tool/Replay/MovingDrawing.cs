@@ -16,6 +16,9 @@ internal static class MovingDrawing
     /// <summary>Of a long roll only the beginning is shown, s.</summary>
     private const double Longest = 4;
 
+    /// <summary>How far aside the eye is if there is no goal, as a share of the path's length.</summary>
+    private const double Aside = 0.3;
+
     /// <summary>The time between two poses of a goalkeeper, s.</summary>
     private const double PoseStep = 0.06;
 
@@ -31,7 +34,9 @@ internal static class MovingDrawing
         // What is only there to compare with may go where it likes.
         Vector3d[][] keeper = [.. picture.Keeper.Where(pose => pose.Time <= end).Select(pose => pose.Skeleton)];
         Vector3d[] matter = [.. keeper.SelectMany(skeleton => skeleton.Take(3)), .. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
-        var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin);
+        // Without a goal, a straight path seen from behind is a line: from the side its height shows.
+        double aside = frame.Length > 0 ? 0 : Aside * (to - start[0]).Horizontal.Length;
+        var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin, aside: aside);
         SketchedBall[] balls = [.. picture.Shots.Select((shot, i) => new SketchedBall(eye, shot, $"{picture.Id}-{i}", end, total))];
         string Colour(int i) => Palette.Series[i % Palette.Series.Count];
 
