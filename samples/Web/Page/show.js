@@ -12,7 +12,7 @@ function look() {
   const eye = (back, up, across = 0) => add(add(mul(-back, way), mul(across, right)), [0, up, 0]);
   const place = {
     // The ball lies high enough above the bar to be pulled back.
-    behind: () => [add(eye(narrow ? 9 : 6.8, narrow ? 3.1 : 2.5), mul(0.4 * aside, right)), add(add(lerp(start, goal, 0.62), mul(aside, right)), [0, narrow ? -0.6 : -0.35, 0])],
+    behind: () => [add(eye(narrow ? 9 : 6.8, narrow ? 3.1 : 2.5), mul(0.4 * aside, right)), add(add(lerp(start, goal, 0.62), mul(aside, right)), [0, narrow ? -0.6 : camera.height < 640 ? -1.3 : -0.35, 0])],
     replay: () => [add(mul(0.5 * far, way), add(mul(narrow ? -21 : -15, right), [0, 1.9, 0])), add(mul((narrow ? 0.7 : 0.63) * far, way), [0, 1.4, 0])],
     side: () => [add(mul(0.5 * far, way), add(mul((narrow ? 1.6 : 0.82) * far + 6, right), [0, 5, 0])), add(mul(0.52 * far, way), [0, 1.5, 0])],
     above: () => [add(mul(0.5 * far - 0.5, way), [0, (narrow ? 1.35 : 1.3) * far + 8, 0]), add(mul(0.5 * far, way), mul(narrow ? 0 : 2.5, right))],
