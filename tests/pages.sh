@@ -13,8 +13,8 @@ out=${1:-out/pages}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 work=$(mktemp -d)
-playing=
-trap '[[ -z $playing ]] || kill "$playing" 2> /dev/null || :; rm -rf "$work"' EXIT
+player=
+trap '[[ -z $player ]] || kill "$player" 2> /dev/null || :; rm -rf "$work"' EXIT
 
 fail() {
   echo "FAIL  $1" >&2
@@ -93,7 +93,7 @@ football() { dotnet src/Football.Tool/bin/Release/net10.0/football.dll "$@" > /d
 # --- the page to play with, beside all others: twenty seconds of it are kicks
 
 football gallery --out "$work/gallery"
-python3 tests/play.py "$work/gallery/play.html" "$out" > "$work/play.log" 2>&1 & playing=$!
+python3 tests/play.py "$work/gallery/play.html" "$out" > "$work/play.log" 2>&1 & player=$!
 
 # --- the page that moves
 
@@ -213,6 +213,6 @@ open search 1280,900 light "file://$search"
 grep -q '<li><a href="networking.html#rollback"' "$work/search.dom" || fail "site: the search does not find what is there"
 echo "ok    site: $(ls "$work/site"/*.html | grep -vc probe) pages; the search answers"
 
-wait "$playing" || { playing=; cat "$work/play.log" >&2; exit 1; }
-playing=
+wait "$player" || { player=; cat "$work/play.log" >&2; exit 1; }
+player=
 sed "s|$PWD/||g" "$work/play.log"
