@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Opens the pages that the command line and docs/Site write in a headless Chromium, asks them what they drew, and makes pictures
-# of them: desktop and 390 pixels wide, light and dark.
+# of them: desktop and 390 pixels wide, light and dark. Kicks 200 balls on the page to play with, at 10 per second.
 #   tests/pages.sh [DIR]     pictures in DIR (default out/pages); one line a check; exit code 1 at the first that fails
-# Needs a Chromium; run by root on Debian it installs the smallest there is.
+# Needs a Chromium and Python; run by root on Debian it installs the smallest there is.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,7 +13,8 @@ out=${1:-out/pages}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+player=
+trap '[[ -z $player ]] || kill "$player" 2> /dev/null || :; rm -rf "$work"' EXIT
 
 fail() {
   echo "FAIL  $1" >&2
@@ -89,6 +90,11 @@ build src/Football.Tool
 build docs/Site
 football() { dotnet src/Football.Tool/bin/Release/net10.0/football.dll "$@" > /dev/null 2> "$work/log" || { cat "$work/log" >&2; fail "football $1"; }; }
 
+# --- the page to play with, beside all others: twenty seconds of it are kicks
+
+football gallery --out "$work/gallery"
+python3 tests/play.py "$work/gallery/play.html" "$out" > "$work/play.log" 2>&1 & player=$!
+
 # --- the page that moves
 
 cat > "$work/post.json" <<'JSON'
@@ -157,7 +163,6 @@ echo "ok    replay: keys, slider, drag, pointer and boxes do what they say: $act
 
 # --- the gallery
 
-football gallery --out "$work/gallery"
 pictures gallery "$work/gallery/index.html"
 shots=$(grep -o '<article ' "$work/gallery/index.html" | wc -l || true)
 copies=$(probe "$work/gallery/index.html" '
@@ -167,7 +172,8 @@ copies=$(probe "$work/gallery/index.html" '
   document.body.dataset.copied = copied.filter(function (text) { return /^using FootballPhysics|football replay -/.test(text); }).length;
 ')
 open copies 1280,900 light "file://$copies"
-(( $(said copies copied) == 2 * shots )) || fail "gallery: $(said copies copied) of $(( 2 * shots )) lines can be copied"
+buttons=$(grep -o 'aria-label="Copy the line"' "$work/gallery/index.html" | wc -l || true)
+(( $(said copies copied) == buttons && buttons > shots )) || fail "gallery: $(said copies copied) of $buttons lines can be copied"
 echo "ok    gallery: $shots shots, $(said copies copied) lines to copy"
 
 # The page that moves, picture by picture: at the kick the ball lies behind nothing; whoever drags the camera down stays above the grass; nets give way; a story ends before the ball has rolled out, and begins again.
@@ -207,3 +213,7 @@ search=$(probe "$work/site/index.html" 'document.getElementById("search").value 
 open search 1280,900 light "file://$search"
 grep -q '<li><a href="networking.html#rollback"' "$work/search.dom" || fail "site: the search does not find what is there"
 echo "ok    site: $(ls "$work/site"/*.html | grep -vc probe) pages; the search answers"
+
+wait "$player" || { player=; cat "$work/play.log" >&2; exit 1; }
+player=
+sed "s|$PWD/||g" "$work/play.log"

@@ -24,10 +24,10 @@ public static class Svg
         return element;
     }
 
-    /// <summary>
-    /// What turns a drawing dark where that is preferred: each colour by its own name, so that programs that know no style sheets show the light one.
-    /// </summary>
-    public static string DarkStyle { get; } = StyleOf(Palette.Dark);
+    /// <summary>The style of a page that turns the drawings inside an element dark if the reader prefers that.</summary>
+    /// <param name="scope">The selector of the element.</param>
+    /// <param name="dark">The dark colour for each light one.</param>
+    public static string DarkStyle(string scope, IEnumerable<(string Light, string Dark)> dark) => StyleOf(dark, scope + " ");
 
     /// <summary>A drawing that stands for itself: with a title for those who do not see it, and dark where that is preferred.</summary>
     public static XElement Standing(string title, XElement drawing) => Standing(title, drawing, Palette.Dark);
@@ -82,6 +82,7 @@ public static class Svg
 
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
 
-    private static string StyleOf(IEnumerable<(string Light, string Dark)> colours) => "@media (prefers-color-scheme: dark) { "
-        + string.Concat(colours.Select(pair => $"[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} [stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
+    /// <summary>Selects each colour by its value, so that programs without style sheets show the light drawing.</summary>
+    private static string StyleOf(IEnumerable<(string Light, string Dark)> colours, string scope = "") => "@media (prefers-color-scheme: dark) { "
+        + string.Concat(colours.Select(pair => $"{scope}[fill=\"{pair.Light}\"] {{ fill: {pair.Dark} }} {scope}[stroke=\"{pair.Light}\"] {{ stroke: {pair.Dark} }} ")) + "}";
 }

@@ -38,6 +38,9 @@ public sealed record Scenario
 
     public double Duration { get; init; } = DefaultDuration;
 
+    /// <summary>Called with the ball before every step, to move bodies of the scene; null for no call. It must reset itself if the time goes back.</summary>
+    public Action<BallState>? BeforeStep { get; init; }
+
     /// <summary>Whether to keep the path.</summary>
     public bool Samples { get; init; }
 

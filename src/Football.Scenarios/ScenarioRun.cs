@@ -24,8 +24,13 @@ public static class ScenarioRun
         var log = new StepLog(mostEvents: MostEvents) { Observer = highest };
         List<Moment>? samples = scenario.Samples ? [Moment.Of(in state)] : null;
 
-        bool ended = simulator.Run(
-            ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, samples is null ? null : at => samples.Add(Moment.Of(in at)));
+        scenario.BeforeStep?.Invoke(state);
+        Action<BallState>? afterStep = samples is null ? scenario.BeforeStep : at =>
+        {
+            samples.Add(Moment.Of(in at));
+            scenario.BeforeStep?.Invoke(at);
+        };
+        bool ended = simulator.Run(ref state, scenario.TimeStep, scenario.Duration, scenario.StopAt, log, afterStep);
 
         Moment final = Final(scenario, in state, log.Events, ended);
         if (!ended)

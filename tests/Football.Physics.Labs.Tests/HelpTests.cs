@@ -57,6 +57,11 @@ public sealed class HelpTests
         }
     }
 
+    [Theory]
+    [InlineData("football lab ", "lab", "--help")]
+    [InlineData("football lab vacuum ", "lab", "vacuum", "--help")]
+    public void Usage_names_the_tool(string usage, params string[] args) => Assert.Contains($"Usage:\n  {usage}", FootballCommand.Run("", args).Output.ReplaceLineEndings("\n"));
+
     [Fact]
     public void Help_about_a_command_is_its_own() =>
         Assert.Equal(FootballCommand.Run("", "lab", "vacuum", "--help").Output, FootballCommand.Run("", "help", "lab", "vacuum").Output);

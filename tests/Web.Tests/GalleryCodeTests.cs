@@ -19,6 +19,13 @@ public sealed class GalleryCodeTests(ITestOutputHelper told)
         string[] seen = [.. drawn.Events.Select(e => FormattableString.Invariant($"{e.Time:F6} s: {e.Kind} {drawn.NameOf(e.ColliderIndex)} at {e.Position:F6}"))];
         Assert.Equal(seen, Programs.Run(shot.Code).TrimEnd().Split('\n'));
 
+        if (shot.Command is null)
+        {
+            Assert.NotNull(shot.Keeper);
+            told.WriteLine($"{id}: {seen.Length} events, the program agrees with the picture to the last of six digits");
+            return;
+        }
+
         // echo 'JSON' | football replay - -o PAGE --set …: what replay plays of it.
         string json = shot.Command.Split('\'')[1];
         FieldOverride[] sets = [.. shot.Command.Split(" --set ").Skip(1).Append("stop.at=rest").Select(field => FieldOverride.Parse(field)!)];

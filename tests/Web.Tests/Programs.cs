@@ -16,7 +16,7 @@ internal static class Programs
         [
             .. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
                 .Where(path => Path.GetFileName(path) is { } name && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll"))
-                .Append(typeof(FootballPhysics.Ball).Assembly.Location).Select(path => MetadataReference.CreateFromFile(path)),
+                .Append(typeof(FootballPhysics.Ball).Assembly.Location).Append(typeof(FootballPhysics.Engines.KeeperDive).Assembly.Location).Select(path => MetadataReference.CreateFromFile(path)),
         ];
         var compilation = CSharpCompilation.Create(
             "Copied" + Guid.NewGuid().ToString("N"),

@@ -34,7 +34,7 @@ for (const code of document.querySelectorAll("pre > code")) {
     setTimeout(() => { button.textContent = "copy"; }, 1500);
   });
   const frame = document.createElement("div");
-  frame.className = "code";
+  frame.className = text.trimEnd().includes("\n") ? "code" : "code line";
   const block = code.parentElement;
   block.replaceWith(frame);
   frame.append(block, button);

@@ -61,6 +61,8 @@ function show() {
   if (results.length === 0) found.append(Object.assign(document.createElement("li"), { textContent: "Nothing found." }));
 }
 
+// Only a device with a keyboard has the key.
+if (matchMedia("(hover: hover) and (pointer: fine)").matches) search.placeholder = "Search (press /)";
 search.addEventListener("input", show);
 document.addEventListener("keydown", e => {
   if (e.key === "/" && document.activeElement !== search) { search.focus(); e.preventDefault(); }

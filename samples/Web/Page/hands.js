@@ -22,14 +22,16 @@ function drawPull() {
     g.fillStyle = `hsl(${120 - 120 * clamp(share, 0, 1)}, 90%, 50%)`;
     g.fill();
     g.stroke();
-    g.font = "700 15px system-ui, sans-serif";
-    g.textAlign = "center";
+    // Beside the handle, on the side to which the line does not lead.
+    const text = `${(3.6 * set.speed).toFixed(0)} km/h`, left = x < 0;
+    g.font = "700 16px system-ui, sans-serif";
+    g.textAlign = left ? "right" : "left";
     g.strokeStyle = "rgba(0,0,0,0.55)";
     g.lineWidth = 4;
-    const text = `${(3.6 * set.speed).toFixed(0)} km/h`, up = y > 0 && s[1] + y + 30 > camera.height - 60 ? -18 : 28;
-    g.strokeText(text, s[0] + x, s[1] + y + up);
+    const at = [clamp(s[0] + x + (left ? -18 : 18), left ? 84 : 8, camera.width - (left ? 8 : 84)), s[1] + y + 5];
+    g.strokeText(text, ...at);
     g.fillStyle = "#fff";
-    g.fillText(text, s[0] + x, s[1] + y + up);
+    g.fillText(text, ...at);
   } else {
     const r = Math.max(16, 2.1 * radius * s[2]);
     g.beginPath();
@@ -44,9 +46,9 @@ function drawPull() {
 
 // Straight back is straight ahead, as the camera looks; aside turns, by as much as the goal is wide at a full pull.
 function pulled(x, y) {
-  // A full pull ends where the window does.
-  const room = camera.height - ballOnScreen()[1] - 14;
-  const full = Math.max(90, Math.min(FULL_PULL * Math.min(camera.height, camera.width * 1.5), room)), length = Math.hypot(x, y);
+  // A full pull ends above the panels at the foot of the page.
+  const room = floor() - ballOnScreen()[1] - 14;
+  const full = Math.max(60, Math.min(FULL_PULL * Math.min(camera.height, camera.width * 1.5), room)), length = Math.hypot(x, y);
   pull.now = length > full ? [x * full / length, y * full / length] : [x, y];
   const share = clamp(length / full, 0, 1), goal = stage.picture.goals[0].center;
   set.speed = Math.round(10 * (LEAST_SPEED + share * (MOST_SPEED - LEAST_SPEED))) / 10;
@@ -56,15 +58,32 @@ function pulled(x, y) {
   lookAhead();
 }
 
+// The upper edge of the panels at the foot of the page.
+function floor() {
+  const folded = $("fold").getAttribute("aria-expanded") === "false";
+  return Math.min(...[$("bar"), ...(camera.width <= 720 && folded ? [$("panel")] : [])].map(e => e.getBoundingClientRect().top));
+}
+
+// The point of the goal's plane under a pixel; null beside the goal.
+function inGoal(x, y) {
+  if (!stage.picture) return null;
+  const goal = stage.picture.goals[0].center, p = camera.onPlane(x, y, goal[2]);
+  return p && Math.abs(p[0] - goal[0]) < 5.5 && p[1] > 0 && p[1] < 4 ? [p[0], Math.max(p[1], radius)] : null;
+}
+
 const canvas = $("stage");
 let pressed = null;
 canvas.addEventListener("pointerdown", e => {
+  document.body.classList.remove("keys");
   canvas.focus();
   if (e.isPrimary === false) return;
+  touch = e.pointerType === "touch";
   canvas.setPointerCapture(e.pointerId);
+  // By the camera that the visitor sees; ready() may move it.
+  const goal = inGoal(e.clientX, e.clientY);
   if (flights.length > 0 && !playing) { ready(); }
   const s = flights.length === 0 && ballOnScreen();
-  pressed = { x: e.clientX, y: e.clientY, id: e.pointerId, pull: s && Math.hypot(s[0] - e.clientX, s[1] - e.clientY) < Math.max(44, 3 * radius * s[2]) };
+  pressed = { x: e.clientX, y: e.clientY, id: e.pointerId, goal, pull: s && Math.hypot(s[0] - e.clientX, s[1] - e.clientY) < Math.max(44, 3 * radius * s[2]) };
 });
 canvas.addEventListener("pointermove", e => {
   if (!pressed || e.pointerId !== pressed.id) return;
@@ -73,7 +92,7 @@ canvas.addEventListener("pointermove", e => {
     if (!pull && Math.hypot(x, y) < 8) return;
     pull = pull || { now: [0, 0] };
     stage.targets = [];
-    hint("Let go to kick; the wheel or ↑ ↓ change the height.");
+    hint(touch ? "Let go to kick." : "Let go to kick; the wheel or ↑ ↓ change the height.");
     pulled(x, y);
   } else {
     camera.yaw -= 0.005 * (e.clientX - (pressed.px ?? pressed.x));
@@ -93,9 +112,8 @@ canvas.addEventListener("pointerup", e => {
     if (strong) kickOne(); else lookAhead();
   } else if (was.pull) {
     kickOne();
-  } else if (!was.dragged && stage.picture) {
-    const p = camera.onPlane(e.clientX, e.clientY, stage.picture.goals[0].center[2]), goal = stage.picture.goals[0].center;
-    if (p && Math.abs(p[0] - goal[0]) < 5.5 && p[1] > 0 && p[1] < 4) aimAt([p[0], Math.max(p[1], radius)]);
+  } else if (!was.dragged && was.goal) {
+    aimAt(was.goal);
   }
   dirty = true;
 });
@@ -159,9 +177,8 @@ $("panel").addEventListener("input", e => {
 });
 $("spots").addEventListener("click", e => {
   if (!e.target.dataset.spot) return;
-  const [distance, aside, wall] = e.target.dataset.spot.split(",").map(Number);
-  const straight = Math.atan2(aside, distance) * DEGREES;
-  Object.assign(set, { distance, aside, wall, azimuth: Math.round(10 * clamp(straight, -40, 40)) / 10, side: wall > 0 ? set.side : 0, elevation: wall > 0 ? 18 : 9 });
+  const [distance, aside, wall, speed, elevation, azimuth, side, top] = e.target.dataset.spot.split(",").map(Number);
+  Object.assign(set, { distance, aside, wall, speed, elevation, azimuth, side, top });
   scene();
 });
 $("fold").addEventListener("click", () => {
@@ -200,11 +217,28 @@ $("theme").addEventListener("click", toggleTheme);
 function retheme() { stage.theme(); dirty = true; }
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
 
+// In a worker of its own, so that the page can be played meanwhile.
 $("bits").addEventListener("click", async () => {
-  $("bitsSaid").textContent = "Playing the golden kicks …";
-  const lines = (await engine.call("Golden", [])).split("\n");
-  document.body.dataset.golden = lines.join("\n");
-  $("bitsSaid").textContent = `${lines.length} kicks and games; ${lines[lines.length - 1]}: as tests/Golden says for every machine.`;
+  const begun = performance.now(), said = words => { $("bitsSaid").textContent = words; $("bitsSaid").scrollIntoView({ block: "nearest" }); };
+  const tell = () => said(`Playing the golden kicks and games … ${((performance.now() - begun) / 1000).toFixed(0)} s. You can play on.`);
+  $("bits").disabled = true;
+  tell();
+  const clock = setInterval(tell, 1000);
+  let other = null;
+  try {
+    other = await Engine.start();
+    const lines = (await other.call("Golden", [])).split("\n"), total = lines[lines.length - 1].replace("total ", "");
+    document.body.dataset.golden = lines.join("\n");
+    const answer = `${lines.length} results in ${((performance.now() - begun) / 1000).toFixed(0)} s. Their hash is ${total}. Compare it with the last line of tests/Golden/golden.txt.`;
+    said(answer);
+    hint("Golden kicks: " + answer);
+  } catch (error) {
+    said("The golden kicks failed: " + error.message);
+  } finally {
+    clearInterval(clock);
+    if (other) other.worker.terminate();
+    $("bits").disabled = false;
+  }
 });
 
 const KEYS = {
@@ -214,6 +248,7 @@ const KEYS = {
   a: () => change("side", 3), d: () => change("side", -3), w: () => change("top", 3), s: () => change("top", -3), Escape: ready, n: ready,
 };
 document.addEventListener("keydown", e => {
+  if (e.key === "Tab") document.body.classList.add("keys");
   if (e.ctrlKey || e.altKey || e.metaKey || $("how").open || !engine) return;
   const field = e.target.tagName === "SELECT" || e.target.type === "range" || e.target.tagName === "BUTTON";
   if (field && (e.key === " " || e.key === "Enter" || e.key.startsWith("Arrow"))) return;
@@ -226,4 +261,4 @@ window.addEventListener("resize", () => { stage.resize(); look(); });
 window.addEventListener("hashchange", () => { readAddress(); if (engine) scene(); });
 
 // For whoever checks the page: what is set, the way ahead, and what flies.
-globalThis.playground = { set, stage, get flights() { return flights; }, get way() { return stage.way; }, get time() { return time; } };
+globalThis.playground = { set, stage, get flights() { return flights; }, get way() { return stage.way; }, get time() { return time; }, get playing() { return playing; } };

@@ -21,13 +21,14 @@ async function lookAhead() {
 
 // The ball lies on its spot again.
 function ready() {
+  run++;
   flights = [];
   time = 0;
   rate = 1;
   playing = false;
   stage.bulges = new Map();
   say("");
-  if (engine) hint(START);
+  if (engine) hint(start());
   if (viewed !== view) viewed = view;
   look();
   fill();
@@ -37,41 +38,48 @@ function ready() {
 
 // ---- kicking
 
+// A newer kick or ready() ends this one. The worker answers in order, so no call may follow the newer kick's "Forget".
 async function kick(kickings) {
   if (!engine) return;
+  const mine = ++run, over = () => mine !== run;
+  score(kickings.length > 2 ? kickings.length : 1, 0);
   await engine.call("Forget", []);
+  if (over()) return;
   stage.ahead = [];
-  aimed = null;
   stage.targets = [];
   flights = kickings.map(({ which, kick, colour }) => Object.assign(new Flown(++number, colour, which === 1 ? besideRadius : radius), { which, kick }));
   time = 0;
   rate = 1;
   playing = true;
-  counted = false;
   viewed = view;
   look();
   say("");
   hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
-  for (const flown of flights) await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
-  const mine = flights;
+  const balls = flights;
+  for (const flown of balls) {
+    await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
+    if (over()) return;
+  }
   const things = new Map();
   const name = thing => things.get(thing) || "";
-  while (mine === flights && mine.some(f => !f.isOver)) {
-    for (const flown of mine.filter(f => !f.isOver)) {
-      const rows = await engine.call("Advance", [flown.number, mine.length > 1 ? 0.2 : 0.3]);
+  while (balls.some(f => !f.isOver)) {
+    for (const flown of balls.filter(f => !f.isOver)) {
+      const rows = await engine.call("Advance", [flown.number, balls.length > 1 ? 0.2 : 0.3]);
+      if (over()) return;
       for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
         if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("NameOf", [flown.number, rows[i + 2]]));
+        if (over()) return;
       }
-      if (mine !== flights) return;
       flown.take(rows, name);
       // Of many only what is shown is played.
-      flown.isOver = (mine.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
-      document.body.dataset.flown = JSON.stringify(mine.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
+      flown.isOver = (balls.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
+      if (over()) return;
+      document.body.dataset.flown = JSON.stringify(balls.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
     }
   }
-  if (mine.length === 1 && set.keeper > 0) {
-    const answer = await engine.call("Answer", [mine[0].number]);
-    if (mine === flights && !$("hint").textContent) hint(answer);
+  if (balls.length === 1 && set.keeper > 0) {
+    const answer = await engine.call("Answer", [balls[0].number]);
+    if (!over() && !$("hint").textContent) hint(answer);
   }
 }
 
@@ -96,7 +104,6 @@ function replay() {
   time = 0;
   rate = 0.25;
   playing = true;
-  counted = true;
   say("");
   if (view === "behind") viewed = viewed === "replay" ? "goal" : "replay";
   look();
@@ -105,14 +112,14 @@ function replay() {
 
 // The kick that goes through a point of the goal's plane.
 async function aimAt(p) {
-  if (!engine || flights.length > 0) ready();
+  if (!engine) return;
+  ready();
   hint("Looking for the kick …");
   const z = stage.picture.goals[0].center[2];
   const said = (await engine.call("Aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
-  if (!said) return;
+  if (!said || flights.length > 0) return;
   const [status, speed, elevation, azimuth, top, side, miss, at, blocked] = said.split("|");
-  aimed = [p[0], p[1], z];
-  stage.targets = [aimed];
+  stage.targets = [[p[0], p[1], z]];
   document.body.dataset.aim = said;
   if (status === "Hit" || status === "WaypointMissed") {
     Object.assign(set, { speed: Number(speed), elevation: Number(elevation), azimuth: Number(azimuth), top: Number(top), side: Number(side) });

@@ -2,10 +2,12 @@
 const $ = id => document.getElementById(id);
 const DEGREES = 180 / Math.PI, FULL_PULL = 0.3, LEAST_SPEED = 6, MOST_SPEED = 38, MANY = 20;
 const DEFAULTS = {
-  speed: 25.5, elevation: 18.5, azimuth: -13, side: 62, top: 10, distance: 22, aside: 0, wall: 4, keeper: 2,
+  speed: 31, elevation: 17, azimuth: 0.5, side: 40, top: 25, distance: 22, aside: 0, wall: 4, keeper: 2,
   ball: "modern", ground: "matchTurf", windAcross: 0, windAlong: 0, altitude: 0, profile: "measured", beside: "",
 };
-const START = "Pull back from the ball and let go, or click into the goal.";
+// The hint names only controls of the device: fingers have neither a wheel nor keys.
+let touch = matchMedia("(pointer: coarse)").matches;
+const start = () => `Pull back from the ball and let go, or ${touch ? "tap" : "click in"} the goal.`;
 const VIEWS = ["behind", "side", "above", "goal", "ball"];
 const KICK = ["speed", "elevation", "azimuth", "top", "side"];
 const SCENE = ["profile", "ball", "ground", "altitude", "windAcross", "windAlong", "distance", "aside", "wall", "keeper"];
@@ -21,8 +23,8 @@ const TEXT = {
 
 const stage = new Stage($("stage")), camera = stage.camera;
 const set = { ...DEFAULTS };
-let engine = null, radius = 0.11, besideRadius = 0.11, flights = [], time = 0, rate = 1, view = "behind", viewed = "behind", playing = false, counted = true;
-let pull = null, aimed = null, dirty = true, last = 0, number = 0, kicks = 0, goals = 0, moved = null;
+let engine = null, radius = 0.11, besideRadius = 0.11, flights = [], time = 0, rate = 1, view = "behind", viewed = "behind", playing = false;
+let pull = null, dirty = true, last = 0, number = 0, run = 0, kicks = 0, goals = 0, moved = null;
 
 // ---- what is set
 
@@ -100,7 +102,7 @@ Engine.start().then(async started => {
   await scene();
   document.body.dataset.ready = String(Math.round(performance.now() - begun));
   for (const id of ["kick", "many", "replay"]) $(id).disabled = false;
-  hint(START);
+  hint(start());
   requestAnimationFrame(frame);
 }).catch(error => {
   document.body.dataset.failed = error.message;

@@ -11,7 +11,8 @@ function look() {
   const aside = narrow || $("fold").getAttribute("aria-expanded") === "false" ? 0 : 0.055 * far;
   const eye = (back, up, across = 0) => add(add(mul(-back, way), mul(across, right)), [0, up, 0]);
   const place = {
-    behind: () => [add(eye(narrow ? 9 : 6.6, narrow ? 3 : 2.25), mul(0.4 * aside, right)), add(add(lerp(start, goal, 0.62), mul(aside, right)), [0, narrow ? 0.1 : 0.75, 0])],
+    // The ball lies high enough above the bar to be pulled back.
+    behind: () => [add(eye(narrow ? 9 : 6.8, narrow ? 3.1 : 2.5), mul(0.4 * aside, right)), add(add(lerp(start, goal, 0.62), mul(aside, right)), [0, narrow ? -0.6 : camera.height < 640 ? -1.3 : -0.35, 0])],
     replay: () => [add(mul(0.5 * far, way), add(mul(narrow ? -21 : -15, right), [0, 1.9, 0])), add(mul((narrow ? 0.7 : 0.63) * far, way), [0, 1.4, 0])],
     side: () => [add(mul(0.5 * far, way), add(mul((narrow ? 1.6 : 0.82) * far + 6, right), [0, 5, 0])), add(mul(0.52 * far, way), [0, 1.5, 0])],
     above: () => [add(mul(0.5 * far - 0.5, way), [0, (narrow ? 1.35 : 1.3) * far + 8, 0]), add(mul(0.5 * far, way), mul(narrow ? 0 : 2.5, right))],
@@ -99,14 +100,18 @@ function story() {
     const inside = flights.filter(f => f.events.some(e => e.kind === "goal" && e.time <= time)).length;
     if (inside > 0) say(`${inside} of ${flights.length}`, true);
   }
-  if (!counted && over && time >= Math.min(end, storyEnd())) {
-    counted = true;
-    kicks += flights.length > 2 ? flights.length : 1;
-    goals += (flights.length > 2 ? flights : flights.slice(0, 1)).filter(f => f.first("goal")).length;
-    $("goals").textContent = goals;
-    $("kicks").textContent = kicks;
-  }
+  // Each goal counts as soon as it is seen, once; a ball beside another is only there to compare with.
+  const fresh = flights.filter(f => f.which === 0 && !f.scored && f.events.some(e => e.kind === "goal" && e.time <= time));
+  fresh.forEach(f => { f.scored = true; });
+  if (fresh.length > 0) score(0, fresh.length);
   if (over && time >= Math.min(end, storyEnd())) playing = false;
+}
+
+function score(moreKicks, moreGoals) {
+  kicks += moreKicks;
+  goals += moreGoals;
+  $("kicks").textContent = kicks;
+  $("goals").textContent = goals;
 }
 
 // A story ends a second and a half after what decides it, not when the ball has stopped rolling.

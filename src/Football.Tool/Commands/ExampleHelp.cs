@@ -26,13 +26,24 @@ internal sealed class ExampleHelp(HelpAction help) : SynchronousCommandLineActio
             described.Description = $"{described.Description}. {details}";
         }
 
-        int exitCode = help.Invoke(parseResult);
+        int exitCode = Describe(parseResult, output);
         output.WriteLine("Examples:");
         foreach (string example in described?.Examples ?? [])
         {
             output.WriteLine($"  {example}");
         }
 
+        return exitCode;
+    }
+
+    /// <summary>Writes the help of a command; its usage names the tool, even if another program contains the command.</summary>
+    private int Describe(ParseResult parseResult, TextWriter output)
+    {
+        using var text = new StringWriter();
+        parseResult.InvocationConfiguration.Output = text;
+        int exitCode = help.Invoke(parseResult);
+        parseResult.InvocationConfiguration.Output = output;
+        output.Write(text.ToString().Replace($"  {RootCommand.ExecutableName} ", "  football ", StringComparison.Ordinal));
         return exitCode;
     }
 

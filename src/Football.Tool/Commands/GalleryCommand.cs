@@ -54,10 +54,7 @@ internal static class GalleryCommand
             file.Dispose();
         }
 
-        terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
-        terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
-        terminal.Person.WriteLine($"Animated: {files[^2].Path}");
-        terminal.Person.WriteLine($"To play, open in a browser: {files[^3].Path}");
+        // The data comes first, so that the paths are the last lines even if both streams go to one file.
         if (terminal.OutputRedirected)
         {
             foreach (ShownShot made in shown)
@@ -66,6 +63,10 @@ internal static class GalleryCommand
             }
         }
 
+        terminal.PersonConsole.Write(ShotReport.Figures([.. shown.Select(made => ((string?)made.Shot.Name, made.Figures))]));
+        terminal.Person.WriteLine($"Drawings: {files[^1].Path}");
+        terminal.Person.WriteLine($"Animated: {files[^2].Path}");
+        terminal.Person.WriteLine($"To play, open in a browser: {files[^3].Path}");
         return ExitCode.Done;
     }
 

@@ -73,7 +73,7 @@ internal static class KickCommand
             terminal.Output.Write(ResultWriter.Result(null, shot.Samples ? flight.Outcome : flight.Outcome with { Samples = null }).Span);
         }
 
-        svg?.Write(ShotDrawing.Draw(new GalleryShot { Id = "kick", Name = kick.Text, About = "", Scenario = shot }, flight, null));
+        svg?.Write(ShotDrawing.Draw(new GalleryShot { Id = "kick", Name = kick.Text, About = "", Scenario = shot }, flight, null, []));
         return ExitCode.Done;
     }
 

@@ -31,6 +31,7 @@ internal static class ContactSheet
         .shots { columns: 430px; column-gap: 18px; margin-top: 16px; }
         article { background: var(--card); border: 1px solid var(--edge); border-radius: 8px; padding: 12px 14px; margin-bottom: 18px; break-inside: avoid; }
         article p { margin: 0 0 8px; }
+        .moving + p { margin-top: 8px; }
         .kick { color: var(--faint); font-size: 14px; }
         .first { display: flex; gap: 10px; flex-wrap: wrap; margin: 14px 0; }
         .big { background: #0b6e4f; color: #ffffff; font-weight: 700; font-size: 18px; padding: 12px 22px; border-radius: 10px; text-decoration: none; }
@@ -61,7 +62,7 @@ internal static class ContactSheet
                 new XElement("meta", new XAttribute("charset", "utf-8")),
                 new XElement("meta", new XAttribute("name", "viewport"), new XAttribute("content", "width=device-width, initial-scale=1")),
                 new XElement("title", "Football.Physics: gallery"),
-                new XElement("style", Style, Svg.DarkStyle)),
+                new XElement("style", Style, Svg.DarkStyle(".plots", Palette.Dark), Svg.DarkStyle(".moving", SceneSketch.Dark))),
             new XElement(
                 "body",
                 new XElement("h1", "Football.Physics: gallery"),
@@ -72,7 +73,7 @@ internal static class ContactSheet
                     new XElement("a", new XAttribute("class", "big second"), new XAttribute("href", Moving), "Watch all shots, from all sides")),
                 new XElement(
                     "p",
-                    "Each picture moves as the library says, from behind the ball; its code plays just that. ",
+                    "Each picture shows what the library computes, and its code prints the same events. ",
                     new XElement("a", new XAttribute("href", "#numbers"), "All in numbers"),
                     "."),
                 new XElement("main", new XAttribute("class", "shots"), shots.Select(Card)),
@@ -105,10 +106,17 @@ internal static class ContactSheet
                 new XAttribute("class", "kick"),
                 kick.Text + ". ",
                 new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), "Watch it move")),
-            new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), new XAttribute("aria-label", "Watch it move"), MovingDrawing.Draw(shown.Moving)),
+            new XElement("a", new XAttribute("href", $"{Moving}#picture={shown.Shot.Id}"), new XAttribute("aria-label", "Watch it move"), new XAttribute("class", "moving"), Unstyled(MovingDrawing.Draw(shown.Moving))),
             new XElement("p", $"{shown.Shot.About} {shown.Remark.Trim()}".TrimEnd()),
-            Folded("Plots", new XElement(shown.Drawing)),
-            Folded("Code and command", Copied(shown.Shot.Code), Copied(shown.Shot.Command)));
+            Folded("Plots", new XElement("div", new XAttribute("class", "plots"), Unstyled(new XElement(shown.Drawing)))),
+            shown.Shot.Command is { } command ? Folded("Code and command", Copied(shown.Shot.Code), Copied(command)) : Folded("Code", Copied(shown.Shot.Code)));
+    }
+
+    /// <summary>A drawing without its own style, which in a page would hold for all drawings.</summary>
+    private static XElement Unstyled(XElement drawing)
+    {
+        drawing.Descendants().Where(part => part.Name.LocalName == "style").Remove();
+        return drawing;
     }
 
     private static XElement Folded(string what, params XElement[] content) => new("details", new XElement("summary", what), content);

@@ -1,3 +1,4 @@
+using FootballPhysics.Engines;
 using FootballPhysics.Tool.Replay;
 using FootballPhysics.Scenarios;
 
@@ -19,14 +20,17 @@ internal sealed record GalleryShot
     /// <summary>The scene in C#, without goals and obstacles.</summary>
     public string SceneCode { get; init; } = "new Scene()";
 
+    /// <summary>The goalkeeper who dives in it; null if there is none.</summary>
+    public KeeperDive? Keeper { get; init; }
+
     /// <summary>A program that plays the shot as it is drawn.</summary>
-    public string Code => ShotCode.Program(Scenario, SceneCode);
+    public string Code => ShotCode.Program(Scenario, SceneCode, Keeper);
 
     /// <summary>The scene as fields of a scenario, path=value, without goals and obstacles; empty for the default.</summary>
     public IReadOnlyList<string> SceneFields { get; init; } = [];
 
-    /// <summary>A command that plays the shot as it is drawn.</summary>
-    public string Command => ShotCode.Command(Scenario, SceneFields, Id);
+    /// <summary>A command that plays the shot as it is drawn; null with a goalkeeper, whom a scenario file cannot describe.</summary>
+    public string? Command => Keeper is null ? ShotCode.Command(Scenario, SceneFields, Id) : null;
 
     /// <summary>The same with something changed, drawn beside it; null for none.</summary>
     public Scenario? Comparison { get; init; }

@@ -3,7 +3,10 @@ namespace FootballPhysics.Tool.Gallery;
 /// <summary>Whether a shot is a goal, and by how much.</summary>
 internal static class GoalCrossing
 {
-    /// <summary>Tells it in a sentence.</summary>
+    /// <summary>The distance of the ball's centre from the inside of a post below which it touches the post, m.</summary>
+    private const double Touching = 0.12;
+
+    /// <summary>Describes the crossing in a sentence.</summary>
     public static string Describe(Flight flight, Goal goal)
     {
         BallEvent? scored = flight.Events.Where(item => item.Kind == BallEventKind.Goal).Cast<BallEvent?>().FirstOrDefault();
@@ -18,6 +21,7 @@ internal static class GoalCrossing
         double post = (0.5 * goal.Width) - Math.Abs(right);
         string side = right > 0 ? "right" : "left";
         string where = Math.Abs(right) < 0.2 * goal.Width ? "in the middle of the goal"
+            : post < Touching ? $"off the {side} post"
             : post < 1 ? FormattableString.Invariant($"{100 * Math.Max(0, post):0} cm inside the {side} post")
             : $"in the {side} half of the goal";
         string height = FormattableString.Invariant($"{crossing.Value.Y:0.0} m high");

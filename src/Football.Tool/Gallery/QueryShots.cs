@@ -1,3 +1,4 @@
+using FootballPhysics.Engines;
 using FootballPhysics.Tool.Replay;
 using FootballPhysics.Scenarios;
 
@@ -10,11 +11,14 @@ internal static class QueryShots
     private const double Post = 16;
     private static readonly Vector3d s_from = new(0, 0.11, 0);
 
+    /// <summary>The position of a diving goalkeeper's feet before the shot, m.</summary>
+    public static Vector3d KeeperFeet { get; } = new(0, 0, -Post + 0.5);
+
     /// <summary>A goalkeeper who is beaten.</summary>
-    public static GalleryShot Beaten() => Keeper("keeper-beaten", "A keeper who is beaten", new Vector3d(-3.6, 2.4, -25.5));
+    public static GalleryShot Beaten() => Keeper("keeper-beaten", "A keeper who is beaten", new Vector3d(-4.8, 4, -26));
 
     /// <summary>A goalkeeper who is not.</summary>
-    public static GalleryShot Saved() => Keeper("keeper-saves", "A keeper who saves", new Vector3d(-2.1, 2.4, -24));
+    public static GalleryShot Saved() => Keeper("keeper-saves", "A keeper who saves", new Vector3d(-3.2, 6, -24));
 
     /// <summary>A pass that bounces once.</summary>
     public static GalleryShot OneBounce()
@@ -73,21 +77,23 @@ internal static class QueryShots
     private static GalleryShot Keeper(string id, string name, Vector3d velocity)
     {
         Goal goal = Furniture.Goal(Post);
-        var keeper = new Player { Position = new Vector3d(0, 0, -Post), Acceleration = 8, Speed = 5, Reach = 0.9, MaximumHeight = 2.5 };
-        Scene scene = Scene.Measured;
+        Scene scene = Scene.Measured with { Goals = [goal] };
+        var bodies = new KinematicBodies();
         var simulator = new Simulator(scene);
-        var path = new Trajectory();
-        simulator.LookAhead(simulator.Launch(s_from, velocity, Vector3d.Zero), new LookAheadRequest { Duration = 3 }, path);
-        KeeperResult answer = new Interception().FindSave(path, in keeper, goal);
+        var keeper = new KeeperDive(bodies.Add("keeper", KeeperDive.Kind), goal, simulator, KeeperFeet);
+        keeper.Follow(simulator.Launch(s_from, velocity, Vector3d.Zero));
+        KeeperResult answer = keeper.Answer;
         Vector3d At(double aside, double height) => new(-aside, height, -Post);
-        string saved = answer.Saves ? FormattableString.Invariant($"He saves it, if he goes within {answer.LatestReaction:0.00} s.") : "He cannot get across in time.";
+        string saved = answer.Saves ? FormattableString.Invariant($"He dives and saves it; he could have waited {answer.LatestReaction:0.00} s.") : "He dives, but he cannot get there in time.";
         return new GalleryShot
         {
             Id = id,
             Name = name,
             About = FormattableString.Invariant(
                 $"{3.6 * velocity.Length:0} km/h from {Post:0} m, {Math.Abs(answer.LateralOffset):0.0} m beside the keeper. {saved} The frame is what he covers by then."),
-            Scenario = Kick(scene with { Goals = [goal], Obstacles = [Dived(answer)] }, velocity, Vector3d.Zero),
+            Keeper = keeper,
+            SceneCode = "Scene.Measured",
+            Scenario = Kick(scene with { Bodies = bodies }, velocity, Vector3d.Zero) with { BeforeStep = ball => keeper.Follow(in ball) },
             OnGoal =
             [
                 new SceneShape("what he can cover by then", SceneShapeKind.Guide)
@@ -102,19 +108,6 @@ internal static class QueryShots
                 },
             ],
             DrawnTo = 20,
-        };
-    }
-
-    /// <summary>A goalkeeper in front of his line, stretched towards the ball as far as he can be when it is there.</summary>
-    private static Obstacle Dived(KeeperResult answer)
-    {
-        const double around = 0.16;
-        double hands = Math.Min(answer.LateralOffset + around, answer.ReachRight - around);
-        return new Obstacle
-        {
-            Name = "keeper",
-            Shape = new CapsuleShape(new Vector3d(-(hands - 1.6), 0.45, -Post + 0.5), new Vector3d(-hands, 0.2, -Post + 0.5), around),
-            Surface = SurfaceMaterial.Boot,
         };
     }
 

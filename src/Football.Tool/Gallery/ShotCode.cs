@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Text;
 using System.Text.Json;
+using FootballPhysics.Engines;
 using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tool.Gallery;
@@ -11,8 +12,14 @@ internal static class ShotCode
     /// <summary>A C# program that plays it and prints its events.</summary>
     /// <param name="scenario">The shot.</param>
     /// <param name="scene">Its scene in C#, without goals and obstacles.</param>
-    public static string Program(Scenario scenario, string scene)
+    /// <param name="keeper">The goalkeeper who dives in it; null if there is none.</param>
+    public static string Program(Scenario scenario, string scene, KeeperDive? keeper = null)
     {
+        if (keeper is not null)
+        {
+            return WithKeeper(scenario, scene, keeper);
+        }
+
         string[] things =
         [
             .. Listed("Goals", scenario.Scene.Goals.Select(goal => $"new Goal {{ Center = {Of(goal.Center)}, Facing = {Of(goal.Facing)} }}")),
@@ -34,6 +41,28 @@ internal static class ShotCode
 
             """;
     }
+
+    /// <summary>A shot at a goalkeeper of typical abilities.</summary>
+    private static string WithKeeper(Scenario scenario, string scene, KeeperDive keeper) => $$"""
+        using FootballPhysics;
+        using FootballPhysics.Engines;      // the keeper: package Football.Physics.Engines
+
+        var goal = new Goal { Center = {{Of(keeper.Goal.Center)}}, Facing = {{Of(keeper.Goal.Facing)}} };
+        var scene = {{scene}} with { Goals = [goal] };
+        var bodies = new KinematicBodies();
+        KinematicBody body = bodies.Add("keeper", KeeperDive.Kind);
+        var keeper = new KeeperDive(body, goal, ahead: new Simulator(scene), feet: {{Of(QueryShots.KeeperFeet)}});
+        var ball = new Ball(scene with { Bodies = bodies });
+        ball.Kick(velocity: {{Of(scenario.Velocity)}}, spin: {{Of(scenario.Spin)}});
+        while (ball.Motion != MotionState.Rest)
+        {
+            keeper.Follow(ball.State);
+            ball.Step({{Of(scenario.TimeStep)}});
+            foreach (BallEvent happened in ball.Events)
+                Console.WriteLine($"{happened.Time:F6} s: {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} at {happened.Position:F6}");
+        }
+
+        """;
 
     /// <summary>A command that plays it and writes the page that shows it.</summary>
     public static string Command(Scenario scenario, IReadOnlyList<string> fields, string id)

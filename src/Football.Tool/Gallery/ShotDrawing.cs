@@ -12,9 +12,10 @@ internal static class ShotDrawing
     /// <summary>Width of a drawing: on a phone it is shown nearly at its size.</summary>
     private const double Width = 430;
 
-    public static XElement Draw(GalleryShot shot, Flight flight, Flight? comparison)
+    public static XElement Draw(GalleryShot shot, Flight flight, Flight? comparison, IReadOnlyList<KeeperPose> keeper)
     {
-        IReadOnlyList<SceneShape> shapes = [.. shot.Markings, .. SceneShapes.Of(shot.Scenario.Scene)];
+        SceneShape[] diving = keeper.Count == 0 ? [] : [KeeperPose.At(keeper, flight.FirstMeeting).Shape];
+        IReadOnlyList<SceneShape> shapes = [.. shot.Markings, .. SceneShapes.Of(shot.Scenario.Scene), .. diving];
         Chart side = FromTheSide(shot, flight, comparison, shapes);
         Chart above = FromAbove(shot, flight, comparison, shapes);
         Chart.SameScale(side, above);

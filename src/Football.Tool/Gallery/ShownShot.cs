@@ -12,13 +12,18 @@ internal sealed record ShownShot(GalleryShot Shot, ShotFigures Figures, string R
     {
         var flight = new Flight(shot.Scenario);
         Flight? comparison = shot.Comparison is null ? null : new Flight(shot.Comparison);
-        string remark = shot.Scenario.Scene.Goals.Count > 0 ? GoalCrossing.Describe(flight, shot.Scenario.Scene.Goals[0]) : "";
+
+        // Where a saved ball rolls later is no part of the story.
+        bool saved = shot.Keeper is not null && flight.Events.All(item => item.Kind != BallEventKind.Goal);
+        string remark = shot.Scenario.Scene.Goals.Count > 0 && !saved ? GoalCrossing.Describe(flight, shot.Scenario.Scene.Goals[0]) : "";
         if (shot.DrawnTo is not null && ViewFrame.Along(flight.Outcome.Final.Position) is var end && end > shot.DrawnTo)
         {
             remark += FormattableString.Invariant($" It rests beyond the drawing, {end:0} m along.");
         }
 
-        return new ShownShot(shot, ShotFigures.Of(flight.Outcome), remark, ShotDrawing.Draw(shot, flight, comparison), Picture(shot, flight, comparison));
+        IReadOnlyList<KeeperPose> keeper = shot.Keeper is null ? [] : KeeperPose.Of(shot.Scenario, shot.Keeper);
+        ReplayPicture moving = Picture(shot, flight, comparison) with { Keeper = keeper };
+        return new ShownShot(shot, ShotFigures.Of(flight.Outcome), remark, ShotDrawing.Draw(shot, flight, comparison, keeper), moving);
     }
 
     private static ReplayPicture Picture(GalleryShot shot, Flight flight, Flight? comparison)

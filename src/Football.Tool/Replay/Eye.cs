@@ -22,12 +22,13 @@ internal sealed class Eye
     /// <param name="width">Width of the sheet.</param>
     /// <param name="height">Height of the sheet.</param>
     /// <param name="margin">What is left free around.</param>
-    /// <param name="above">How high the eye is, m.</param>
-    public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin, double above = Above)
+    /// <param name="above">The height of the eye, m.</param>
+    /// <param name="aside">The distance of the eye to the right of the line, m.</param>
+    public Eye(Vector3d start, Vector3d end, IReadOnlyList<Vector3d> matter, double width, double height, double margin, double above = Above, double aside = 0)
     {
         Vector3d way = (end - start).Horizontal;
         Vector3d along = way.Length > 0 ? way / way.Length : new Vector3d(0, 0, -1);
-        _place = start - (Behind * along) + new Vector3d(0, above, 0);
+        _place = start - (Behind * along) + new Vector3d(0, above, 0) + (aside * Vector3d.Cross(along, Vector3d.Up));
         _forward = (Vector3d.Lerp(start, end, 0.6) + new Vector3d(0, 0.6, 0) - _place).Normalized();
         _right = Vector3d.Cross(_forward, Vector3d.Up).Normalized();
         _up = Vector3d.Cross(_right, _forward);

@@ -16,6 +16,12 @@ internal static class MovingDrawing
     /// <summary>Of a long roll only the beginning is shown, s.</summary>
     private const double Longest = 4;
 
+    /// <summary>How far aside the eye is if there is no goal, as a share of the path's length.</summary>
+    private const double Aside = 0.3;
+
+    /// <summary>The time between two poses of a goalkeeper, s.</summary>
+    private const double PoseStep = 0.06;
+
     /// <summary>The drawing.</summary>
     public static XElement Draw(ReplayPicture picture)
     {
@@ -26,15 +32,24 @@ internal static class MovingDrawing
         Vector3d[] frame = [.. standing.Where(shape => shape.Kind == SceneShapeKind.Frame).SelectMany(shape => shape.Points)];
         Vector3d to = frame.Length > 0 ? frame.Aggregate((a, b) => a + b) / frame.Length : start[^1];
         // What is only there to compare with may go where it likes.
-        Vector3d[] matter = [.. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
-        var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin);
+        Vector3d[][] keeper = [.. picture.Keeper.Where(pose => pose.Time <= end).Select(pose => pose.Skeleton)];
+        Vector3d[] matter = [.. keeper.SelectMany(skeleton => skeleton.Take(3)), .. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => SketchedBall.Way(shot.Track, end)), .. standing.SelectMany(shape => shape.Points)];
+        // Without a goal, a straight path seen from behind is a line: from the side its height shows.
+        double aside = frame.Length > 0 ? 0 : Aside * (to - start[0]).Horizontal.Length;
+        var eye = new Eye(start[0], to.Horizontal, matter, Width, Height, Margin, aside: aside);
         SketchedBall[] balls = [.. picture.Shots.Select((shot, i) => new SketchedBall(eye, shot, $"{picture.Id}-{i}", end, total))];
         string Colour(int i) => Palette.Series[i % Palette.Series.Count];
 
         // Each ball is drawn between what is farther and what is nearer than it.
         var layers = new List<XElement>();
         double depth = 0;
-        foreach ((double metre, XElement[] drawn) in SceneSketch.Standing(eye, picture.Shapes, Net, Motion))
+        IEnumerable<(double Metre, XElement[] Drawn)> things = SceneSketch.Standing(eye, picture.Shapes, Net, Motion);
+        if (keeper.Length > 0 && eye.On(keeper[0][0] + (0.9 * Vector3d.Up)) is { } at)
+        {
+            things = things.Append((at.Metre, [.. Keeper(eye, picture.Keeper, end, total)])).OrderBy(thing => thing.Metre);
+        }
+
+        foreach ((double metre, XElement[] drawn) in things)
         {
             layers.AddRange(balls.SelectMany((ball, i) => ball.Between(depth, metre, Colour(i))));
             layers.AddRange(drawn);
@@ -76,5 +91,40 @@ internal static class MovingDrawing
 
         IEnumerable<XElement> Net(int net, SceneShape shape) =>
             MovingNet.Draw(eye, shape, [.. picture.Shots.Where(shot => !shot.Compares).SelectMany(shot => shot.Nets).Where(move => move.Net == net && move.Time <= end)], total);
+    }
+
+    /// <summary>A goalkeeper in pose after pose, each seen until the next.</summary>
+    private static IEnumerable<XElement> Keeper(Eye eye, IReadOnlyList<KeeperPose> poses, double end, double total)
+    {
+        var shown = new List<KeeperPose>();
+        foreach (KeeperPose pose in poses.Where(pose => pose.Time <= end))
+        {
+            if (shown.Count == 0 || pose.Time - shown[^1].Time > PoseStep - 1e-9)
+            {
+                shown.Add(pose);
+            }
+        }
+
+        for (int i = 0; i < shown.Count; i++)
+        {
+            Vector3d[] skeleton = shown[i].Skeleton;
+            Vector3d middle = shown[i].Body.Position.Horizontal;
+            bool first = i == 0;
+            double[] times = [.. ((double[])[0, shown[i].Time, i + 1 < shown.Count ? shown[i + 1].Time : total]).Skip(first ? 1 : 0).Where(time => time < total)];
+            string[] values = [.. ((string[])["hidden", "visible", "hidden"]).Skip(first ? 1 : 0).Take(times.Length)];
+            yield return Svg.Element(
+                "g",
+                [("visibility", first ? "visible" : "hidden")],
+                times.Length < 2
+                    ? null
+                    : Svg.Element(
+                        "animate",
+                        [
+                            ("attributeName", "visibility"), ("dur", FormattableString.Invariant($"{total:0.##}s")), ("repeatCount", "indefinite"), ("calcMode", "discrete"),
+                            ("keyTimes", string.Join(';', times.Select(time => FormattableString.Invariant($"{time / total:0.####}")))), ("values", string.Join(';', values)),
+                        ]),
+                eye.On(middle) is { } at ? Svg.Element("ellipse", [("cx", at.X), ("cy", at.Y), ("rx", 0.5 * at.Metre), ("ry", 0.12 * at.Metre), ("fill", "#06120a"), ("fill-opacity", 0.3)]) : null,
+                SceneSketch.Person(eye, "keeper", skeleton, 0));
+        }
     }
 }

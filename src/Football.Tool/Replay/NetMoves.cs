@@ -33,6 +33,7 @@ internal static class NetMoves
         while (state.Time < scenario.Duration && state.Motion != MotionState.Rest)
         {
             log.Clear();
+            scenario.BeforeStep?.Invoke(state);
             simulator.Step(ref state, scenario.TimeStep, log);
             bulges.Follow(in state);
             for (int net = 0; net < moving.Length; net++)

@@ -72,6 +72,7 @@ internal static class ReplayPage
 
         SceneShapeJson.Write(json, picture.Shapes, picture.Goals);
         WriteAll(json, "shots", picture.Shots, Write);
+        SceneShapeJson.WriteNumbers(json, "keeper", picture.Keeper.SelectMany(pose => (double[])[pose.Time, .. pose.Skeleton.Take(3).SelectMany(Parts)]));
         SceneShapeJson.WriteNumbers(json, "targets", picture.Targets.SelectMany(Parts));
         json.WriteEndObject();
     }

@@ -23,6 +23,9 @@ internal sealed record ReplayPicture
     /// <summary>The ground; null where there is none.</summary>
     public required GroundGrid? Ground { get; init; }
 
+    /// <summary>The poses of a goalkeeper who moves; empty if there is none.</summary>
+    public IReadOnlyList<KeeperPose> Keeper { get; init; } = [];
+
     /// <summary>Points that the ball was aimed at, m.</summary>
     public IReadOnlyList<Vector3d> Targets { get; init; } = [];
 

@@ -20,14 +20,22 @@ internal static class SceneSketch
         yield return Svg.Element("rect", [("y", horizon), ("width", eye.Width), ("height", eye.Height - horizon), ("fill", Grass)]);
         const double wide = 5.5;
         Vector3d along = (to - from).Horizontal.Normalized();
-        Vector3d across = 60 * Vector3d.Cross(along, Vector3d.Up);
+        Vector3d side = Vector3d.Cross(along, Vector3d.Up);
         Vector3d start = from.Horizontal;
         for (int i = -1; i < 10; i += 2)
         {
             Vector3d near = start + (Math.Max(-5, i * wide) * along);
             Vector3d far = start + ((i + 1) * wide * along);
+            // As wide as can be seen: both ends must be before the eye.
+            double half = 60;
+            while (half > 1 && ((double[])[-half, half]).Any(across => eye.On(near + (across * side)) is null || eye.On(far + (across * side)) is null))
+            {
+                half *= 0.8;
+            }
+
             if (eye.On(near) is not null)
             {
+                Vector3d across = half * side;
                 yield return Svg.Element("polygon", [("points", Points(eye, [near - across, near + across, far + across, far - across])), ("fill", "#ffffff"), ("fill-opacity", 0.09)]);
             }
         }
@@ -110,7 +118,7 @@ internal static class SceneSketch
     }
 
     /// <summary>Somebody, each limb the hull of two discs: a polygon between two circles, and its lit side.</summary>
-    private static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
+    public static IEnumerable<XElement> Person(Eye eye, string kit, Vector3d[] person, int who)
     {
         foreach (PersonLimbs limb in PersonLimbs.Of(person, kit, who).OrderBy(limb => (eye.On(0.5 * (limb.From + limb.To))?.Metre) ?? 0))
         {

@@ -10,8 +10,20 @@ const shown = () => shots.filter(s => s.visible);
 const redraw = () => {
   stage.bulges = new Map();
   shown().forEach(shot => shot.netTrack.at(time, stage.bulges));
+  stage.figures = keeper(time);
   stage.draw(shown(), time, hover);
 };
+// The goalkeeper between two poses: rows of time, feet, shoulders and hands.
+const POSE = 10;
+function keeper(t) {
+  const rows = stage.picture.keeper, last = rows.length / POSE - 1;
+  if (last < 0) return [];
+  let i = 0;
+  while (i < last && rows[POSE * (i + 1)] <= t) i++;
+  const [a, b] = [i, Math.min(i + 1, last)].map(j => rows.slice(POSE * j, POSE * (j + 1))), s = b[0] > a[0] ? clamp((t - a[0]) / (b[0] - a[0]), 0, 1) : 0;
+  const [feet, shoulders, hands] = [1, 4, 7].map(j => lerp(a.slice(j, j + 3), b.slice(j, j + 3), s));
+  return [{ limbs: limbsOf(feet, shoulders, hands, [0, 0, 1], "keeper"), feet }];
+}
 const numbers = at => {
   const spin = len(at.spin);
   return `${at.t.toFixed(2)} s, ${MOTIONS[at.motion]}\n${len(at.v).toFixed(1)} m/s, ${(3.6 * len(at.v)).toFixed(0)} km/h\n`
