@@ -1,9 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices.JavaScript;
 using System.Text;
-using System.Text.Json;
 using FootballPhysics.Golden;
-using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Web;
 
@@ -13,14 +11,23 @@ internal static partial class Engine
     private static readonly Slots<WebScene> s_scenes = new("scene");
     private static readonly Slots<WebBall> s_balls = new("ball");
 
-    /// <summary>The names that events, motions, balls and grounds have, as JSON.</summary>
+    /// <summary>The version, and the names of balls, grounds and materials, as JSON.</summary>
     [JSExport]
     internal static string Names() => Json.Text(json =>
     {
         json.WriteString("version", typeof(Scene).Assembly.GetName().Version!.ToString(3));
-        Json.Write(json, "events", Enum.GetValues<BallEventKind>().Select(Json.Word));
-        Json.Write(json, "motions", Enum.GetValues<MotionState>().Select(Json.Word));
-        Json.Write(json, "balls", BallProperties.Presets.Keys);
+        json.WriteStartObject("balls");
+        foreach ((string name, BallProperties ball) in BallProperties.Presets)
+        {
+            json.WriteStartObject(name);
+            json.WriteNumber("mass", ball.Mass);
+            json.WriteNumber("radius", ball.Radius);
+            json.WriteNumber("inertiaFactor", ball.InertiaFactor);
+            json.WriteNumber("bounce", ball.Bounce);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndObject();
         Json.Write(json, "grounds", Ground.Presets.Keys);
         Json.Write(json, "materials", SurfaceMaterial.Presets.Keys);
     });
@@ -33,9 +40,17 @@ internal static partial class Engine
     [JSExport]
     internal static void FreeScene(int scene) => s_scenes.Remove(scene);
 
-    /// <summary>The radius of the ball, the names of all objects, those of the bodies, and the shapes to draw, as JSON.</summary>
+    /// <summary>The radius of the ball, the hash of the scene and its shapes, as JSON.</summary>
     [JSExport]
     internal static string DescribeScene(int scene) => Guard.Call(() => s_scenes[scene].Describe());
+
+    /// <summary>The names of all objects, by index.</summary>
+    [JSExport]
+    internal static string[] SceneNames(int scene) => Guard.Call(() => s_scenes[scene].Simulator.Names.ToArray());
+
+    /// <summary>The names of the bodies.</summary>
+    [JSExport]
+    internal static string[] BodyNames(int scene) => Guard.Call(() => s_scenes[scene].BodyNames);
 
     /// <summary>The address of the placements of the bodies.</summary>
     [JSExport]

@@ -187,7 +187,7 @@ async function copied(text, words) {
   }
   hint(words);
 }
-const copyCode = async () => copied(await engine.call("Code", kickOf()), "Copied: a C# program that plays this kick to the last digit.");
+const copyCode = async () => copied(await engine.call("code", kickOf()), "Copied: a C# program that plays this kick to the last digit.");
 const copyLink = () => copied(location.href.split("#")[0] + "#" + address(), "Copied: a link to this kick.");
 $("copy").addEventListener("click", copyCode);
 $("link").addEventListener("click", copyLink);
@@ -202,7 +202,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
 
 $("bits").addEventListener("click", async () => {
   $("bitsSaid").textContent = "Playing the golden kicks …";
-  const lines = (await engine.call("Golden", [])).split("\n");
+  const lines = await engine.call("golden", []);
   document.body.dataset.golden = lines.join("\n");
   $("bitsSaid").textContent = `${lines.length} kicks and games; ${lines[lines.length - 1]}: as tests/Golden says for every machine.`;
 });

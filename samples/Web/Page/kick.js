@@ -5,8 +5,8 @@
 const kickOf = () => KICK.map(name => set[name]);
 
 async function lookAhead() {
-  const rows = await engine.call("Ahead", [0, ...kickOf(), 2.6], "ahead");
-  const beside = set.beside ? await engine.call("Ahead", [1, ...kickOf(), 2.6], "beside") : null;
+  const rows = await engine.call("ahead", [0, ...kickOf(), 2.6], "ahead");
+  const beside = set.beside ? await engine.call("ahead", [1, ...kickOf(), 2.6], "beside") : null;
   if (!rows) return;
   const dots = (flat, colour) => {
     const all = [];
@@ -39,7 +39,7 @@ function ready() {
 
 async function kick(kickings) {
   if (!engine) return;
-  await engine.call("Forget", []);
+  await engine.call("forget", []);
   stage.ahead = [];
   aimed = null;
   stage.targets = [];
@@ -52,25 +52,25 @@ async function kick(kickings) {
   look();
   say("");
   hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
-  for (const flown of flights) await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
+  for (const flown of flights) await engine.call("kick", [flown.number, flown.which, ...flown.kick]);
   const mine = flights;
   const things = new Map();
   const name = thing => things.get(thing) || "";
   while (mine === flights && mine.some(f => !f.isOver)) {
     for (const flown of mine.filter(f => !f.isOver)) {
-      const rows = await engine.call("Advance", [flown.number, mine.length > 1 ? 0.2 : 0.3]);
+      const rows = await engine.call("advance", [flown.number, mine.length > 1 ? 0.2 : 0.3]);
       for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
-        if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("NameOf", [flown.number, rows[i + 2]]));
+        if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("nameOf", [flown.number, rows[i + 2]]));
       }
       if (mine !== flights) return;
       flown.take(rows, name);
       // Of many only what is shown is played.
-      flown.isOver = (mine.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
+      flown.isOver = (mine.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("isOver", [flown.number]);
       document.body.dataset.flown = JSON.stringify(mine.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
     }
   }
   if (mine.length === 1 && set.keeper > 0) {
-    const answer = await engine.call("Answer", [mine[0].number]);
+    const answer = await engine.call("answer", [mine[0].number]);
     if (mine === flights && !$("hint").textContent) hint(answer);
   }
 }
@@ -108,7 +108,7 @@ async function aimAt(p) {
   if (!engine || flights.length > 0) ready();
   hint("Looking for the kick …");
   const z = stage.picture.goals[0].center[2];
-  const said = (await engine.call("Aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
+  const said = (await engine.call("aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
   if (!said) return;
   const [status, speed, elevation, azimuth, top, side, miss, at, blocked] = said.split("|");
   aimed = [p[0], p[1], z];

@@ -189,8 +189,8 @@ export function loadWorker(options?: LoadOptions & { worker?: string | URL }): P
 
 interface Presets {
   readonly version: string;
-  /** Names for `ball.type`. */
-  readonly balls: readonly string[];
+  /** Balls by their names for `ball.type`. */
+  readonly balls: Readonly<Record<string, { mass: number; radius: number; inertiaFactor: number; bounce: number }>>;
   /** Names for `ground.surface`. */
   readonly grounds: readonly string[];
   /** Names for `surface.material`. */

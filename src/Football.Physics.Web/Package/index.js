@@ -1,8 +1,10 @@
 // Football.Physics as WebAssembly. The library writes the numbers of a ball into its memory; getters read them there, so a frame is one call into it.
-import { RemotePhysics } from "./remote.js";
-
 const EVENT_NUMBERS = 22, PLACEMENT_NUMBERS = 15;
 const ASSEMBLY = "Football.Physics.Web.dll";
+
+// By their numbers in C#.
+const EVENTS = ["impact", "slide", "roll", "rest", "net", "goal", "contactEnd", "pinned", "enterZone", "exitZone"];
+const MOTIONS = ["airborne", "sliding", "rolling", "rest", "pinned"];
 
 /** An input was rejected. The message names the field, the value and the allowed range. */
 export class PhysicsError extends Error {
@@ -23,7 +25,7 @@ export function load(options = {}) {
 /** Loads the library in a worker of its own. */
 export async function loadWorker(options = {}) {
   const url = options.worker ?? new URL("./worker.js", import.meta.url);
-  const { worker: _, ...rest } = options;
+  const { worker: _, ...rest } = options, { RemotePhysics } = await import("./remote.js");
   return RemotePhysics.start(new Worker(url, { type: "module" }), rest, PhysicsError);
 }
 
@@ -88,12 +90,22 @@ class Physics {
   constructor(runtime, engine) {
     this.runtime = runtime;
     this.engine = engine;
-    Object.assign(this, JSON.parse(engine.Names()));
     this.scenes = new FinalizationRegistry(id => engine.FreeScene(id));
     this.freed = new FinalizationRegistry(id => engine.FreeBall(id));
   }
 
+  // A new view each time: the memory may have grown.
   get heap() { return this.runtime.localHeapViewF64(); }
+
+  get about() { return this.read ??= JSON.parse(this.engine.Names()); }
+
+  get version() { return this.about.version; }
+
+  get balls() { return this.about.balls; }
+
+  get grounds() { return this.about.grounds; }
+
+  get materials() { return this.about.materials; }
 
   scene(description = {}) { return new Scene(this, description); }
 
@@ -111,7 +123,7 @@ class Physics {
     for (let i = 0, at = address >>> 3; i < count; i++, at += EVENT_NUMBERS) {
       const three = from => Array.from(heap.subarray(at + from, at + from + 3)), collider = heap[at + 1];
       events.push({
-        kind: this.events[heap[at]], name: scene.names[collider] ?? "", collider, time: heap[at + 2], position: three(3),
+        kind: EVENTS[heap[at]], name: scene.names[collider] ?? "", collider, time: heap[at + 2], position: three(3),
         velocityBefore: three(6), velocity: three(9), spinBefore: three(12), spin: three(15), normal: three(18), addedEnergy: heap[at + 21],
       });
     }
@@ -123,12 +135,23 @@ class Scene {
   constructor(physics, description) {
     this.physics = physics;
     this.id = run(physics.engine.CreateScene, typeof description === "string" ? description : JSON.stringify(description) ?? "undefined");
-    const { radius, names, bodies, hash, shapes, goals } = JSON.parse(run(physics.engine.DescribeScene, this.id));
-    Object.assign(this, { radius, names, hash, shapes, goals });
-    const memory = run(physics.engine.BodyMemory, this.id) >>> 3;
-    this.bodies = bodies.map((name, i) => new Body(this, name, i, memory + PLACEMENT_NUMBERS * i));
+    const memory = run(physics.engine.BodyMemory, this.id) >>> 3, names = run(physics.engine.BodyNames, this.id);
+    this.bodies = names.map((name, i) => new Body(this, name, i, memory + PLACEMENT_NUMBERS * i));
     physics.scenes.register(this, this.id, this);
   }
+
+  // Only when it is read: it takes longer than the first ball.
+  get about() { return this.read ??= JSON.parse(run(this.physics.engine.DescribeScene, this.id)); }
+
+  get names() { return this.called ??= run(this.physics.engine.SceneNames, this.id); }
+
+  get radius() { return this.about.radius; }
+
+  get hash() { return this.about.hash; }
+
+  get shapes() { return this.about.shapes; }
+
+  get goals() { return this.about.goals; }
 
   ball() { return new Ball(this); }
 
@@ -189,7 +212,7 @@ class Ball {
 
   get orientation() { return this.numbers(10, 4); }
 
-  get motion() { return this.physics.motions[this.physics.heap[this.memory + 14]]; }
+  get motion() { return MOTIONS[this.physics.heap[this.memory + 14]]; }
 
   get events() {
     const heap = this.physics.heap;

@@ -48,10 +48,10 @@ export class RemotePhysics {
 class RemoteScene {
   constructor(line, { bodies, ...about }) {
     Object.assign(this, about, { line, placed: new Map() });
-    this.bodies = bodies.map(name => ({
+    this.bodies = bodies.map((name, i) => ({
       name,
-      place: (position, motion = {}) => { this.placed.set(name, [position, motion]); },
-      withdraw: () => { this.placed.set(name, null); },
+      place: (position, motion = {}) => { this.placed.set(i, [position, motion]); },
+      withdraw: () => { this.placed.set(i, null); },
     }));
   }
 

@@ -18,8 +18,8 @@ async function answer({ target, method, args, bodies }) {
     return { value: { version, balls, grounds, materials } };
   }
   const object = target === 0 ? physics : objects.get(target);
-  for (const [name, placement] of bodies ?? []) {
-    const body = object.scene.body(name);
+  for (const [index, placement] of bodies ?? []) {
+    const body = object.scene.bodies[index];
     if (placement) body.place(...placement); else body.withdraw();
   }
   const value = object[method](...args);
