@@ -7,8 +7,10 @@ const scene = physics.scene({ bodies: [{ name: "leg", shape: "sphere", center: [
 ball.kick([3, 8, -22]);
 ball.step(0.1);
 const hash = ball.hash();
-const freed = physics.scene();
+const freed = physics.scene({ bodies: [{ shape: "sphere", center: [0, 0, 0], radius: 0.1 }] });
 freed.free();
+const gone = physics.ball();
+gone.free();
 const cases = [
   [() => ball.kick([1e4, 0, 0]), "launch.velocity is (10000, 0, 0); allowed: finite components, size at most 1000 m/s."],
   [() => ball.kick([1, 0]), "velocity is [1,0]; allowed: [x, y, z]."],
@@ -32,6 +34,8 @@ const cases = [
   [() => scene.bodies[0].place([0, 0]), "position is [0,0]; allowed: [x, y, z]."],
   [() => { scene.bodies[0].place([1e9, 0, 0]); ball.step(0.1); }, /^bodies\[0\] \(leg\): position is .*; allowed: /],
   [() => freed.ball(), "The scene was freed. Create a new one."],
+  [() => freed.bodies[0].place([0, 0, 0]), "The scene was freed. Create a new one."],
+  [() => gone.step(0.1), "The ball was freed. Create a new one."],
 ];
 for (const [call, message] of cases) {
   assert.throws(call, error => {

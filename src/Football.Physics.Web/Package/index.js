@@ -119,11 +119,12 @@ class Physics {
   goldenHashes() { return this.engine.Golden().split("\n"); }
 
   eventsAt(address, count, scene) {
-    const heap = this.heap, events = [];
+    // The names first: a call can move the memory.
+    const { names } = scene, heap = this.heap, events = [];
     for (let i = 0, at = address >>> 3; i < count; i++, at += EVENT_NUMBERS) {
       const three = from => Array.from(heap.subarray(at + from, at + from + 3)), collider = heap[at + 1];
       events.push({
-        kind: EVENTS[heap[at]], name: scene.names[collider] ?? "", collider, time: heap[at + 2], position: three(3),
+        kind: EVENTS[heap[at]], name: names[collider] ?? "", collider, time: heap[at + 2], position: three(3),
         velocityBefore: three(6), velocity: three(9), spinBefore: three(12), spin: three(15), normal: three(18), addedEnergy: heap[at + 21],
       });
     }
@@ -173,7 +174,7 @@ class Body {
 
   place(position, { velocity = [0, 0, 0], spin = [0, 0, 0], orientation, time = NaN } = {}) {
     const p = vector("position", position), v = vector("velocity", velocity), s = vector("spin", spin), q = orientation === undefined ? null : quaternion("orientation", orientation);
-    const heap = this.scene.physics.heap, at = this.memory;
+    const heap = this.memoryOfScene(), at = this.memory;
     heap[at + 1] = number("time", time);
     heap.set(p, at + 2);
     heap.set(v, at + 5);
@@ -183,7 +184,13 @@ class Body {
     heap[at] = q || heap[at] === 2 ? 2 : 1;
   }
 
-  withdraw() { this.scene.physics.heap[this.memory] = 3; }
+  withdraw() { this.memoryOfScene()[this.memory] = 3; }
+
+  // Not that of a scene that is gone, which may be somebody else's now.
+  memoryOfScene() {
+    if (this.scene.id < 0) throw new PhysicsError("The scene was freed. Create a new one.");
+    return this.scene.physics.heap;
+  }
 
   state() {
     const n = run(this.scene.physics.engine.Body, this.scene.id, this.index);
@@ -261,6 +268,7 @@ class Ball {
   free() {
     this.physics.freed.unregister(this);
     this.physics.engine.FreeBall(this.id);
-    this.id = -1;
+    // No number of a ball that is gone.
+    this.id = this.memory = -1;
   }
 }
