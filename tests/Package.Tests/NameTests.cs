@@ -15,8 +15,8 @@ public sealed partial class NameTests
     [
         // .NET and its tools
         "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary",
-        // Unreal, Rust, Python
-        "ThirdParty", "PublicIncludePaths", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError",
+        // Unreal, Rust, Python, JavaScript
+        "ThirdParty", "PublicIncludePaths", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
         // Netcode, Quantum, netfox
         "FastBufferWriter", "WriteValueSafe", "WriteBytesSafe", "SendNamedMessageToAll", "NetworkManager", "DeterministicCommand", "RollbackSynchronizer",
         // the Reynolds number

@@ -1,4 +1,4 @@
-// Calls the library in its worker; each answer is a promise, undefined where a newer call took its place.
+// Calls the game in its worker; each answer is a promise, undefined where a newer call took its place.
 class Engine {
   static async start() {
     const packed = JSON.parse(document.getElementById("resources").textContent), files = {};
@@ -10,7 +10,7 @@ class Engine {
     }));
     const source = new Blob([document.getElementById("worker").textContent], { type: "text/javascript" });
     const engine = new Engine(new Worker(URL.createObjectURL(source)));
-    await engine.ready(files);
+    await engine.ready(files, document.getElementById("keeper").textContent);
     return engine;
   }
 
@@ -20,7 +20,7 @@ class Engine {
     this.last = 0;
   }
 
-  ready(files) {
+  ready(files, keeper) {
     return new Promise((done, failed) => {
       this.worker.onerror = e => failed(new Error(e.message));
       this.worker.onmessage = e => {
@@ -28,7 +28,7 @@ class Engine {
         else if (e.data.failed) failed(new Error(e.data.failed));
         else this.answered(e.data);
       };
-      this.worker.postMessage({ files }, Object.values(files));
+      this.worker.postMessage({ files, keeper }, Object.values(files));
     });
   }
 

@@ -204,7 +204,7 @@ async function copied(text, words) {
   }
   hint(words);
 }
-const copyCode = async () => copied(await engine.call("Code", kickOf()), "Copied: a C# program that plays this kick to the last digit.");
+const copyCode = async () => copied(await engine.call("code", kickOf()), "Copied: a C# program that plays this kick to the last digit.");
 const copyLink = () => copied(location.href.split("#")[0] + "#" + address(), "Copied: a link to this kick.");
 $("copy").addEventListener("click", copyCode);
 $("link").addEventListener("click", copyLink);
@@ -227,7 +227,7 @@ $("bits").addEventListener("click", async () => {
   let other = null;
   try {
     other = await Engine.start();
-    const lines = (await other.call("Golden", [])).split("\n"), total = lines[lines.length - 1].replace("total ", "");
+    const lines = await other.call("golden", []), total = lines[lines.length - 1].replace("total ", "");
     document.body.dataset.golden = lines.join("\n");
     const answer = `${lines.length} results in ${((performance.now() - begun) / 1000).toFixed(0)} s. Their hash is ${total}. Compare it with the last line of tests/Golden/golden.txt.`;
     said(answer);

@@ -5,8 +5,8 @@
 const kickOf = () => KICK.map(name => set[name]);
 
 async function lookAhead() {
-  const rows = await engine.call("Ahead", [0, ...kickOf(), 2.6], "ahead");
-  const beside = set.beside ? await engine.call("Ahead", [1, ...kickOf(), 2.6], "beside") : null;
+  const rows = await engine.call("ahead", [0, ...kickOf(), 2.6], "ahead");
+  const beside = set.beside ? await engine.call("ahead", [1, ...kickOf(), 2.6], "beside") : null;
   if (!rows) return;
   const dots = (flat, colour) => {
     const all = [];
@@ -38,12 +38,12 @@ function ready() {
 
 // ---- kicking
 
-// A newer kick or ready() ends this one. The worker answers in order, so no call may follow the newer kick's "Forget".
+// A newer kick or ready() ends this one. The worker answers in order, so no call may follow the newer kick's "forget".
 async function kick(kickings) {
   if (!engine) return;
   const mine = ++run, over = () => mine !== run;
   score(kickings.length > 2 ? kickings.length : 1, 0);
-  await engine.call("Forget", []);
+  await engine.call("forget", []);
   if (over()) return;
   stage.ahead = [];
   stage.targets = [];
@@ -57,28 +57,28 @@ async function kick(kickings) {
   hint(kickings.some(k => k.which === 1) ? `Blue: as set. Orange: ${$("panel").elements.beside.selectedOptions[0].text}.` : "");
   const balls = flights;
   for (const flown of balls) {
-    await engine.call("Kick", [flown.number, flown.which, ...flown.kick]);
+    await engine.call("kick", [flown.number, flown.which, ...flown.kick]);
     if (over()) return;
   }
   const things = new Map();
   const name = thing => things.get(thing) || "";
   while (balls.some(f => !f.isOver)) {
     for (const flown of balls.filter(f => !f.isOver)) {
-      const rows = await engine.call("Advance", [flown.number, balls.length > 1 ? 0.2 : 0.3]);
+      const rows = await engine.call("advance", [flown.number, balls.length > 1 ? 0.2 : 0.3]);
       if (over()) return;
       for (let i = 0; i < rows.length; i += ROWS[rows[i]]) {
-        if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("NameOf", [flown.number, rows[i + 2]]));
+        if (rows[i] === 1 && !things.has(rows[i + 2])) things.set(rows[i + 2], await engine.call("nameOf", [flown.number, rows[i + 2]]));
         if (over()) return;
       }
       flown.take(rows, name);
       // Of many only what is shown is played.
-      flown.isOver = (balls.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("IsOver", [flown.number]);
+      flown.isOver = (balls.length > 2 && flown.end > decided(flown) + 0.1) || await engine.call("isOver", [flown.number]);
       if (over()) return;
       document.body.dataset.flown = JSON.stringify(balls.map(f => ({ end: f.end, over: f.isOver, events: f.events.length })));
     }
   }
   if (balls.length === 1 && set.keeper > 0) {
-    const answer = await engine.call("Answer", [balls[0].number]);
+    const answer = await engine.call("answer", [balls[0].number]);
     if (!over() && !$("hint").textContent) hint(answer);
   }
 }
@@ -116,7 +116,7 @@ async function aimAt(p) {
   ready();
   hint("Looking for the kick …");
   const z = stage.picture.goals[0].center[2];
-  const said = (await engine.call("Aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
+  const said = (await engine.call("aim", [p[0], p[1], z, set.speed, set.top, set.side], "aim"));
   if (!said || flights.length > 0) return;
   const [status, speed, elevation, azimuth, top, side, miss, at, blocked] = said.split("|");
   stage.targets = [[p[0], p[1], z]];

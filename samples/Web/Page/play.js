@@ -61,11 +61,11 @@ function fill() {
 }
 
 async function scene() {
-  const told = JSON.parse(await engine.call("Set", SCENE.map(name => set[name])));
+  const told = await engine.call("set", SCENE.map(name => set[name]));
   radius = told.radius;
   if (set.beside) {
     const [profile, ball] = set.beside.split(":");
-    besideRadius = await engine.call("Beside", [profile || set.profile, ball || set.ball]);
+    besideRadius = await engine.call("beside", [profile || set.profile, ball || set.ball]);
   }
   stage.show({ shapes: [...told.shapes, ...wholePitch(told.goals[0])], goals: told.goals, targets: [], ground: { x: -200, z: -200, cell: 400, columns: 2, rows: 2, heights: [0, 0, 0, 0] } });
   ready();
@@ -91,7 +91,7 @@ if (matchMedia("(max-width: 720px), (max-height: 560px)").matches) $("fold").set
 const begun = performance.now();
 Engine.start().then(async started => {
   engine = started;
-  const [balls, grounds] = (await engine.call("Names", [])).split("|").map(names => names.split(" "));
+  const { balls, grounds } = await engine.call("names", []);
   const words = name => name.replace(/([a-z])([A-Z0-9])/g, "$1 $2").toLowerCase().replace(/^(jabulani|brazuca|teamgeist|tango|telstar|al rihla|trionda)/, w => w[0].toUpperCase() + w.slice(1));
   $("panel").elements.ball.replaceChildren(...balls.map(name => new Option(words(name), name)));
   $("panel").elements.ground.replaceChildren(...grounds.map(name => new Option(words(name), name)));

@@ -1,28 +1,16 @@
-// The library, in a worker of its own: the page never waits for it. It gets the runtime's files and then calls by name; of calls that only the
+// The game in a worker of its own: the page never waits for it. It gets the files of the npm package and then calls by name; of calls that only the
 // newest counts of ("latest"), older ones are dropped unanswered.
-globalThis.dotnetSidecar = true;
-
-// Files that live in the page have addresses that nothing can be relative to.
-globalThis.URL = class extends URL {
-  constructor(url, base) { super(url, base && String(base).startsWith("blob:") ? "https://page.invalid/" : base); }
-};
-
-let library = null;
+let playground = null;
 const waiting = [];
 
-async function start(files) {
-  const script = name => URL.createObjectURL(new Blob([files[name]], { type: "text/javascript" }));
-  const { dotnet } = await import(script("dotnet.js"));
-  // The interpreter's own compiler of often used traces is off: with it sums over four waves at once, as in gusts, have other bits than everywhere else.
-  const runtime = await dotnet.withConfig({ runtimeOptions: ["--no-jiterpreter-traces-enabled"] }).withResourceLoader((type, name) =>
-    name.endsWith(".js") ? script(name) : Promise.resolve(new Response(files[name], { headers: { "Content-Type": "application/wasm" } }))).create();
-  library = (await runtime.getAssemblyExports("football-web.dll")).Playground;
+async function start({ files, keeper }) {
+  const { load } = await import(URL.createObjectURL(new Blob([files["index.js"]], { type: "text/javascript" })));
+  playground = new Playground(await load({ files }), keeper);
 }
 
 function answer({ id, call, args }) {
   try {
-    const value = library[call](...args);
-    postMessage({ id, value });
+    postMessage({ id, value: playground[call](...args) });
   } catch (e) {
     postMessage({ id, error: String(e.message || e) });
   }
@@ -37,7 +25,7 @@ function next() {
 
 onmessage = async e => {
   if (e.data.files) {
-    await start(e.data.files).then(() => postMessage({ ready: true }), error => postMessage({ failed: String(error.message || error) }));
+    await start(e.data).then(() => postMessage({ ready: true }), error => postMessage({ failed: String(error.message || error) }));
     return;
   }
   if (e.data.latest) {

@@ -10,15 +10,27 @@ public static class LibraryRefusal
 {
     private const string Marker = "; allowed: ";
 
+    /// <summary>The suffixes that the runtime adds to the message of an argument exception: with its own texts, and trimmed without them.</summary>
+    private static readonly string[] s_suffixes = [" (Parameter '", " Arg_ParamName_Name, "];
+
+    /// <summary>The message of an exception, without the suffix of the runtime.</summary>
+    /// <param name="exception">The exception.</param>
+    public static string Sentence(Exception exception)
+    {
+        string message = exception.Message;
+        int suffix = s_suffixes.Max(text => message.LastIndexOf(text, StringComparison.Ordinal));
+        return suffix < 0 ? message : message[..suffix];
+    }
+
     /// <summary>The message for the user; null if the exception is not about a field of the input.</summary>
     /// <param name="exception">The exception.</param>
     /// <param name="input">The input.</param>
     /// <param name="path">The path of the object that was built, in the input; empty for the whole input.</param>
     public static RefusedException? Of(ArgumentException exception, InputFields input, string path = "")
     {
-        string message = exception.Message;
-        int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
-        if (exception.ParamName is not { } name || end < 0)
+        string message = Sentence(exception);
+        int end = message.Length - 1;
+        if (exception.ParamName is not { } name || message.Length == exception.Message.Length || !message.EndsWith('.'))
         {
             return null;
         }

@@ -1,0 +1,68 @@
+// A moving ball. It is simulated ahead of the display, and passed to the page in rows of numbers, which begin with their kind.
+const ROW = { key: 0, event: 1, keeper: 2, bulge: 3 };
+
+class Flight {
+  constructor(setting, ahead, { velocity, spin }) {
+    if (setting.keeper > 0) {
+      this.keeper = new Keeper(setting.goal, setting.reaction, setting.gloveSpeed);
+      this.keeper.watch(ahead);
+    }
+    this.scene = setting.scene(this.keeper ? KEEPER_BODIES : []);
+    this.ball = this.scene.ball();
+    this.moving = this.ball.bulges().map(() => false);
+    this.rows = [];
+    this.ball.kick(velocity, spin);
+    this.key(this.ball, this.ball.velocity, this.ball.orientation);
+    this.tellKeeper();
+  }
+
+  get isOver() { return this.ball.motion === "rest" || this.ball.time >= LONGEST; }
+
+  // Goes on for a while; the rows that there are.
+  advance(seconds) {
+    const { ball } = this, until = ball.time + seconds;
+    while (ball.time < until && !this.isOver) {
+      if (this.keeper) this.keeper.moveTo(ball.time, this.scene.bodies);
+      ball.step(TIME_STEP);
+      for (const e of ball.events) {
+        // Events within the step, with the ball's orientation at their time.
+        this.key(e, e.velocityBefore, e.time < ball.time ? turned(this.last.orientation, this.last.spin, e.time - this.last.time) : ball.orientation);
+        this.rows.push(ROW.event, KINDS.indexOf(e.kind), e.collider, e.time, ...e.position, size(e.velocityBefore), size(e.velocity));
+      }
+      this.key(ball, ball.velocity, ball.orientation);
+      this.tellKeeper();
+      this.tellNets();
+    }
+    return Float64Array.from(this.rows.splice(0));
+  }
+
+  key({ time, position, velocity, spin }, before, orientation) {
+    this.last = { time, spin, orientation };
+    this.rows.push(ROW.key, time, ...position, ...before, ...velocity, ...spin, ...orientation, MOTIONS.indexOf(this.ball.motion));
+  }
+
+  tellKeeper() {
+    if (!this.keeper) return;
+    const { feet, shoulders, gloves } = this.keeper.at(this.ball.time);
+    this.rows.push(ROW.keeper, this.ball.time, ...feet, ...shoulders, ...gloves);
+  }
+
+  tellNets() {
+    this.ball.bulges().forEach(({ depth, position, direction }, net) => {
+      const moves = depth > 0.005;
+      if (moves || this.moving[net]) this.rows.push(ROW.bulge, this.ball.time, net, depth, ...position, ...direction);
+      this.moving[net] = moves;
+    });
+  }
+}
+
+// A rotation [x, y, z, w] after a spin for a time.
+function turned(q, spin, time) {
+  const angle = size(spin) * time;
+  if (!(angle > 0)) return q;
+  const s = Math.sin(angle / 2) * time / angle, [x, y, z, w] = [s * spin[0], s * spin[1], s * spin[2], Math.cos(angle / 2)];
+  return [
+    w * q[0] + x * q[3] + (y * q[2] - z * q[1]), w * q[1] + y * q[3] + (z * q[0] - x * q[2]),
+    w * q[2] + z * q[3] + (x * q[1] - y * q[0]), w * q[3] - (x * q[0] + y * q[1] + z * q[2]),
+  ];
+}

@@ -1,0 +1,93 @@
+// What the page calls: scenes, paths ahead, kicks, aims, on the npm package.
+const KINDS = ["impact", "slide", "roll", "rest", "net", "goal", "contactEnd", "pinned", "enterZone", "exitZone"];
+const MOTIONS = ["airborne", "sliding", "rolling", "rest", "pinned"];
+
+class Playground {
+  constructor(physics, keeperSource) {
+    Object.assign(this, { physics, keeperSource, settings: [], balls: [], flights: new Map() });
+  }
+
+  names() { return { balls: Object.keys(this.physics.balls), grounds: this.physics.materials.slice(0, this.physics.materials.indexOf("goalFrame")) }; }
+
+  // Sets the scene, and returns its objects for the drawing.
+  set(profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper) {
+    this.put(0, new Setting(this.physics, { profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper }));
+    const { radius, shapes, goals } = this.balls[0].scene;
+    return { radius, shapes, goals };
+  }
+
+  // Sets a second scene to compare with: the first with other laws and another ball; the ball's radius.
+  beside(profile, ball) {
+    this.put(1, new Setting(this.physics, { ...this.settings[0], profile, ball }));
+    return this.settings[1].start[1];
+  }
+
+  put(which, setting) {
+    this.settings[which] = setting;
+    this.balls[which] = setting.scene([]).ball();
+  }
+
+  // The path of a kick, without the goalkeeper, in the steps of the page: times and positions.
+  ahead(which, speed, elevation, azimuth, topSpin, sideSpin, seconds) {
+    const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
+    const rows = this.look(which, kick, seconds, 1 + Math.round(seconds / (2 * TIME_STEP)));
+    let end = 4;
+    while (end < rows.length && rows[end] > rows[end - 4]) end += 4;
+    return rows.slice(0, end);
+  }
+
+  look(which, { velocity, spin }, seconds, samples) {
+    const ball = this.balls[which];
+    ball.launch(this.settings[which].start, velocity, spin);
+    return ball.lookAhead(seconds, samples, { timeStep: TIME_STEP });
+  }
+
+  // Kicks a ball, under a number of the page's.
+  kick(number, which, speed, elevation, azimuth, topSpin, sideSpin) {
+    const kick = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
+    this.look(which, kick, 3, 2);
+    this.flights.set(number, new Flight(this.settings[which], this.balls[which], kick));
+  }
+
+  advance(number, seconds) { return this.flights.get(number).advance(seconds); }
+
+  isOver(number) { return this.flights.get(number).isOver; }
+
+  nameOf(number, collider) { return this.flights.get(number).scene.names[collider] ?? ""; }
+
+  // The goalkeeper's answer in a sentence; empty where there is none.
+  answer(number) {
+    const { keeper } = this.flights.get(number), answer = keeper?.answer;
+    if (!answer?.crosses) return "";
+    if (!answer.isOnTarget) return "Off target.";
+    return answer.saves ? `The keeper can get there if he dives by ${answer.latestReaction.toFixed(2)} s.`
+      : `Out of the keeper's reach: he covers ${answer.reachRight.toFixed(1)} m, it is ${Math.abs(answer.lateralOffset).toFixed(1)} m aside.`;
+  }
+
+  forget() {
+    for (const { ball, scene } of this.flights.values()) {
+      ball.free();
+      scene.free();
+    }
+    this.flights.clear();
+  }
+
+  // The kick that hits a point at a speed, over or round the wall: status, speed, elevation, azimuth, topspin, sidespin, miss, time, what blocks it.
+  aim(x, y, z, speed, top, side) {
+    const setting = this.settings[0], found = this.balls[0].scene.aim({
+      from: setting.start, target: [x, y, z], speed, spin: { top, side, free: setting.wall > 0 }, maxSpin: { top: 70, side: 90 }, elevation: { max: 60 }, tolerance: 0.02,
+    });
+    return [
+      found.status[0].toUpperCase() + found.status.slice(1), found.speed, found.elevation, found.azimuth, found.topSpin, found.sideSpin, found.miss, found.time, found.blockedBy ?? "",
+    ].join("|");
+  }
+
+  // The C# that plays a kick as it is seen.
+  code(speed, elevation, azimuth, topSpin, sideSpin) {
+    const { velocity, spin } = this.physics.kickVectors({ speed, elevation, azimuth, topSpin, sideSpin });
+    return this.settings[0].code(velocity, spin, this.keeperSource);
+  }
+
+  // The golden kicks, line by line, as every runtime must play them.
+  golden() { return this.physics.goldenHashes(); }
+}

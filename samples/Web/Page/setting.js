@@ -1,0 +1,78 @@
+// The settings of a visitor, which give the scene and the C# program that builds it.
+const TIME_STEP = 0.01, LONGEST = 9, WALL_DISTANCE = 9.15, SHOULDER = 0.5;
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const times = (s, a) => [s * a[0], s * a[1], s * a[2]];
+const size = a => Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+const normal = a => { const l = size(a); return [a[0] / l, a[1] / l, a[2] / l]; };
+const between = (a, b, s) => plus(a, times(s, minus(b, a)));
+const within = (x, low, high) => Math.max(low, Math.min(high, x));
+
+class Setting {
+  constructor(physics, { profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper }) {
+    Object.assign(this, { physics, profile, ball, ground, altitude, windAcross, windAlong, distance, aside, wall, keeper });
+  }
+
+  // The default ground is that of the profile.
+  get groundName() { return this.profile === "published" && this.ground === "matchTurf" ? "publishedTurf" : this.ground; }
+
+  get goal() { return { center: [-this.aside, 0, -this.distance], facing: [0, 0, 1] }; }
+
+  // Where the ball lies.
+  get start() { return [0, this.ballNumbers.radius, 0]; }
+
+  get ballNumbers() { return this.physics.balls[this.ball]; }
+
+  get reaction() { return [0, 0.38, 0.28, 0.2][this.keeper]; }
+
+  get gloveSpeed() { return [0, 3.6, 4.6, 5.6][this.keeper]; }
+
+  // Where the players of the wall stand: on the way to the near half of the goal.
+  get players() {
+    const towards = normal([-this.aside + (this.aside < 0 ? -1.3 : 1.3), 0, -this.distance]), along = [-towards[2], 0, towards[0]];
+    const distance = Math.min(WALL_DISTANCE, 0.6 * this.distance);
+    return Array.from({ length: this.wall }, (_, i) => plus(times(distance, towards), times((i - 0.5 * (this.wall - 1)) * SHOULDER, along)));
+  }
+
+  // The published laws know no makes of ball, only numbers.
+  scene(bodies) {
+    const wall = at => [
+      { name: "wall", shape: "capsule", from: plus(at, [0, 0.2, 0]), to: plus(at, [0, 1.35, 0]), radius: 0.2, surface: { material: "boot" } },
+      { name: "wall", shape: "sphere", center: plus(at, [0, 1.7, 0]), radius: 0.12, surface: { material: "head" } },
+    ];
+    const weather = this.altitude === 0 ? {} : { weather: { altitude: this.altitude } };
+    return this.physics.scene({
+      profile: this.profile,
+      ball: this.profile === "published" ? this.ballNumbers : { type: this.ball },
+      ground: { surface: this.groundName },
+      air: { ...weather, wind: [this.windAcross, 0, -this.windAlong] },
+      goals: [this.goal],
+      obstacles: this.players.flatMap(wall),
+      bodies,
+    });
+  }
+
+  // A program that plays a kick in this scene and prints what happens.
+  code(velocity, spin, keeperSource) {
+    const of = v => `new Vector3d(${Array.from(v, x => x + 0).join(", ")})`, { goal, keeper } = this;
+    const profile = this.profile === "published" ? "Published" : "Measured";
+    return "using FootballPhysics;\nusing FootballPhysics.Prediction;\nusing FootballPhysics.Shapes;\n\n"
+      + `var goal = new Goal { Center = ${of(goal.center)}, Facing = new Vector3d(0, 0, 1) };\n`
+      + (keeper > 0 ? `var keeper = new Keeper(goal, reaction: ${this.reaction}, speed: ${this.gloveSpeed});\n` : "")
+      + (this.wall > 0 ? `Vector3d[] wall = [${this.players.map(of).join(", ")}];\n` : "")
+      + `var scene = Scene.${profile} with\n{\n    Ball = BallProperties.Presets["${this.ball}"],\n    Ground = Ground.Presets["${this.groundName}"],\n`
+      + `    Air = ${this.altitude === 0 ? "new Air()" : `Weather.AtAltitude(${this.altitude}).ToAir()`} with { Wind = ${of([this.windAcross, 0, -this.windAlong])} },\n    Goals = [goal],\n`
+      + (this.wall > 0 ? "    Obstacles =\n    [\n        .. wall.SelectMany(at => new[]\n        {\n"
+        + "            new Obstacle { Name = \"wall\", Shape = new CapsuleShape(at + new Vector3d(0, 0.2, 0), at + new Vector3d(0, 1.35, 0), 0.2), Surface = SurfaceMaterial.Boot },\n"
+        + "            new Obstacle { Name = \"wall\", Shape = new SphereShape(at + new Vector3d(0, 1.7, 0), 0.12), Surface = SurfaceMaterial.Head },\n        }),\n    ],\n" : "")
+      + "};\n\n"
+      + (keeper > 0 ? "var path = new Trajectory();\nvar empty = new Simulator(scene);\n"
+        + `empty.LookAhead(empty.Launch(${of(this.start)}, ${of(velocity)}, ${of(spin)}), new LookAheadRequest { Duration = 3, TimeStep = ${TIME_STEP} }, path);\n`
+        + "keeper.Watch(path);\n\n" : "")
+      + `var ball = new Ball(${keeper > 0 ? "scene with { Bodies = keeper.Bodies }" : "scene"});\n`
+      + `ball.Kick(velocity: ${of(velocity)}, spin: ${of(spin)});\n`
+      + `while (ball.Time < ${LONGEST} && ball.Motion != MotionState.Rest)\n{\n${keeper > 0 ? "    keeper.MoveTo(ball.Time);\n" : ""}    ball.Step(${TIME_STEP});\n`
+      + "    foreach (BallEvent happened in ball.Events)\n        Console.WriteLine(FormattableString.Invariant($\"{happened.Time:F6} {happened.Kind} {ball.Simulator.NameOf(happened.ColliderIndex)} {happened.Position.X:F6} {happened.Position.Y:F6} {happened.Position.Z:F6}\"));\n}\n"
+      + (keeper > 0 ? "\n" + keeperSource : "");
+  }
+}

@@ -1,0 +1,84 @@
+using System.Runtime.InteropServices.JavaScript;
+
+namespace FootballPhysics.Web;
+
+/// <content>Balls.</content>
+internal static partial class Engine
+{
+    [JSExport]
+    internal static int CreateBall(int scene) => Guard.Call(() => s_balls.Add(new WebBall(s_scenes[scene])));
+
+    [JSExport]
+    internal static void FreeBall(int ball) => s_balls.Remove(ball);
+
+    /// <summary>The address of the numbers of a ball; see <see cref="WebBall.Memory"/>.</summary>
+    [JSExport]
+    internal static int BallMemory(int ball) => Guard.Call(() => s_balls[ball].Memory);
+
+    [JSExport]
+    internal static void Place(int ball, double x, double y, double z) => Guard.Call(() => s_balls[ball].Change(b => b.Place(new Vector3d(x, y, z))));
+
+    [JSExport]
+    internal static void Launch(int ball, double x, double y, double z, double vx, double vy, double vz, double sx, double sy, double sz) => Guard.Call(
+        () => s_balls[ball].Change(b => b.Launch(new Vector3d(x, y, z), new Vector3d(vx, vy, vz), new Vector3d(sx, sy, sz))));
+
+    [JSExport]
+    internal static void Kick(int ball, double vx, double vy, double vz, double sx, double sy, double sz) => Guard.Call(
+        () => s_balls[ball].Change(b => b.Kick(new Vector3d(vx, vy, vz), new Vector3d(sx, sy, sz))));
+
+    /// <summary>Places the bodies of the scene, steps the ball, and writes its numbers and events.</summary>
+    [JSExport]
+    internal static void Step(int ball, double dt)
+    {
+        // Without a closure: a frame calls only this.
+        try
+        {
+            s_balls[ball].Step(dt);
+        }
+        catch (Exception e)
+        {
+            throw Guard.Plain(e);
+        }
+    }
+
+    /// <summary>Predicts the path of a ball, and returns the address of its rows: t, x, y, z.</summary>
+    [JSExport]
+    internal static int LookAhead(int ball, double seconds, int samples, double timeStep, string stopAt) => Guard.Call(() => s_balls[ball].LookAhead(seconds, samples, timeStep, stopAt));
+
+    /// <summary>The end of the last prediction, in s.</summary>
+    [JSExport]
+    internal static double LookAheadEnd(int ball) => Guard.Call(() => s_balls[ball].Ahead.EndTime);
+
+    /// <summary>The events of the last prediction: their number, and their address.</summary>
+    [JSExport]
+    internal static int[] LookAheadEvents(int ball) => Guard.Call(() => s_balls[ball].LookAheadEvents());
+
+    /// <summary>The answer of a goalkeeper to the last prediction, as JSON.</summary>
+    [JSExport]
+    internal static string Keeper(int ball, string player, int goal) => Guard.Call(() => s_balls[ball].Keeper(System.Text.Encoding.UTF8.GetBytes(player), goal));
+
+    /// <summary>The bulges of the nets: depth, position and direction of each.</summary>
+    [JSExport]
+    internal static double[] Bulges(int ball) => Guard.Call(() => s_balls[ball].Bulges());
+
+    /// <summary>The hash of the state, 16 hexadecimal digits.</summary>
+    [JSExport]
+    internal static string Hash(int ball) => Guard.Call(() => Snapshot.Hash(s_balls[ball].Ball.State).ToString("x16", System.Globalization.CultureInfo.InvariantCulture));
+
+    /// <summary>The state as bytes.</summary>
+    [JSExport]
+    internal static byte[] Save(int ball) => Guard.Call(() =>
+    {
+        byte[] bytes = new byte[Snapshot.Size];
+        Snapshot.Write(s_balls[ball].Ball.State, bytes);
+        return bytes;
+    });
+
+    /// <summary>Restores a state from its bytes.</summary>
+    [JSExport]
+    internal static void Restore(int ball, byte[] bytes) => Guard.Call(() => s_balls[ball].Change(b => b.State = Snapshot.Read(bytes)));
+
+    /// <summary>The position, velocity, spin and orientation of a body.</summary>
+    [JSExport]
+    internal static double[] Body(int scene, int body) => Guard.Call(() => s_scenes[scene].Body(body));
+}

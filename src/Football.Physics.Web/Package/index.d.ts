@@ -1,0 +1,307 @@
+/** [x, y, z]: right-handed axes, y up, forward −z; SI units. */
+export type Vector = [number, number, number];
+
+/** [x, y, z, w], body to world. */
+export type Quaternion = [number, number, number, number];
+
+/** A vector that you pass: an array, or an object such as a `THREE.Vector3`. */
+export type VectorLike = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number };
+
+/** An orientation that you pass: an array, or an object such as a `THREE.Quaternion`. */
+export type QuaternionLike = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number; readonly w: number };
+
+export type EventKind = "impact" | "slide" | "roll" | "rest" | "net" | "goal" | "contactEnd" | "pinned" | "enterZone" | "exitZone";
+
+export type Motion = "airborne" | "sliding" | "rolling" | "rest" | "pinned";
+
+/** An event within a step, with its exact time and position. */
+export interface BallEvent {
+  kind: EventKind;
+  /** The object that was hit or passed, such as "ground", "left post" or "goal"; "" if there is none. */
+  name: string;
+  /** The index of the object in `Scene.names`; −1 if there is none. */
+  collider: number;
+  /** Time since the ball was placed, in s. */
+  time: number;
+  position: Vector;
+  velocityBefore: Vector;
+  velocity: Vector;
+  spinBefore: Vector;
+  spin: Vector;
+  /** Unit normal of the contact, from the object to the ball. */
+  normal: Vector;
+  /** Energy that a bumper added, in J. */
+  addedEnergy: number;
+}
+
+/** A kick at a speed (m/s) and two angles (degrees), with spins in rad/s. */
+export interface KickAngles {
+  speed: number;
+  /** Above the horizontal; default 0. */
+  elevation?: number;
+  /** From −z, to the left; default 0. */
+  azimuth?: number;
+  topSpin?: number;
+  /** Positive bends to the left. */
+  sideSpin?: number;
+}
+
+export type Material = { material?: string } & Record<string, number | null | string | undefined>;
+
+export type Shape =
+  | { shape: "sphere"; center: Vector; radius: number }
+  | { shape: "capsule"; from: Vector; to: Vector; radius: number }
+  | { shape: "box"; center: Vector; halfSize: Vector; rotation?: Quaternion }
+  | { shape: "plane"; point: Vector; normal: Vector };
+
+export interface Goal {
+  /** The middle of the goal line. */
+  center: Vector;
+  /** Towards the pitch. */
+  facing: Vector;
+  width?: number;
+  height?: number;
+  postRadius?: number;
+  depth?: [number, number];
+  net?: boolean;
+  surface?: Material;
+}
+
+/** A scene, with the members of a scenario of the `football` command; `{}` is the default pitch. */
+export interface SceneDescription {
+  profile?: "measured" | "published";
+  ball?: { type?: string; mass?: number; radius?: number } & Record<string, unknown>;
+  air?: Record<string, unknown>;
+  gravity?: number | Vector;
+  forces?: Record<string, unknown>;
+  ground?: { surface?: string } & Record<string, unknown>;
+  dials?: { pressure?: number; wetness?: number; wear?: number; mud?: number };
+  goals?: Goal[];
+  obstacles?: (Shape & { name?: string; surface?: Material; velocity?: Vector; spin?: Vector; pivot?: Vector; mass?: number | null; layer?: number })[];
+  nets?: { name?: string; center: Vector; normal: Vector; along: Vector; halfSize: [number, number] }[];
+  zones?: (Shape & { name?: string; of?: "ball" | "centre"; layer?: number })[];
+  /** Objects that your game moves, such as players. Their shapes are in the frame of the body. */
+  bodies?: (Shape & { name?: string; surface?: Material; mass?: number | null; layer?: number })[];
+  solver?: { integrator?: "euler" | "semiImplicitEuler" | "rk2" | "rk4" } & Record<string, unknown>;
+}
+
+/** An object of a scene, to draw. Lines and faces are lists of coordinates x, y, z, x, y, z … */
+export interface SceneShape {
+  name: string;
+  kind: "frame" | "net" | "obstacle" | "marking" | "people";
+  /** The radius of the lines, in m; 0 for thin lines. */
+  radius: number;
+  velocity: Vector;
+  lines: number[][];
+  /** Convex polygons; the corners of a net. */
+  faces: number[][];
+}
+
+export interface AimRequest {
+  from: Vector;
+  target: Vector;
+  /** The speed of the kick, in m/s. */
+  speed: number;
+  /** A waypoint. */
+  through?: Vector;
+  targetVelocity?: Vector;
+  kickTime?: number;
+  arc?: "low" | "high";
+  spin?: { top?: number; side?: number; free?: boolean };
+  maxSpin?: { top?: number; side?: number };
+  elevation?: { min?: number; max?: number };
+  tolerance?: number;
+  throughTolerance?: number;
+  maxIterations?: number;
+}
+
+export interface AimResult {
+  status: "hit" | "outOfReach" | "notConverged" | "degenerate" | "waypointMissed" | "blocked";
+  velocity: Vector;
+  spin: Vector;
+  speed: number;
+  elevation: number;
+  azimuth: number;
+  topSpin: number;
+  sideSpin: number;
+  /** The distance by which the kick misses the target, in m. */
+  miss: number | null;
+  time: number | null;
+  /** The object that a blocked kick hits. */
+  blockedBy: string | null;
+}
+
+export interface KeeperPlayer {
+  position: Vector;
+  velocity?: Vector;
+  reaction?: number;
+  acceleration?: number;
+  speed?: number;
+  reach?: number;
+  minimumHeight?: number;
+  maximumHeight?: number;
+}
+
+export interface KeeperAnswer {
+  crosses: boolean;
+  isOnTarget: boolean;
+  saves: boolean;
+  /** When and where the ball crosses the goal line. */
+  time: number | null;
+  position: Vector;
+  lateralOffset: number | null;
+  reachLeft: number | null;
+  reachRight: number | null;
+  reachHeight: number | null;
+  latestReaction: number | null;
+}
+
+export interface Placement {
+  velocity?: VectorLike;
+  spin?: VectorLike;
+  orientation?: QuaternionLike;
+  /** The ball's time at which the body is there; default: the start of the next step. */
+  time?: number;
+}
+
+export interface LookAheadOptions {
+  /** The step of the prediction, in s; default 0.01. With the step of your game, the path is bit-identical to the later simulation. */
+  timeStep?: number;
+  /** The event that ends the prediction; default "rest". */
+  stopAt?: "rest" | "impact" | "time";
+}
+
+export interface LoadOptions {
+  /** The address of the folder `runtime`, with a slash at its end; default: next to this module. */
+  url?: string;
+  /** The contents of the folder `runtime` by file name, for a page in one file. */
+  files?: Record<string, ArrayBuffer>;
+}
+
+/** An input was rejected. The message names the field, the value and the allowed range. */
+export class PhysicsError extends Error {}
+
+/** Loads the library in this thread, once. */
+export function load(options?: LoadOptions): Promise<Physics>;
+
+/** Loads the library in a worker of its own. Each method then returns a promise. */
+export function loadWorker(options?: LoadOptions & { worker?: string | URL }): Promise<RemotePhysics>;
+
+interface Presets {
+  readonly version: string;
+  /** Balls by their names for `ball.type`. */
+  readonly balls: Readonly<Record<string, { mass: number; radius: number; inertiaFactor: number; bounce: number }>>;
+  /** Names for `ground.surface`. */
+  readonly grounds: readonly string[];
+  /** Names for `surface.material`. */
+  readonly materials: readonly string[];
+}
+
+export interface Physics extends Presets {
+  /** Validates and compiles a scene: an object, or JSON text. */
+  scene(description?: SceneDescription | string): Scene;
+  /** A ball in a scene of its own. */
+  ball(description?: SceneDescription | string): Ball;
+  /** The velocity and the spin of a kick at a speed and two angles. */
+  kickVectors(kick: KickAngles): { velocity: Float64Array; spin: Float64Array };
+  /** Hashes of a few hundred simulations. They are identical on every machine and in every language. */
+  goldenHashes(): string[];
+}
+
+interface SceneAbout {
+  /** The radius of the ball, in m. */
+  readonly radius: number;
+  /** The names of all objects, by index. */
+  readonly names: readonly string[];
+  /** The hash of the scene. Scenes with equal hashes give identical results. */
+  readonly hash: string;
+  /** The objects, to draw. */
+  readonly shapes: readonly SceneShape[];
+  readonly goals: readonly { center: Vector; facing: Vector }[];
+}
+
+export interface Scene extends SceneAbout {
+  readonly bodies: readonly Body[];
+  body(name: string): Body;
+  /** A ball at rest on the ground at the origin. */
+  ball(): Ball;
+  /** Finds the kick that hits a target. */
+  aim(request: AimRequest): AimResult;
+  /** Frees the scene; otherwise the garbage collector does. */
+  free(): void;
+}
+
+export interface Body {
+  readonly name: string;
+  /** Places the body, for the next step or look-ahead. That call throws if a number is out of range. */
+  place(position: VectorLike, motion?: Placement): void;
+  /** Takes the body out of play, until it is placed again. */
+  withdraw(): void;
+  state(): { position: Float64Array; velocity: Float64Array; spin: Float64Array; orientation: Float64Array };
+}
+
+interface BallState {
+  /** Time since the ball was placed, in s. */
+  readonly time: number;
+  readonly position: Vector;
+  readonly velocity: Vector;
+  /** Angular velocity in the world frame, in rad/s. */
+  readonly spin: Vector;
+  readonly orientation: Quaternion;
+  readonly motion: Motion;
+  /** The events of the last step, in order of time. */
+  readonly events: BallEvent[];
+}
+
+export interface Ball extends BallState {
+  readonly scene: Scene;
+  /** Places the ball without motion and resets its clock. */
+  place(position: VectorLike): void;
+  /** Places the ball with a velocity and a spin, and resets its clock. */
+  launch(position: VectorLike, velocity: VectorLike, spin?: VectorLike): void;
+  kick(velocity: VectorLike, spin?: VectorLike): void;
+  kick(kick: KickAngles): void;
+  /** Advances the ball by a time, in s. */
+  step(dt: number): void;
+  /** Predicts the path: rows t, x, y, z, evenly spaced from now. If the prediction ends before, the last row repeats. */
+  lookAhead(seconds: number, samples?: number, options?: LookAheadOptions): Float64Array;
+  /** The end of the last prediction, in s. */
+  lookAheadEnd(): number;
+  /** The events of the last prediction. */
+  lookAheadEvents(): BallEvent[];
+  /** Whether a goalkeeper saves the ball on the last predicted path. */
+  keeper(player: KeeperPlayer, goal?: number): KeeperAnswer;
+  /** The bulges of the nets, to draw; call it after each step. */
+  bulges(): { depth: number; position: Float64Array; direction: Float64Array }[];
+  /** The hash of the state: 16 hexadecimal digits, as `Snapshot.Hash` in C# and `fp_hash` in C. */
+  hash(): string;
+  /** The state as bytes, as `Snapshot.Write` in C#. */
+  save(): Uint8Array;
+  restore(bytes: Uint8Array): void;
+  /** Frees the ball; otherwise the garbage collector does. */
+  free(): void;
+}
+
+type Remote<T> = { [K in keyof T]: T[K] extends (...args: infer A) => infer R ? (...args: A) => Promise<R> : T[K] };
+
+export interface RemotePhysics extends Presets {
+  scene(description?: SceneDescription | string): Promise<RemoteScene>;
+  ball(description?: SceneDescription | string): Promise<RemoteBall>;
+  goldenHashes(): Promise<string[]>;
+  terminate(): void;
+}
+
+export interface RemoteScene extends SceneAbout {
+  readonly bodies: readonly Omit<Body, "state">[];
+  body(name: string): Omit<Body, "state"> | undefined;
+  ball(): Promise<RemoteBall>;
+  aim(request: AimRequest): Promise<AimResult>;
+  free(): Promise<void>;
+}
+
+/** A ball in a worker. The numbers are those after the last call that has been answered. */
+export interface RemoteBall extends BallState, Omit<Remote<Omit<Ball, keyof BallState | "scene" | "kick">>, never> {
+  readonly scene: RemoteScene;
+  kick(velocity: VectorLike, spin?: VectorLike): Promise<void>;
+  kick(kick: KickAngles): Promise<void>;
+}

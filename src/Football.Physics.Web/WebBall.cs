@@ -1,0 +1,203 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.Scenarios.Input;
+
+namespace FootballPhysics.Web;
+
+/// <summary>A ball, and the memory that JavaScript reads it from.</summary>
+internal sealed class WebBall
+{
+    /// <summary>Numbers of a ball: time, position, velocity, spin, orientation, motion, the number of events and their address.</summary>
+    private const int Numbers = 17;
+
+    /// <summary>Numbers of an event: kind, collider, time, position, velocity before and after, spin before and after, normal, added energy.</summary>
+    private const int EventNumbers = 22;
+
+    private const int MostSamples = 1_000_000;
+
+    private readonly WebScene _scene;
+    private readonly double[] _numbers = GC.AllocateArray<double>(Numbers, pinned: true);
+    private double[] _events = GC.AllocateArray<double>(32 * EventNumbers, pinned: true);
+    private double[] _eventsAhead = [];
+    private double[] _rows = [];
+    private NetBulges? _bulges;
+
+    public WebBall(WebScene scene)
+    {
+        _scene = scene;
+        Ball = new Ball(scene.Simulator);
+        Tell();
+    }
+
+    /// <summary>The ball.</summary>
+    public Ball Ball { get; }
+
+    /// <summary>The last prediction.</summary>
+    public Trajectory Ahead { get; } = new();
+
+    /// <summary>The address of the ball's numbers.</summary>
+    public int Memory => Address(_numbers);
+
+    /// <summary>Changes the ball, and writes its numbers.</summary>
+    public void Change(Action<Ball> change)
+    {
+        change(Ball);
+        Tell();
+    }
+
+    /// <summary>Places the bodies, steps, and writes numbers and events.</summary>
+    public void Step(double dt)
+    {
+        _scene.PlaceBodies(Ball.Time);
+        Ball.Step(dt);
+        Tell();
+    }
+
+    /// <summary>Predicts the path, and returns the address of its rows t, x, y, z, evenly spaced. After its end, all rows are the last one.</summary>
+    public int LookAhead(double seconds, int samples, double timeStep, string stopAt)
+    {
+        if (samples is < 2 or > MostSamples)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"samples is {samples}; allowed: 2 … {MostSamples}."));
+        }
+
+        StopAt stop = stopAt switch
+        {
+            "rest" => StopAt.Rest,
+            "impact" => StopAt.Impact,
+            "time" => StopAt.Time,
+            _ => throw new ArgumentException($"stopAt is {stopAt}; allowed: rest, impact, time."),
+        };
+        _scene.PlaceBodies(Ball.Time);
+        Ball.LookAhead(new LookAheadRequest { Duration = seconds, TimeStep = timeStep, StopAt = stop }, Ahead);
+        if (_rows.Length < 4 * samples)
+        {
+            _rows = GC.AllocateArray<double>(4 * samples, pinned: true);
+        }
+
+        for (int i = 0; i < samples; i++)
+        {
+            double time = Math.Min(Ahead.StartTime + (seconds * i / (samples - 1)), Ahead.EndTime);
+            Vector3d position = Ahead.PositionAt(time);
+            _rows[4 * i] = time;
+            Put(position, _rows, (4 * i) + 1);
+        }
+
+        return Address(_rows);
+    }
+
+    /// <summary>The number of events of the last prediction, and their address.</summary>
+    public int[] LookAheadEvents()
+    {
+        Write(Ahead.Events, ref _eventsAhead);
+        return [Ahead.Events.Count, Ahead.Events.Count > 0 ? Address(_eventsAhead) : 0];
+    }
+
+    /// <summary>The answer of a goalkeeper to the last prediction, as JSON.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    public string Keeper(ReadOnlySpan<byte> text, int goal)
+    {
+        IReadOnlyList<Goal> goals = _scene.Simulator.Scene.Goals;
+        if (goal < 0 || goal >= goals.Count)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"goal is {goal}; allowed: 0 … {goals.Count - 1}."));
+        }
+
+        InputFields fields = Json.Fields(text);
+        InputObject root = fields.Root;
+        var defaults = new Player();
+        var player = new Player
+        {
+            Position = root.Vector("position"),
+            Velocity = root.Vector("velocity", defaults.Velocity),
+            Reaction = root.Number("reaction", defaults.Reaction),
+            Acceleration = root.Number("acceleration", defaults.Acceleration),
+            Speed = root.Number("speed", defaults.Speed),
+            Reach = root.Number("reach", defaults.Reach),
+            MinimumHeight = root.Number("minimumHeight", defaults.MinimumHeight),
+            MaximumHeight = root.Number("maximumHeight", defaults.MaximumHeight),
+        };
+        fields.Check();
+        KeeperResult answer = new Interception().FindSave(Ahead, player, goals[goal]);
+        return Json.Text(json =>
+        {
+            json.WriteBoolean("crosses", answer.Crosses);
+            json.WriteBoolean("isOnTarget", answer.IsOnTarget);
+            json.WriteBoolean("saves", answer.Saves);
+            Json.Write(json, "time", answer.Crossing.Time);
+            Json.Write(json, "position", answer.Crossing.Position);
+            Json.Write(json, "lateralOffset", answer.LateralOffset);
+            Json.Write(json, "reachLeft", answer.ReachLeft);
+            Json.Write(json, "reachRight", answer.ReachRight);
+            Json.Write(json, "reachHeight", answer.ReachHeight);
+            Json.Write(json, "latestReaction", answer.LatestReaction);
+        });
+    }
+
+    /// <summary>The bulges of the nets, which follow the ball from call to call: depth, position, direction.</summary>
+    public double[] Bulges()
+    {
+        _bulges ??= new NetBulges(_scene.Simulator);
+        BallState state = Ball.State;
+        _bulges.Follow(in state);
+        var told = new double[7 * _bulges.Count];
+        for (int i = 0; i < _bulges.Count; i++)
+        {
+            NetBulge bulge = _bulges[i];
+            told[7 * i] = bulge.Depth;
+            Put(bulge.Position, told, (7 * i) + 1);
+            Put(bulge.Direction, told, (7 * i) + 4);
+        }
+
+        return told;
+    }
+
+    private static unsafe int Address(double[] pinned) => (int)Unsafe.AsPointer(ref pinned[0]);
+
+    private static void Put(Vector3d v, double[] into, int at)
+    {
+        into[at] = v.X;
+        into[at + 1] = v.Y;
+        into[at + 2] = v.Z;
+    }
+
+    private void Tell()
+    {
+        _numbers[0] = Ball.Time;
+        Put(Ball.Position, _numbers, 1);
+        Put(Ball.Velocity, _numbers, 4);
+        Put(Ball.Spin, _numbers, 7);
+        Quaterniond q = Ball.Orientation;
+        _numbers[10] = q.X;
+        _numbers[11] = q.Y;
+        _numbers[12] = q.Z;
+        _numbers[13] = q.W;
+        _numbers[14] = (int)Ball.Motion;
+        _numbers[15] = Ball.Events.Count;
+        Write(Ball.Events, ref _events);
+        _numbers[16] = Address(_events);
+    }
+
+    private static void Write(EventBuffer events, ref double[] into)
+    {
+        if (into.Length < EventNumbers * events.Count)
+        {
+            into = GC.AllocateArray<double>(2 * EventNumbers * events.Count, pinned: true);
+        }
+
+        int at = 0;
+        foreach (ref readonly BallEvent happened in events.Span)
+        {
+            into[at] = (int)happened.Kind;
+            into[at + 1] = happened.ColliderIndex;
+            into[at + 2] = happened.Time;
+            Put(happened.Position, into, at + 3);
+            Put(happened.VelocityBefore, into, at + 6);
+            Put(happened.Velocity, into, at + 9);
+            Put(happened.SpinBefore, into, at + 12);
+            Put(happened.Spin, into, at + 15);
+            Put(happened.Normal, into, at + 18);
+            into[at + 21] = happened.AddedEnergy;
+            at += EventNumbers;
+        }
+    }
+}
