@@ -15,6 +15,7 @@ internal sealed class PlaneFlights
     private readonly LaneGroup _group = new();
     private Trajectory _path = new();
     private readonly Vector3d _wind;
+    private LookAheadRequest? _request; // that of the last plane
 
     public PlaneFlights(Simulator simulator)
     {
@@ -104,16 +105,21 @@ internal sealed class PlaneFlights
     public PlaneCrossingPoint Alone(in Vector3d from, in GoalPlane goal, in Vector3d velocity, in Vector3d spin)
     {
         BallState ball = _simulator.Launch(from, velocity, spin);
-        var request = new LookAheadRequest { Duration = Longest, UntilPlane = goal.Plane };
-        _simulator.LookAhead(in ball, request, _path);
+        Plane3d plane = goal.Plane;
+        if (_request?.UntilPlane is not { } known || known.Point != plane.Point || known.Normal != plane.Normal)
+        {
+            _request = new LookAheadRequest { Duration = Longest, UntilPlane = plane };
+        }
+
+        _simulator.LookAhead(in ball, _request, _path);
         while (!_path.IsComplete)
         {
             // Only a full buffer ends a path early: grow it and repeat.
             _path = new Trajectory(2 * _path.Pieces.Length);
-            _simulator.LookAhead(in ball, request, _path);
+            _simulator.LookAhead(in ball, _request, _path);
         }
 
-        return _path.TryGetCrossing(goal.Plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
+        return _path.TryGetCrossing(in plane, out PathPoint at) ? new PlaneCrossingPoint(at.Time, at.Position) : new PlaneCrossingPoint(-1, from);
     }
 
     /// <summary>Converts to the axes of the lanes: x up, y backward, z right.</summary>

@@ -14,7 +14,15 @@ public readonly struct PathSegment
     private const int MostEvaluations = 60;
 
     private readonly int _degree;
+    private readonly double _time;
+    private readonly double _length;
+    private readonly Vector3d _startPosition;
+    private readonly Vector3d _startVelocity;
+    private readonly Vector3d _startAcceleration;
+    private readonly Vector3d _endPosition;
+    private readonly Vector3d _endVelocity;
     private readonly Vector3d _endAcceleration;
+    private readonly MotionState _motion;
 
     internal PathSegment(
         double time,
@@ -28,15 +36,15 @@ public readonly struct PathSegment
         MotionState motion,
         int degree)
     {
-        Time = time;
-        Length = length;
-        StartPosition = startPosition;
-        StartVelocity = startVelocity;
-        StartAcceleration = startAcceleration;
-        EndPosition = endPosition;
-        EndVelocity = endVelocity;
+        _time = time;
+        _length = length;
+        _startPosition = startPosition;
+        _startVelocity = startVelocity;
+        _startAcceleration = startAcceleration;
+        _endPosition = endPosition;
+        _endVelocity = endVelocity;
         _endAcceleration = endAcceleration;
-        Motion = motion;
+        _motion = motion;
         _degree = degree;
     }
 
@@ -48,6 +56,48 @@ public readonly struct PathSegment
     /// <summary>Completes a segment whose acceleration at the end was not known.</summary>
     internal static void Close(ref PathSegment open, in Vector3d endAcceleration) => Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
 
+    /// <summary>Writes a segment of flight to its position in a buffer. A constructed segment would be copied there.</summary>
+    internal static void Write(
+        ref PathSegment to,
+        double time,
+        double length,
+        in Vector3d startPosition,
+        in Vector3d startVelocity,
+        in Vector3d startAcceleration,
+        in Vector3d endPosition,
+        in Vector3d endVelocity,
+        int degree)
+    {
+        Unsafe.AsRef(in to._degree) = degree;
+        Unsafe.AsRef(in to._time) = time;
+        Unsafe.AsRef(in to._length) = length;
+        Unsafe.AsRef(in to._startPosition) = startPosition;
+        Unsafe.AsRef(in to._startVelocity) = startVelocity;
+        Unsafe.AsRef(in to._startAcceleration) = startAcceleration;
+        Unsafe.AsRef(in to._endPosition) = endPosition;
+        Unsafe.AsRef(in to._endVelocity) = endVelocity;
+        Unsafe.AsRef(in to._motion) = MotionState.Airborne;
+    }
+
+    /// <summary>Writes a segment without air, with constant acceleration, to its position in a buffer.</summary>
+    internal static void WriteFall(ref PathSegment to, in BallState start, double h, double end, double climb, double height, double upward, int degree)
+    {
+        double vx = start.Flight.Velocity.X;
+        double vz = start.Flight.Velocity.Z;
+        double x = start.Position.X;
+        double z = start.Position.Z;
+        Unsafe.AsRef(in to._degree) = degree;
+        Unsafe.AsRef(in to._time) = start.Time;
+        Unsafe.AsRef(in to._length) = end - start.Time;
+        Unsafe.AsRef(in to._startPosition) = new Vector3d(x, start.Position.Y, z);
+        Unsafe.AsRef(in to._startVelocity) = new Vector3d(vx, start.Flight.Velocity.Y, vz);
+        Unsafe.AsRef(in to._startAcceleration) = new Vector3d(0, upward, 0);
+        Unsafe.AsRef(in to._endPosition) = new Vector3d(x + (h * vx), height, z + (h * vz));
+        Unsafe.AsRef(in to._endVelocity) = new Vector3d(vx, climb, vz);
+        Unsafe.AsRef(in to._endAcceleration) = new Vector3d(0, upward, 0);
+        Unsafe.AsRef(in to._motion) = MotionState.Airborne;
+    }
+
     /// <summary>Returns the cubic between the ends of a step without events.</summary>
     internal static PathSegment Cubic(in BallState start, in BallState end) => new(
         start.Time, end.Time - start.Time, start.Position, start.Velocity, default, end.Position, end.Velocity, default, start.Motion, 3);
@@ -56,34 +106,34 @@ public readonly struct PathSegment
     internal int Degree => _degree;
 
     /// <summary>The start time, in s since the launch.</summary>
-    public double Time { get; }
+    public double Time => _time;
 
     /// <summary>The duration, in s.</summary>
-    public double Length { get; }
+    public double Length => _length;
 
     /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Time + Length;
 
     /// <summary>The position at the start, in m.</summary>
-    public Vector3d StartPosition { get; }
+    public Vector3d StartPosition => _startPosition;
 
     /// <summary>The velocity at the start, in m/s.</summary>
-    public Vector3d StartVelocity { get; }
+    public Vector3d StartVelocity => _startVelocity;
 
     /// <summary>The acceleration at the start, in m/s².</summary>
-    public Vector3d StartAcceleration { get; }
+    public Vector3d StartAcceleration => _startAcceleration;
 
     /// <summary>The position at the end, in m.</summary>
-    public Vector3d EndPosition { get; }
+    public Vector3d EndPosition => _endPosition;
 
     /// <summary>The velocity at the end, before an impact that may follow, in m/s.</summary>
-    public Vector3d EndVelocity { get; }
+    public Vector3d EndVelocity => _endVelocity;
 
     /// <summary>The acceleration at the end, in m/s².</summary>
     public Vector3d EndAcceleration => _endAcceleration;
 
     /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
-    public MotionState Motion { get; }
+    public MotionState Motion => _motion;
 
     /// <summary>The greatest height of the ball's centre, in m.</summary>
     public double Apex

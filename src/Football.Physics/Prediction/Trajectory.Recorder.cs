@@ -51,37 +51,80 @@ public sealed partial class Trajectory
             }
         }
 
-        internal override bool Close(in Vector3d position, in Vector3d velocity, double spin, double time, in Vector3d acceleration)
+        internal override bool AddFlight(
+            Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree)
         {
-            // The step starts where the open piece ends: it has computed the same acceleration.
+            double length = end.Time - time;
+            if (!LeavesOpen)
+            {
+                stepper.EndAcceleration(in end, length, out Vector3d atEnd);
+                _owner.Log.Evaluations++;
+                return Add(new PathSegment(
+                    time, length, in position, in velocity, in acceleration, end.Position, end.Velocity, in atEnd, MotionState.Airborne, degree));
+            }
+
+            // If the step starts where the open piece ends, it has computed the acceleration that the piece lacks.
             if (_open >= 0 && _openEnd.Time == time && _openEnd.Position == position && _openEnd.Flight.Velocity == velocity && _openEnd.Flight.SpinRate == spin)
             {
                 PathSegment.Close(ref _owner._pieces[_open], in acceleration);
                 _owner.Log.Evaluations -= _isShown ? 1 : 0;
                 _open = -1;
-                _isShown = false;
             }
 
-            return LeavesOpen;
-        }
+            Close();
+            if (_owner.Count == _owner._pieces.Length)
+            {
+                Overflows = true;
+                return !GoesOn;
+            }
 
-        internal override void LeaveOpen(Stepper stepper, in BallState end, double h)
-        {
-            // A piece that did not fit is not stored.
-            _open = Overflows ? -1 : _owner.Count - 1;
-            _isShown = false;
+            _open = _owner.Count++;
+            PathSegment.Write(ref _owner._pieces[_open], time, length, in position, in velocity, in acceleration, end.Position, in end.Flight.Velocity, degree);
+
+            // Copy only the values that an acceleration depends on.
             _openStepper = stepper;
-            _openLength = h;
-
-            // Copy only the values that an acceleration depends on, one by one: they were stored one by one just now.
+            _openLength = length;
             _openEnd.Time = end.Time;
-            _openEnd.Position = new Vector3d(end.Position.X, end.Position.Y, end.Position.Z);
-            _openEnd.Flight.Velocity = new Vector3d(end.Flight.Velocity.X, end.Flight.Velocity.Y, end.Flight.Velocity.Z);
-            _openEnd.Flight.Axis = end.Flight.Axis;
-            _openEnd.Flight.SpinRate = end.Flight.SpinRate;
+            _openEnd.Position = end.Position;
+            _openEnd.Flight = end.Flight;
             _openEnd.Branch = end.Branch;
             _openEnd.AirDistance = end.AirDistance;
             _openEnd.Motion = end.Motion;
+            return IsFull();
+        }
+
+        internal override bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree)
+        {
+            if (_untilPlane || _untilPassing)
+            {
+                var acceleration = new Vector3d(0, upward, 0);
+                Vector3d v = start.Velocity;
+                var to = new Vector3d(start.Position.X + (h * v.X), height, start.Position.Z + (h * v.Z));
+                return Add(new PathSegment(
+                    start.Time, end - start.Time, start.Position, in v, in acceleration, in to, new Vector3d(v.X, climb, v.Z), in acceleration, MotionState.Airborne, degree));
+            }
+
+            if (_open >= 0)
+            {
+                Close();
+            }
+
+            if (_owner.Count == _owner._pieces.Length)
+            {
+                Overflows = true;
+                return !GoesOn;
+            }
+
+            PathSegment.WriteFall(ref _owner._pieces[_owner.Count++], in start, h, end, climb, height, upward, degree);
+            return IsFull();
+        }
+
+        /// <summary>True if the last segment fills the buffer and the look-ahead is to end there.</summary>
+        private bool IsFull()
+        {
+            bool full = EndsWhenFull && _owner.Count == _owner._pieces.Length;
+            _owner.IsComplete = !full;
+            return full;
         }
 
         /// <summary>Completes the last piece by an evaluation.</summary>
@@ -120,9 +163,7 @@ public sealed partial class Trajectory
             pieces[_owner.Count++] = piece;
 
             // End at the last segment that fits, at the plane, or when the ball comes no closer to the point.
-            bool full = EndsWhenFull && _owner.Count == pieces.Length;
-            _owner.IsComplete = !full;
-            return full || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
+            return IsFull() || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
         }
     }
 }

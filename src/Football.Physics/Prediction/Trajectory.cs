@@ -51,7 +51,7 @@ public sealed partial class Trajectory
     /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False if the buffer filled up, or a custom force threw, before the look-ahead ended, and while a <see cref="LookAheadRun"/> is not finished.</summary>
+    /// <summary>False if the buffer filled up, a custom force threw, or a <see cref="LookAheadRun"/> will continue the path.</summary>
     public bool IsComplete { get; private set; }
 
     /// <summary>The number of right-hand-side evaluations.</summary>

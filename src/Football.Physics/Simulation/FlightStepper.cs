@@ -226,33 +226,28 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void ShowFall(StepLog log, ref BallState s, double h, double end, double climb, double height)
     {
-        double time = s.Time;
-        Vector3d position = s.Position;
-        Vector3d velocity = s.Velocity;
-        double angle = s.Angle;
-        var moved = new Vector3d(position.X + (h * velocity.X), height, position.Z + (h * velocity.Z));
-        var after = new Vector3d(velocity.X, climb, velocity.Z);
-        var acceleration = new Vector3d(0, _upward, 0);
-        s.Position = moved;
-        s.Velocity = after;
+        // A look-ahead needs no states: leave out their copies.
+        bool isPath = log.WantsPathOnly;
+        Unsafe.SkipInit(out BallState before);
+        if (isPath)
+        {
+            log.ShowFall(in s, h, end, climb, height, _upward, _integrator.Order);
+        }
+        else
+        {
+            before = s;
+        }
+
+        s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
+        s.Velocity = new Vector3d(s.Velocity.X, climb, s.Velocity.Z);
         s.Angle += h * s.SpinRate;
         s.Time = end;
         log.Steps++;
         log.Evaluations += _integrator.Stages;
-        if (log.WantsPathOnly)
+        if (!isPath)
         {
-            // A look-ahead needs no states: leave out their copies.
-            log.Show(new PathSegment(
-                time, end - time, in position, in velocity, in acceleration, in moved, in after, in acceleration, MotionState.Airborne,
-                PathSegment.DegreeOf(_integrator.Order, true)));
-            return;
+            var acceleration = new Vector3d(0, _upward, 0);
+            log.Show(in before, in s, in acceleration, in acceleration, _integrator.Order);
         }
-
-        BallState before = s;
-        before.Time = time;
-        before.Position = position;
-        before.Velocity = velocity;
-        before.Angle = angle;
-        log.Show(in before, in s, in acceleration, in acceleration, _integrator.Order);
     }
 }

@@ -11,14 +11,12 @@ public abstract class PieceObserver
     /// <summary>False if the observer ignores the states at the ends of a piece, and always needs the acceleration at its end.</summary>
     internal virtual bool WantsStates => true;
 
-    /// <summary>Called at the start of a whole step of flight, whose acceleration is that at the end of the last piece if the ball has not changed.</summary>
-    /// <returns>True if the next piece may lack the acceleration at its end.</returns>
-    internal virtual bool Close(in Vector3d position, in Vector3d velocity, double spin, double time, in Vector3d acceleration) => false;
+    /// <summary>Called after a whole step of flight, if the observer ignores the states.</summary>
+    internal virtual bool AddFlight(
+        Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int degree) => false;
 
-    /// <summary>Called if the last piece lacks the acceleration at its end, with the ball there and the length of the step.</summary>
-    internal virtual void LeaveOpen(Stepper stepper, in BallState end, double h)
-    {
-    }
+    /// <summary>Called before a whole step without air, if the observer ignores the states.</summary>
+    internal virtual bool AddFall(in BallState start, double h, double end, double climb, double height, double upward, int degree) => false;
 
     /// <summary>Called after every piece, before the event that may end it.</summary>
     /// <param name="piece">The piece of the path.</param>

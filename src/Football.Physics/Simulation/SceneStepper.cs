@@ -167,7 +167,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     {
         if (log.WantsPathOnly)
         {
-            ShowPath(log, in s, time, in position, in velocity, spin, in step);
+            // A look-ahead needs no states: leave out their copies.
+            log.ShowFlight(this, in s, time, in position, in velocity, spin, in step.StartAcceleration, _integrator.Order);
             return;
         }
 
@@ -184,30 +185,6 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         }
 
         log.Show(in before, in s, in step.StartAcceleration, in acceleration, _integrator.Order);
-    }
-
-    /// <summary>Reports a whole step of flight to a look-ahead, which needs no states.</summary>
-    private void ShowPath(StepLog log, in BallState s, double time, in Vector3d position, in Vector3d velocity, double spin, in FlightStep step)
-    {
-        // Read single components: the processor cannot forward stores of them to a load of a whole vector.
-        double h = s.Time - time;
-        var end = new Vector3d(s.Position.X, s.Position.Y, s.Position.Z);
-        var endVelocity = new Vector3d(s.Flight.Velocity.X, s.Flight.Velocity.Y, s.Flight.Velocity.Z);
-        bool isOpen = log.ShowStart(in position, in velocity, spin, time, in step.StartAcceleration);
-        Vector3d atEnd = default;
-        if (!isOpen)
-        {
-            EndAcceleration(in s, h, out atEnd);
-            log.Evaluations++;
-        }
-
-        log.Show(new PathSegment(
-            time, h, in position, in velocity, in step.StartAcceleration, in end, in endVelocity, in atEnd, MotionState.Airborne,
-            PathSegment.DegreeOf(_integrator.Order, true)));
-        if (isOpen)
-        {
-            log.LeaveOpen(this, in s, h);
-        }
     }
 
     public override void EndAcceleration(in BallState s, double h, out Vector3d acceleration) =>

@@ -80,16 +80,29 @@ public sealed partial class StepLog
     /// <summary>True if only the path is observed: see <see cref="PieceObserver.WantsStates"/>.</summary>
     internal bool WantsPathOnly => _wantsPathOnly && _zones is null;
 
-    /// <summary>Reports the start of a step of flight to an observer that ignores the states.</summary>
-    /// <returns>True if the observer takes the acceleration at the end of the step from the start of the next one.</returns>
-    internal bool ShowStart(in Vector3d position, in Vector3d velocity, double spin, double time, in Vector3d acceleration) =>
-        _observer!.Close(in position, in velocity, spin, time, in acceleration);
+    /// <summary>Reports a whole step of flight to an observer that ignores the states.</summary>
+    /// <param name="stepper">Computes the acceleration at the end, if it is needed.</param>
+    /// <param name="end">The ball at the end.</param>
+    /// <param name="time">The start time, s.</param>
+    /// <param name="position">Position at the start, m.</param>
+    /// <param name="velocity">Velocity at the start, m/s.</param>
+    /// <param name="spin">Spin at the start, rad/s.</param>
+    /// <param name="acceleration">Acceleration at the start, m/s².</param>
+    /// <param name="order">Order of the integrator.</param>
+    internal void ShowFlight(
+        Stepper stepper, in BallState end, double time, in Vector3d position, in Vector3d velocity, double spin, in Vector3d acceleration, int order) =>
+        Halted |= _observer!.AddFlight(stepper, in end, time, in position, in velocity, spin, in acceleration, PathSegment.DegreeOf(order, true));
 
-    /// <summary>Lets the observer complete the last piece later.</summary>
-    internal void LeaveOpen(Stepper stepper, in BallState end, double h) => _observer!.LeaveOpen(stepper, in end, h);
-
-    /// <summary>Reports a piece to an observer that ignores the states.</summary>
-    internal void Show(in PathSegment piece) => Halted |= _observer!.Add(in piece);
+    /// <summary>Reports a whole step without air, before it is taken, to an observer that ignores the states.</summary>
+    /// <param name="start">The ball at the start.</param>
+    /// <param name="h">The length of the step, s.</param>
+    /// <param name="end">The end time, s.</param>
+    /// <param name="climb">Upward velocity at the end, m/s.</param>
+    /// <param name="height">Height at the end, m.</param>
+    /// <param name="upward">The constant upward acceleration, m/s².</param>
+    /// <param name="order">Order of the integrator.</param>
+    internal void ShowFall(in BallState start, double h, double end, double climb, double height, double upward, int order) =>
+        Halted |= _observer!.AddFall(in start, h, end, climb, height, upward, PathSegment.DegreeOf(order, true));
 
     /// <summary>Reports a piece to the zones and to the observer.</summary>
     /// <param name="before">The ball at the start of the piece.</param>
