@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-
 namespace FootballPhysics;
 
 /// <summary>A Runge–Kutta method of order 8 in 12 stages, for motion that changes fast but smoothly: a ball in a net.</summary>
@@ -49,21 +46,20 @@ internal static unsafe class EighthOrder
     {
         Stage* stages = stackalloc Stage[Stages];
         stages[0] = new Stage(in from.Velocity, in start);
-        ref double weight = ref MemoryMarshal.GetReference(Weights);
+        ReadOnlySpan<double> weights = Weights;
+        int next = 0;
         Motion at = from;
         for (int i = 1; ; i++)
         {
             // y + h Σ w k, with the velocities as the rates of the position.
-            double w = h * weight;
-            weight = ref Unsafe.Add(ref weight, 1);
+            double w = h * weights[next++];
             Vector3d velocity = w * stages[0].Velocity;
             Vector3d acceleration = w * stages[0].Rates.Acceleration;
             Vector3d spinAcceleration = w * stages[0].Rates.SpinAcceleration;
             double airSpeed = w * stages[0].Rates.AirSpeed;
             for (int j = FirstOfRow[i]; j < i; j++)
             {
-                w = h * weight;
-                weight = ref Unsafe.Add(ref weight, 1);
+                w = h * weights[next++];
                 velocity += w * stages[j].Velocity;
                 acceleration += w * stages[j].Rates.Acceleration;
                 spinAcceleration += w * stages[j].Rates.SpinAcceleration;
