@@ -54,9 +54,17 @@ public readonly struct PathSegment
     internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
 
     /// <summary>Completes a segment whose acceleration at the end was not known.</summary>
-    internal static void Close(ref PathSegment open, in Vector3d endAcceleration) => Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
+    internal static void Close(ref PathSegment open, in Vector3d endAcceleration) =>
+#if NET8_0_OR_GREATER
+        Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
+#else
+        open = new PathSegment(
+            open._time, open._length, in open._startPosition, in open._startVelocity, in open._startAcceleration, in open._endPosition, in open._endVelocity,
+            in endAcceleration, open._motion, open._degree);
+#endif
 
     /// <summary>Writes a segment of flight to its position in a buffer. A constructed segment would be copied there.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Write(
         ref PathSegment to,
         double time,
@@ -68,6 +76,7 @@ public readonly struct PathSegment
         in Vector3d endVelocity,
         int degree)
     {
+#if NET8_0_OR_GREATER
         Unsafe.AsRef(in to._degree) = degree;
         Unsafe.AsRef(in to._time) = time;
         Unsafe.AsRef(in to._length) = length;
@@ -77,15 +86,21 @@ public readonly struct PathSegment
         Unsafe.AsRef(in to._endPosition) = endPosition;
         Unsafe.AsRef(in to._endVelocity) = endVelocity;
         Unsafe.AsRef(in to._motion) = MotionState.Airborne;
+#else
+        to = new PathSegment(
+            time, length, in startPosition, in startVelocity, in startAcceleration, in endPosition, in endVelocity, default, MotionState.Airborne, degree);
+#endif
     }
 
     /// <summary>Writes a segment without air, with constant acceleration, to its position in a buffer.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void WriteFall(ref PathSegment to, in BallState start, double h, double end, double climb, double height, double upward, int degree)
     {
         double vx = start.Flight.Velocity.X;
         double vz = start.Flight.Velocity.Z;
         double x = start.Position.X;
         double z = start.Position.Z;
+#if NET8_0_OR_GREATER
         Unsafe.AsRef(in to._degree) = degree;
         Unsafe.AsRef(in to._time) = start.Time;
         Unsafe.AsRef(in to._length) = end - start.Time;
@@ -96,6 +111,20 @@ public readonly struct PathSegment
         Unsafe.AsRef(in to._endVelocity) = new Vector3d(vx, climb, vz);
         Unsafe.AsRef(in to._endAcceleration) = new Vector3d(0, upward, 0);
         Unsafe.AsRef(in to._motion) = MotionState.Airborne;
+#else
+        var acceleration = new Vector3d(0, upward, 0);
+        to = new PathSegment(
+            start.Time,
+            end - start.Time,
+            new Vector3d(x, start.Position.Y, z),
+            new Vector3d(vx, start.Flight.Velocity.Y, vz),
+            in acceleration,
+            new Vector3d(x + (h * vx), height, z + (h * vz)),
+            new Vector3d(vx, climb, vz),
+            in acceleration,
+            MotionState.Airborne,
+            degree);
+#endif
     }
 
     /// <summary>Returns the cubic between the ends of a step without events.</summary>
