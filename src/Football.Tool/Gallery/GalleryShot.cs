@@ -1,4 +1,3 @@
-using FootballPhysics.Engines;
 using FootballPhysics.Tool.Replay;
 using FootballPhysics.Scenarios;
 
