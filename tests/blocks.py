@@ -25,6 +25,9 @@ SCRIPTS = {
     "README.md#start": ".ci/run",
     "CONTRIBUTING.md#build-test-measure": ".ci/run",
     "docs/c.md#c-c-and-unreal": "tests/native.sh",
+    "docs/c.md#lua-and-love2d": "tests/native.sh",
+    "docs/c.md#javascript-npm-web-pages-and-threejs": "tests/npm.sh",
+    "docs/c.md#threejs": "tests/npm.sh",
     "docs/command-line.md#install": "tests/tool.sh",
     "docs/command-line.md#a-kick": "tests/tool.sh",
     "docs/command-line.md#a-replay": "tests/tool.sh",
@@ -32,6 +35,7 @@ SCRIPTS = {
     "docs/cookbook.md#see-what-it-does": "tests/tool.sh",
     "docs/data-sets.md#data-sets-tracks-and-python": "tests/tool.sh",
     "docs/data-sets.md#many-machines": "tests/tool.sh",
+    "docs/data-sets.md#pygame": "tests/native.sh",
     "docs/data-sets.md#python": "tests/native.sh",
     "docs/getting-started.md#install": "tests/package.sh",
     "docs/getting-started.md#a-first-kick": "tests/package.sh",
@@ -44,6 +48,11 @@ NOT_RUN = {
     ("CONTRIBUTING.md#build-test-measure", 2): "the first command is that of README.md#start, which .ci/run runs; the second command runs a part of these tests again",
     ("CONTRIBUTING.md#build-test-measure", 5): "takes minutes, and its times mean nothing beside other processes",
     ("CONTRIBUTING.md#build-test-measure", 6): "is .ci/run itself",
+    ("docs/c.md#lua-and-love2d", 1): "opens a window, and runs until someone closes it",
+    ("docs/c.md#threejs", 2): "serves until someone stops it",
+    ("docs/cookbook.md#how-do-i-use-it-with-monogame", 1): "needs packages of MonoGame; the tests compile the program against stand-ins",
+    ("docs/cookbook.md#how-do-i-use-it-with-raylib", 1): "needs the package Raylib-cs; the tests compile the program against stand-ins",
+    ("docs/data-sets.md#pygame", 1): "opens a window, and runs until someone closes it",
 }
 
 # A shell command belongs in a sh block. A block without a kind could contain one.

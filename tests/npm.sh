@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The npm package as a stranger uses it: packed, its size, its types, bad input, the programs of docs/web.md, and the three.js sample in a browser.
+# The npm package as a stranger uses it: packed, its size, its types, bad input, the programs of docs/c.md, and the three.js sample in a browser.
 #   tests/npm.sh [DIR]     the picture of the sample in DIR (default out/npm)
 # Needs Node, npm and a Chromium; the solution must be built. Web.Tests compares the bits with C#.
 set -euo pipefail
@@ -20,24 +20,24 @@ fail() {
 }
 
 package=$root/src/Football.Physics.Web/bin/package
-[[ -e $package/index.js ]] || fail "no package: dotnet publish -c Release src/Football.Physics.Web"
-(cd "$out" && npm pack --silent "$package") > "$log" 2>&1 || fail "npm pack"
-tgz=$out/$(tail -n 1 "$log")
+# The blocks of docs/c.md, exactly as printed.
+tests/blocks.py run docs/c.md#javascript-npm-web-pages-and-threejs > "$log" 2>&1 || fail "docs/c.md, npm"
+mv football-physics-*.tgz "$out"
+tgz=$(echo "$out"/football-physics-*.tgz)
 bytes=$(node tests/Npm/compressed.mjs "$package")
 (( bytes <= most_bytes )) || fail "the package has $bytes bytes with brotli; allowed: $most_bytes"
 echo "ok    $(basename "$tgz"): $(stat -c %s "$tgz") bytes, $bytes with brotli, of at most $most_bytes"
 
-for folder in tests/Npm samples/Three; do
-  (cd "$folder" && npm ci --no-audit --no-fund --prefer-offline) > "$log" 2>&1 || fail "npm ci in $folder"
-done
+npm ci --no-audit --no-fund --prefer-offline --prefix tests/Npm > "$log" 2>&1 || fail "npm ci in tests/Npm"
 node tests/Npm/node_modules/typescript/bin/tsc -p tests/Npm > "$log" 2>&1 || { cat "$log" >&2; fail "tsc"; }
 echo "ok    the types compile, and reject what they should"
 
 node tests/Npm/refusals.mjs > "$log" 2>&1 || fail "refusals.mjs"
 echo "ok    $(tail -n 1 "$log")"
-node tests/Npm/docs.mjs docs/web.md > "$log" 2>&1 || fail "docs/web.md"
+node tests/Npm/docs.mjs docs/c.md > "$log" 2>&1 || fail "docs/c.md"
 echo "ok    $(tail -n 1 "$log")"
 
 start=$SECONDS
-(cd samples/Three && npm run --silent shot -- "$out/three.png") > "$log" 2>&1 || fail "samples/Three"
-echo "ok    samples/Three in a browser: $(tail -n 1 "$log"); $(grep -c '^hash' "$log") hashes as in C#, in $(( SECONDS - start )) s"
+tests/blocks.py run docs/c.md#threejs > "$log" 2>&1 || fail "docs/c.md, three.js"
+mv samples/Three/shot.png "$out/three.png"
+echo "ok    samples/Three in a browser: $(grep -c '^hash' "$log") hashes as in C#, in $(( SECONDS - start )) s"
