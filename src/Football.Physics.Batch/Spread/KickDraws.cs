@@ -20,7 +20,7 @@ internal readonly struct KickDraws
         _shifts = new ulong[Copies * KickSpread.Count];
         for (int i = 0; i < _shifts.Length; i++)
         {
-            _shifts[i] = (ulong)(SplitMix64.At(seed, i) * 9007199254740992.0) << 11;
+            _shifts[i] = SplitMix64.BitsAt(seed, i);
         }
     }
 
@@ -34,12 +34,9 @@ internal readonly struct KickDraws
         for (int i = 0; i < KickSpread.Count; i += 2)
         {
             int at = (copy * KickSpread.Count) + i;
-            double first = Uniform(unchecked(_shifts[at] + (step * s_steps[i])));
-            double second = Uniform(unchecked(_shifts[at + 1] + (step * s_steps[i + 1])));
+            double first = SplitMix64.Uniform(unchecked(_shifts[at] + (step * s_steps[i])));
+            double second = SplitMix64.Uniform(unchecked(_shifts[at + 1] + (step * s_steps[i + 1])));
             NormalDistribution.Draw(first, second, out normal[i], out normal[i + 1]);
         }
     }
-
-    /// <summary>Returns a number in 0 … 1, excluding 1.</summary>
-    private static double Uniform(ulong bits) => (bits >> 11) * (1.0 / 9007199254740992.0);
 }

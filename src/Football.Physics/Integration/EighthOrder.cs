@@ -10,15 +10,15 @@ internal static unsafe class EighthOrder
     /// <summary>The number of evaluations per step, including that at the start.</summary>
     public const int Stages = 12;
 
-    private static ReadOnlySpan<double> Nodes =>
+    private static readonly double[] s_nodes =
     [
         0, 0.0526001519587677318785587544488, 0.0789002279381515978178381316732, 0.11835034190722739672675719751, 0.28164965809277260327324280249,
         0.333333333333333333333333333333, 0.25, 0.307692307692307692307692307692, 0.651282051282051282051282051282, 0.6, 0.857142857142857142857142857142, 1,
     ];
 
-    private static ReadOnlySpan<byte> FirstOfRow => [0, 1, 1, 2, 2, 3, 3, 3, 3, 3, 3, 3, 5];
+    private static readonly int[] s_firstOfRow = [0, 1, 1, 2, 2, 3, 3, 3, 3, 3, 3, 3, 5];
 
-    private static ReadOnlySpan<double> Weights =>
+    private static readonly double[] s_weights =
     [
         5.26001519587677318785587544488e-2,
         1.97250569845378994544595329183e-2, 5.91751709536136983633785987549e-2,
@@ -46,7 +46,7 @@ internal static unsafe class EighthOrder
     {
         Stage* stages = stackalloc Stage[Stages];
         stages[0] = new Stage(in from.Velocity, in start);
-        ReadOnlySpan<double> weights = Weights;
+        double[] weights = s_weights;
         int next = 0;
         Motion at = from;
         for (int i = 1; ; i++)
@@ -57,7 +57,7 @@ internal static unsafe class EighthOrder
             Vector3d acceleration = w * stages[0].Rates.Acceleration;
             Vector3d spinAcceleration = w * stages[0].Rates.SpinAcceleration;
             double airSpeed = w * stages[0].Rates.AirSpeed;
-            for (int j = FirstOfRow[i]; j < i; j++)
+            for (int j = s_firstOfRow[i]; j < i; j++)
             {
                 w = h * weights[next++];
                 velocity += w * stages[j].Velocity;
@@ -72,7 +72,7 @@ internal static unsafe class EighthOrder
                 break;
             }
 
-            system.Rates(time + (Nodes[i] * h), in at, out MotionRates rates);
+            system.Rates(time + (s_nodes[i] * h), in at, out MotionRates rates);
             stages[i] = new Stage(in at.Velocity, in rates);
         }
 

@@ -8,7 +8,7 @@ public sealed partial class Trajectory
     private const double VelocityShare = 100;
 
     private readonly PathSegment[] _pieces;
-    private readonly Recorder _recorder;
+    private readonly PathRecorder _recorder;
     private BallState _final;
     private Action<double>? _bodiesAt;
 
@@ -32,7 +32,7 @@ public sealed partial class Trajectory
             throw Check.Refusal("memory.Length", "0", "1 or more");
         }
 
-        _recorder = new Recorder(this);
+        _recorder = new PathRecorder(this, _pieces);
         Log.Observer = _recorder;
     }
 
@@ -52,7 +52,7 @@ public sealed partial class Trajectory
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
     /// <summary>False if the buffer filled up, a custom force threw, or a <see cref="LookAheadRun"/> will continue the path.</summary>
-    public bool IsComplete { get; private set; }
+    public bool IsComplete { get; internal set; }
 
     /// <summary>The number of right-hand-side evaluations.</summary>
     public long Evaluations => Log.Evaluations;
@@ -62,7 +62,7 @@ public sealed partial class Trajectory
     /// <summary>The log of trial steps, which are not part of the path.</summary>
     internal StepLog Trial { get; } = new(1) { IgnoresZones = true };
 
-    internal int Count { get; private set; }
+    internal int Count { get; set; }
 
     /// <summary>A counter that changes whenever the path is computed again or extended.</summary>
     internal int Uses { get; private set; }

@@ -15,14 +15,12 @@ internal static class HouseRules
     /// <summary>Files of those folders with small numbers of another kind, and the reason.</summary>
     public static IReadOnlyDictionary<string, string> OtherSmallNumbers { get; } = new Dictionary<string, string>
     {
-        ["Contact/World.cs"] = "the error of a net that settles",
         ["Integration/EventLocator.cs"] = "rounding of a time on a step, whatever the event is",
         ["Integration/PathSegment.cs"] = "rounding of a time on a path that a game queries",
         ["Simulation/DragJumpGuard.cs"] = "the jump of the drag law",
         ["Simulation/FlightPhase.cs"] = "the jump of the drag law",
         ["Simulation/SolverSettings.cs"] = "the default of a setting",
         ["Simulation/StabilityLimit.cs"] = "stability and accuracy of a step",
-        ["Simulation/WorldGuard.cs"] = "kinks of the force of a net",
         ["Simulation/ZoneSearch.cs"] = "zones, which no ball touches",
     };
 
