@@ -257,7 +257,7 @@ internal sealed class Collider
     /// <summary>Transforms a path to the object's own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
-        // Transform the path to the frame of the moving shape, where the shape is stationary.
+        // Transform the path to the frame of the moving shape, in which the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
         return motion.IsTurned ? seen.InAxes(in motion) : seen;
@@ -382,7 +382,7 @@ internal readonly struct ContactMaterial
             return e;
         }
 
-        // Use the ratio of squares, so that it cannot overflow.
+        // Use the ratio of squares, up to the limit beyond which its square would overflow.
         double steep = HalfRise * approach;
         double square = along.LengthSquared / (steep * steep);
         double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
@@ -425,7 +425,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
-        // e₀ = e₆ √(1 + (6/V_e)²).
+        // The restitution at zero speed, e₀ = e₆ √(1 + (6/V_e)²).
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

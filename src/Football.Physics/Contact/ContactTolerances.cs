@@ -115,7 +115,7 @@ internal static class ContactTolerances
     /// <remarks>Above: a ball in a gutter leaves the whole step too often. Below: an object is met within the whole step.</remarks>
     public const double LineRoom = 5e-3;
 
-    // ---- Speeds, m/s; times the radius also spins ----
+    // ---- Speeds in m/s; spins, multiplied by the radius ----
 
     /// <summary>The speed below which a ball is at a standstill, m/s; for spins, times the radius.</summary>
     /// <remarks>Above: a creeping ball stops. Below: rounding keeps a ball moving.</remarks>
@@ -278,7 +278,7 @@ internal static class ContactTolerances
     /// balls get huge loads.</remarks>
     public const double LeastDeterminant = 1e-3;
 
-    // ---- Shares: relative to the quantity at hand ----
+    // ---- Shares, relative to the quantity in question ----
 
     /// <summary>The advance of a search relative to the time, at late times, where the clock is coarse.</summary>
     /// <remarks>Above: contacts at late times are skipped. Below: the time does not change, and the search does not end.</remarks>

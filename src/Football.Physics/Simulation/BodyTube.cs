@@ -47,7 +47,7 @@ internal sealed class BodyTube
             return false;
         }
 
-        // The offset at the start, plus the drift of the velocity until the end. The tube's radius includes the bend within the step.
+        // The offset is the initial one plus the drift of the velocity until the end; the tube's radius covers the bend within the step.
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
@@ -79,7 +79,7 @@ internal sealed class BodyTube
         _strayed = _bodies.Strayed;
         double free = _bodies.FreeFor(in way);
 
-        // Without a spare margin the result is valid for this step only, so keep no tube.
+        // Without a spare margin, the result holds for this step only: store no tube.
         _duration = spare > 0 ? free : -1;
         return dt <= free;
     }

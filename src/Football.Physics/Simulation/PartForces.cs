@@ -22,7 +22,7 @@ internal static class PartForces
         Vector3d spinAcceleration = NoMore(in rates.SpinAcceleration, (at.Spin.Length + MostSpin) / h);
         if (s.Nets != 0)
         {
-            // A net settles at the rate λ. As in an implicit step, take the share 1/(1 + h λ) of its push.
+            // A net settles at the rate λ. Apply the share 1/(1 + h λ) of its push, as an implicit step would.
             MotionRates nets = world.PushOfNets(s.Nets, s.NetSides, in at);
             double share = 1.0 / (1.0 + (h * guard.FastestRate(in s, in at.Position)));
             acceleration += share * nets.Acceleration;

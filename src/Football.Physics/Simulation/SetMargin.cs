@@ -75,7 +75,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         double length = sweep.Length;
         bool shortened = false;
 
-        // The last stage is near the end, so a margin that is far from zero there needs no search.
+        // The last stage is near the end: a margin that is far from zero there needs no search.
         if (default(TIntegrator).LastStageAtEnd && IsClear(ref sweep, in s, starts))
         {
             return false;

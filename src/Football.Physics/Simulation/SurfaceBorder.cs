@@ -28,7 +28,7 @@ internal static class SurfaceBorder
             return;
         }
 
-        // Bisect the length of the piece: the patch index has no slope to follow.
+        // Bisect the length of the piece, because the patch index has no slope.
         double low = 0;
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);

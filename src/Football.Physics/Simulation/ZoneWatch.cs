@@ -43,7 +43,7 @@ internal sealed class ZoneWatch
             return null;
         }
 
-        // Zones that the ball ignores keep their indices.
+        // Zones that the ball ignores also keep their indices.
         int[] seen = [.. Enumerable.Range(0, scene.Zones.Count).Where(i => !Layers.Contains(scene.Ball.Ignores, scene.Zones[i].Layer))];
         return seen.Length == 0 ? null : new ZoneWatch(Array.ConvertAll(seen, i => scene.Zones[i]), Array.ConvertAll(seen, i => firstThing + i), scene.Ball.Radius);
     }

@@ -58,12 +58,12 @@ internal sealed partial class BallCluster
 
     private void Take(int i, BallState[] states, BallPile pile, double time)
     {
-        // The ball may have joined the cluster already without having started its step.
+        // The ball may already be in the cluster without having started its step.
         Join(i);
         int at = Array.IndexOf(_cluster, i, _begun, _clusterCount - _begun);
         if (at >= 0)
         {
-            // Start its step now: swap it with the first ball that has not started.
+            // Start this ball's step now: swap it with the first ball that has not started.
             Begin(states, i);
             (_cluster[_begun], _cluster[at]) = (i, _cluster[_begun]);
             _begun++;

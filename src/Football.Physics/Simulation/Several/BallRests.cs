@@ -63,7 +63,7 @@ internal sealed class BallRests
 
         for (int i = 0; i < states.Length; i++)
         {
-            // A ball of the pile was removed or woke, or an object there has moved: all balls of the pile may move.
+            // A ball of the pile was removed or woke, or an object near the pile has moved, so all balls of the pile may move.
             if (_keys[i] != 0 && _keys[i] != states[i].ClearIn)
             {
                 _isPile[RootOf(i)] = true;

@@ -35,7 +35,7 @@ internal sealed class PileBounces
     /// <returns>True if a ball bounced.</returns>
     public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
-        // At most the number of contacts plus eight at one instant, and eight per ball and step.
+        // Limit the impacts to the number of contacts plus eight at one instant, and to eight per ball and step.
         int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
         bool bounced = false;
         for (int done = 0; done < most; done++)
@@ -99,7 +99,7 @@ internal sealed class PileBounces
             return;
         }
 
-        // Treat an object with a mass as immovable too: against a pile it does not recoil.
+        // Also treat an object with a mass as immovable: it does not recoil from a pile.
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         Collider hit = simulator.World.Colliders[contact.Collider];

@@ -58,7 +58,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
                     continue;
                 }
 
-                // The first ball shares the object as soon as there is a second one.
+                // Once a second ball pushes the object, the first one shares it too.
                 found |= first >= 0 && (!_shares[first] || !_shares[i]);
                 if (first >= 0)
                 {
