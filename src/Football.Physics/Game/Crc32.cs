@@ -21,7 +21,7 @@ internal static class Crc32
         {
             for (int i = 0; i < bytes.Length; i++)
             {
-                // Process one byte at a time; bits are reflected (lowest first), as in zip.
+                // Process one byte at a time. Bits are reflected (lowest bit first), as in zip files.
                 crc = (crc >> 8) ^ s_table[(byte)(crc ^ first[i])];
             }
         }
