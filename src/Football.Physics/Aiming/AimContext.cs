@@ -34,7 +34,7 @@ internal sealed class AimContext
         Scene scene = game.Scene;
         HasThings = scene.HasThings;
 
-        // Measure misses in the full scene. Search without obstacles and, where plane crossings must be smooth, without ground.
+        // Measure misses in the full scene. Search without obstacles and, if plane crossings must be smooth, without the ground.
         var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
         _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
@@ -93,7 +93,7 @@ internal sealed class AimContext
     /// <param name="mostIterations">The maximum number of iterations.</param>
     public void Begin(int mostIterations)
     {
-        // The budget is 16 flights per iteration, minus those that a search already under way may still use.
+        // The budget is 16 flights per iteration, minus those reserved for a search that is already running.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
@@ -143,7 +143,7 @@ internal sealed class AimContext
     /// <summary>Returns the closed-form flight of a kick, with coefficients averaged over a path length.</summary>
     public FlatFire Model(double speed, double spinRate, double way)
     {
-        // Average over the two points of Gauss's rule on the path, with speeds estimated from the drag at launch.
+        // Average over the two Gauss points of the path, with speeds estimated from the drag at launch.
         _simulator.AirFactors(speed, spinRate, out double drag, out double lift);
         double perLength = speed > 0 ? drag / speed : 0;
         double early = speed * Elementary.Exp(-0.2113 * perLength * way);

@@ -77,7 +77,7 @@ internal sealed class BankShotFlight : ILeastSquares
         Simulations = 0;
         Iterations = 0;
 
-        // Start with a default kick, in case no kick hits the objects.
+        // Start with a default kick, because no kick may hit the objects.
         IsFine = false;
         Best = Kick.Of(request, _bounds.Clamp(0.3), 0);
         Miss = new MeasuredMiss(Vector3d.Distance(frame.From, in frame.Target), null, 0, frame.From);
@@ -117,7 +117,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // Both columns are measured by differences.
+        // There are no known columns: finite differences yield both.
     }
 
     private bool Fly(double elevation, double azimuth, double step)
@@ -127,7 +127,7 @@ internal sealed class BankShotFlight : ILeastSquares
         BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
         Simulations++;
         _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
-        // A kick flown in fine steps always takes precedence over one in coarse steps.
+        // A kick simulated with fine steps always takes precedence over one with coarse steps.
         bool isFine = step == FineStep;
         if (_flight.HasMetAll && (isFine == IsFine ? _flight.Miss < Miss.Distance : isFine))
         {

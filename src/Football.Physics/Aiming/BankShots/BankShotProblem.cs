@@ -97,7 +97,7 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <param name="counts">Receives the numbers of flights and corrections.</param>
     public void Close(AimRequest request, in TargetFrame frame, in Kick kick, double step, BankShotFlight counts)
     {
-        // NaN makes the first flight estimate the durations.
+        // Set the durations to NaN, so that the first flight estimates them.
         Array.Clear(X, 0, Unknowns);
         Array.Fill(X, double.NaN, FirstTime, Count + 1);
         X[Elevation] = kick.Elevation;
@@ -137,8 +137,8 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
-        // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Fly for its duration, and store the gap. 3. Apply
-        // the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.
+        // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Simulate its duration, and store the gap. 3.
+        // Apply the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.
         _counts!.Simulations++;
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
@@ -167,7 +167,7 @@ internal sealed class BankShotProblem : ILeastSquares
                 return gap.IsFinite;
             }
 
-            // Limit the step of a contact by the length of its leg, and by the rotation of its normal.
+            // Limit the step of a contact by the length of its leg and by the rotation of its normal.
             double bend = (contact.Curvature * new Vector3d(1, 1, 1)).Length;
             _reach[leg] = Math.Min(LargestShare * Math.Max(0.1, x[FirstTime + leg] * state.Velocity.Length), LargestBend / Math.Max(bend, 1e-9));
             Vector3d touched = end - (_ball.Radius * contact.Normal);
@@ -185,7 +185,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // A duration moves the end of its own leg along the path; Broyden's updates handle the small effect on later legs.
+        // A duration moves the end of its own leg along the path. Broyden's updates handle the small effect on later legs.
         for (int leg = 0; leg <= Count; leg++)
         {
             for (int i = 0; i < Equations; i++)
@@ -209,7 +209,7 @@ internal sealed class BankShotProblem : ILeastSquares
             }
         }
 
-        // After its last bounce, a leg continues without ground, so that the gap changes smoothly even below the ground.
+        // After its last bounce, continue the leg without ground, so that the gap changes smoothly even below the ground.
         if (Bounces[leg] > 0)
         {
             state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
@@ -217,7 +217,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
         if (double.IsNaN(duration))
         {
-            // Estimate the duration from the distance and the speed along it, with a minimum in case the ball moves sideways or backwards.
+            // Estimate the duration from the distance and the speed towards the contact. Use a minimum speed, because the ball may move sideways or backwards.
             Vector3d way = end - state.Position;
             double length = way.Length;
             double along = Vector3d.Dot(in way, state.Velocity) / length;

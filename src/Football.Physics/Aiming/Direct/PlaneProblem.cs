@@ -191,7 +191,7 @@ internal sealed class PlaneProblem
     /// <summary>True if the last flight leaves the ground and stays above it up to the target.</summary>
     public bool StaysClear(double[] x, double[] r)
     {
-        // A kick that stays on the ground is a roll, which is a different problem.
+        // A kick that stays on the ground is a roll, which other code solves.
         Elementary.SinCos(x[Elevation], out double sine, out _);
         double lowest = Math.Min(_context.Planes.Lowest, _frame.Target.Y + (Time * _targetVelocity.Y) + r[TargetUp]);
         return !_context.StaysDown(in _frame.From, Speed * sine) && lowest >= _context.Game.ContactHeight - 1e-9;
