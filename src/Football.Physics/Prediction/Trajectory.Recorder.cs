@@ -63,7 +63,7 @@ public sealed partial class Trajectory
                     time, length, in position, in velocity, in acceleration, end.Position, end.Velocity, in atEnd, MotionState.Airborne, degree));
             }
 
-            // If the step starts where the open piece ends, it has computed the acceleration that the piece lacks.
+            // If the step starts where the open segment ends, it has computed the acceleration that this segment lacks.
             if (_open >= 0 && _openEnd.Time == time && _openEnd.Position == position && _openEnd.Flight.Velocity == velocity && _openEnd.Flight.SpinRate == spin)
             {
                 PathSegment.Close(ref _owner._pieces[_open], in acceleration);
@@ -81,7 +81,7 @@ public sealed partial class Trajectory
             _open = _owner.Count++;
             PathSegment.Write(ref _owner._pieces[_open], time, length, in position, in velocity, in acceleration, end.Position, in end.Flight.Velocity, degree);
 
-            // Copy only the values that an acceleration depends on.
+            // Copy only the values on which an acceleration depends.
             _openStepper = stepper;
             _openLength = length;
             _openEnd.Time = end.Time;
@@ -152,8 +152,8 @@ public sealed partial class Trajectory
             PathSegment[] pieces = _owner._pieces;
             Close();
 
-            // The buffer is full: end the step, and let the caller repeat the look-ahead with less. A ball in a group continues instead, because ending
-            // after every segment would restart the step each time, possibly forever.
+            // The buffer is full: end the step, so that the caller can repeat the look-ahead with fewer segments. A ball in a group continues, because
+            // ending after every segment would restart the step each time, possibly for ever.
             if (_owner.Count == pieces.Length)
             {
                 Overflows = true;
@@ -162,7 +162,7 @@ public sealed partial class Trajectory
 
             pieces[_owner.Count++] = piece;
 
-            // End at the last segment that fits, at the plane, or when the ball comes no closer to the point.
+            // End at the last segment that fits, at the plane, or when the ball no longer approaches the point.
             return IsFull() || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
         }
     }

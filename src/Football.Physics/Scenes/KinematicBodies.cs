@@ -50,7 +50,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
         Layers.Validate(nameof(layer), layer);
 
-        // Simulators and snapshots have fixed the number of bodies.
+        // The number of bodies is fixed once simulators or snapshots use it.
         if (_inUse)
         {
             throw new InvalidOperationException(
@@ -131,7 +131,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
     {
-        // Networked positions can be a quarter of a second old. A body that the game did not move continues as before.
+        // Networked positions can be a quarter of a second old. A body that the game did not move continues its motion.
         if (_earliest < time - Foresight || _latest > time + Foresight)
         {
             RefuseTime(time);

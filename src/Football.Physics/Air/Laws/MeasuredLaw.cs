@@ -95,7 +95,7 @@ internal struct MeasuredLaw : ITableLaw
     /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
     private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
-    // C_D without spin, and the reductions of drag by spin and of lift below the crisis.
+    // C_D without spin, and the reductions of drag due to spin and of lift below the crisis.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);
