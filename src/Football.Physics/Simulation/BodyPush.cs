@@ -58,7 +58,7 @@ internal sealed class BodyPush
     }
 
     /// <summary>Hands the ball over to a flush body if a step starts just beyond a seam.</summary>
-    /// <remarks>A minimal height difference then causes no push.</remarks>
+    /// <remarks>A tiny height difference therefore causes no push.</remarks>
     private void CrossSeam(ref BallState s, ref StepRun run)
     {
         if (s.Motion is not (MotionState.Rolling or MotionState.Sliding))

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A straight tube along the ball's path that contains no body for some time.</summary>
+/// <summary>A straight tube along the ball's path that stays free of bodies for some time.</summary>
 /// <remarks>
 /// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
 /// the bodies, not with the ball: it only saves queries.
@@ -54,7 +54,7 @@ internal sealed class BodyTube
         return x + y + z + (_bodies.Strayed - _strayed) <= _width;
     }
 
-    /// <summary>Searches for a new tube.</summary>
+    /// <summary>Searches for a new tube for the ball.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="spinRate">Its spin, rad/s.</param>
     /// <param name="dt">Length of its step, s.</param>

@@ -16,7 +16,7 @@ internal sealed class ClearFlight
     /// <summary>Number of steps to look ahead for bodies, whose motion may change.</summary>
     private const double AheadOfBodies = 24;
 
-    /// <summary>Display steps vary in length. A result for bodies is valid for steps up to this many times as long.</summary>
+    /// <summary>The steps of a display vary in length: a result for bodies is valid for steps up to this many times as long.</summary>
     private const double LongestStep = 2;
 
     /// <summary>If the air changes the motion by less than this per step, no integrator speeds the ball up by more than a tenth over all
@@ -26,7 +26,7 @@ internal sealed class ClearFlight
     /// <summary>Maximum position error of a flight in single precision, m.</summary>
     private const double Rounding = 0.01;
 
-    /// <summary>The validated path is narrower and shorter by this share, to allow for rounding.</summary>
+    /// <summary>The share by which the validated path is narrower and shorter than the searched one, to allow for rounding.</summary>
     private const double Narrower = 1e-3;
 
     private readonly World _world;
@@ -37,7 +37,7 @@ internal sealed class ClearFlight
     private readonly double _friction;
     private readonly BodyTube? _tube;
 
-    /// <summary>Prepares the queries.</summary>
+    /// <summary>Prepares the queries of a scene.</summary>
     /// <param name="world">The world.</param>
     /// <param name="limit">Bounds how fast the air can change the motion.</param>
     /// <param name="ordinary">The same bound up to <see cref="AirLaws.OrdinarySpeed"/>.</param>
@@ -217,7 +217,7 @@ internal sealed class ClearFlight
     private double RateAtMost(double speed, double spinRate) =>
         speed <= AirLaws.OrdinarySpeed ? _ordinary.At(speed, spinRate) : _limit.RateAtMost(speed, spinRate);
 
-    /// <summary>Upper bound of the air speed after a time, m/s.</summary>
+    /// <summary>Upper bound of the airspeed after a time, m/s.</summary>
     private double SpeedLater(in Push push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.Friction * _weight));
 
     /// <summary>Bounds of the forces that bend a path.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Computes the load of a ball on a surface: whether it stays after an impact, whether friction holds it, whether the surface
+/// <summary>Computes a ball's load on a surface: whether the ball stays after an impact, whether friction holds it, and whether the surface
 /// supports it.</summary>
 internal sealed class ContactLoad
 {

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Steps a ball that moving objects squeeze: they leave it no room, and each part of a step moves it as far as possible.</summary>
+/// <summary>Steps a ball that moving objects squeeze: they leave the ball no room, so each part of a step moves it as far as possible.</summary>
 internal sealed partial class ContactSetParts
 {
     /// <summary>Number of solver iterations for a ball that may have no room.</summary>
@@ -90,7 +90,7 @@ internal sealed partial class ContactSetParts
         }
     }
 
-    /// <summary>Stops a ball that stationary contacts hold in place: it loses any speed that the forces of one part explain.</summary>
+    /// <summary>Stops a ball that stationary contacts hold in place: removes any speed that the forces of a single part can cause.</summary>
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
         if ((s.Position - from).Length > ContactTolerances.Standstill || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)

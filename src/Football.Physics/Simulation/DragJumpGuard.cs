@@ -10,10 +10,10 @@ internal sealed class DragJumpGuard
     /// <summary>Relative rounding error of a rate across a surface, as a share of its summands.</summary>
     private const double Rounding = 1e-14;
 
-    /// <summary>A ball counts as on a surface if the surface's function is below this, m²/s².</summary>
+    /// <summary>A ball is on a surface if the surface's function is below this, m²/s².</summary>
     private const double OnIt = 1e-6;
 
-    /// <summary>A crossing within this share of a piece is the crossing at its start.</summary>
+    /// <summary>A crossing within this share of a piece is identified with the crossing at the start of the piece.</summary>
     private const double AtStart = 1e-6;
 
     private readonly FlightSystem _flight;

@@ -4,8 +4,8 @@ namespace FootballPhysics;
 
 /// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.</summary>
 /// <remarks>
-/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
-/// search is made. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
+/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no contact
+/// search is needed. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
 /// nothing, and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
 /// Symbols: a_b gravity and buoyancy, a_air the acceleration by the air, T its torque per moment of inertia, N the load per mass.
 /// Sliding: a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T.

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Flight, piece by piece.</summary>
+/// <summary>Steps a flying ball piece by piece.</summary>
 /// <remarks>
 /// A piece has the maximum stable length. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
 /// contact.

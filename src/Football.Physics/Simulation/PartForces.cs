@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Bounds the forces in a part of a step with velocity-level impulses, so that a part of any length does not overshoot.</summary>
 internal static class PartForces
 {
-    /// <summary>Maximum change of the velocity per part, m/s: far more than in any flight.</summary>
+    /// <summary>Maximum change of the velocity per part, m/s; no flight comes close to it.</summary>
     private const double MostSpeed = 100.0;
 
     /// <summary>Maximum change of the spin per part, in addition to the current spin, rad/s.</summary>

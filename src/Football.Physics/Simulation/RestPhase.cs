@@ -8,7 +8,7 @@ namespace FootballPhysics;
 /// </summary>
 internal sealed unsafe class RestPhase
 {
-    /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The path then follows from its ends.</summary>
+    /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The ends of the piece then determine the path.</summary>
     private const double LargestTurn = 0.25;
 
     private readonly Surroundings _around;
@@ -94,7 +94,7 @@ internal sealed unsafe class RestPhase
         }
     }
 
-    /// <summary>True if rolling friction holds a ball anywhere on a plane ground. Computed once per scene.</summary>
+    /// <summary>True if rolling friction holds a ball anywhere on a plane ground. The result is computed once per scene.</summary>
     private bool IsHeldByGround(in BallState s)
     {
         if (_isHeldByGround is null && s.Nets == 0)

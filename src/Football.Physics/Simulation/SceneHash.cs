@@ -77,7 +77,7 @@ internal static class SceneHash
         }
     }
 
-    /// <summary>Hashes the layers. They have no effect for a ball that ignores none.</summary>
+    /// <summary>Hashes the layers, which have no effect on a ball that ignores none.</summary>
     private static void AddLayers(ref SceneKey key, Scene scene)
     {
         key.Add((double)scene.Ball.Ignores);
@@ -179,7 +179,7 @@ internal static class SceneHash
     private static Vector3d Place(int i) => new(-52 + (7 * i), 0.11 + (0.9 * ((5 * i) % Places)), -33 + (4.3 * ((3 * i) % Places)));
 }
 
-/// <summary>A hash of numbers in which every input bit affects every bit of the value.</summary>
+/// <summary>A hash of numbers; every input bit affects every bit of the hash.</summary>
 internal struct SceneKey
 {
     private ulong _hash;

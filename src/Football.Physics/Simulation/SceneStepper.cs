@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>
 /// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the current phase of the ball.
-/// A whole step of flight without events, the most common case, is taken by <see cref="FlightStepper{TAir, TIntegrator}"/>.
+/// <see cref="FlightStepper{TAir, TIntegrator}"/> takes a whole step of flight without events, the most common case.
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump of the drag law, the end of the spin or a contact;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of sliding or rolling on flat ground without events;</item>
@@ -245,7 +245,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     /// <summary>Steps a ball at rest.</summary>
     /// <remarks>
-    /// Only its time advances if an earlier step found that nothing changes and no object has moved since.
+    /// If an earlier step found that nothing changes, and no object has moved since, only the time advances.
     /// </remarks>
     private void TakeRest(ref BallState s, double dt, StepLog log)
     {
@@ -396,10 +396,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 /// <summary>Result of trying a whole step of flight.</summary>
 internal enum WholeFlight
 {
-    /// <summary>Not taken: it may have to be divided, or an object is near.</summary>
+    /// <summary>Not taken, because the step may have to be divided, or an object is near.</summary>
     NotTaken,
 
-    /// <summary>Taken, but an event is within it. The ball has not moved.</summary>
+    /// <summary>Taken, but the step contains an event. The ball has not moved.</summary>
     Ends,
 
     /// <summary>Taken without an event. The ball has moved.</summary>

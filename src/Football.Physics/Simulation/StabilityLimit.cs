@@ -15,7 +15,7 @@ internal readonly struct StabilityLimit
     /// <summary>Below this number of pieces the cheap bound is good enough.</summary>
     private const double FewPieces = 16;
 
-    /// <summary>Below this air speed, spin decays as at this speed, m/s.</summary>
+    /// <summary>Below this airspeed, spin decays as at this speed, m/s.</summary>
     private const double SlowestAir = 3.2e-9;
 
     /// <summary>Its square, m²/s².</summary>
@@ -81,7 +81,7 @@ internal readonly struct StabilityLimit
     public static RateBound WithFall(in RateBound ofAir, double upward) =>
         new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
 
-    /// <summary>True if a step may be taken whole. A fast, conservative test.</summary>
+    /// <summary>True if a step can be taken whole, by a fast, conservative test.</summary>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
@@ -218,7 +218,7 @@ internal static class TurnLimit
     private const double LeastShareOfLong = 0.4;
     private const double LargestShare = 0.75;
 
-    /// <summary>Typical share of the squared rate across the direction. Below it, pieces may be longer.</summary>
+    /// <summary>Typical share of the squared rate across the direction; if the share is smaller, pieces may be longer.</summary>
     private const double OftenTurns = 0.01;
 
     /// <summary>If friction changes a slip or a roll by more than this multiple, its direction turns faster than the integrator can

@@ -3,8 +3,8 @@ namespace FootballPhysics;
 /// <content>The piles of the cluster.</content>
 internal sealed partial class BallCluster
 {
-    /// <summary>Computes the next part of the piles that have reached the end of theirs.</summary>
-    /// <returns>True if a ball of a pile bounced and that ends the step.</returns>
+    /// <summary>Computes the next part of each pile that has reached the end of its current part.</summary>
+    /// <returns>True if a ball of a pile bounced and the bounce ends the step.</returns>
     private bool PlanPiles(BallState[] states, out double time)
     {
         for (int k = 0; k < _piles.Count; k++)

@@ -73,6 +73,6 @@ internal sealed partial class BallCluster
         return first;
     }
 
-    /// <summary>Returns the time up to which a path is known, s: to its halt, or for a pile to the end of its part.</summary>
+    /// <summary>Returns the time up to which a path is known, s: the halt of the ball, or the end of its pile's part.</summary>
     private double KnownUntil(int ball) => _piles.Of(ball)?.Until ?? _trials[ball].HaltsAt;
 }

@@ -115,7 +115,7 @@ internal sealed partial class BallCluster
     /// <summary>The balls in sustained contact before the step.</summary>
     public BallRests Rests => _rests;
 
-    /// <summary>Steps the balls of the cluster from the start of the step: always the first event, then the balls whose paths it
+    /// <summary>Steps the balls of the cluster from the start of the step: repeatedly finds the first event, and recomputes the paths that it
     /// changes.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="dt">Length of the step, s.</param>

@@ -25,7 +25,7 @@ internal sealed partial class BallPile
     private const double RestPart = 1e-3;
 
     /// <summary>Minimum drilling length b of two balls in sustained contact, m.</summary>
-    /// <remarks>2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without it a ball between two others would spin for ever.</remarks>
+    /// <remarks>2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without drilling friction, a ball between two others would spin for ever.</remarks>
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;

@@ -4,9 +4,9 @@ namespace FootballPhysics;
 
 /// <summary>Finds the balls in sustained contact with each other before a step.</summary>
 /// <remarks>
-/// Touching balls that move form a pile. Balls that came to rest in a pile stay at rest while all their contacts remain. Each stores a key
-/// of its contacts
-/// in its state, so no other memory is needed. The key includes touched objects that a game, an engine or an impact may move.
+/// Touching balls that move form a pile. Balls that came to rest in a pile stay at rest while all their contacts remain. Each ball stores a
+/// key of its
+/// contacts in its state, so that no other memory is needed. The key includes touched objects that a game, an engine or an impact may move.
 /// </remarks>
 internal sealed class BallRests
 {

@@ -42,7 +42,7 @@ internal sealed partial class ClusterSystem
     /// <summary>Number of contacts.</summary>
     public int ContactCount { get; set; }
 
-    /// <summary>Time over which the forces are bounded to those of any flight, s.</summary>
+    /// <summary>The time over which the forces are limited to those possible in a flight, s.</summary>
     public double Part { get; set; }
 
     /// <summary>Number of force evaluations per ball.</summary>

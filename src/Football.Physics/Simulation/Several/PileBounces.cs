@@ -28,7 +28,7 @@ internal sealed class PileBounces
     public void Absorb(PileBounces other) => _bounces += other._bounces;
 
     /// <summary>Resolves all contacts that close fast enough to bounce within the part, in order of time.</summary>
-    /// <remarks>Because they are resolved one after the other, they add no energy.</remarks>
+    /// <remarks>Resolving the bounces one after the other adds no energy.</remarks>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
     /// <param name="logs">Receive the events of each ball.</param>

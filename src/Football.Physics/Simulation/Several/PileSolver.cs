@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Solves the impulses of all contacts of a pile over a short time, with Coulomb's law at all of them.</summary>
 /// <remarks>
 /// No contact closes by more than its gap, no load is negative, and friction is at most μ times the load.
-/// Method: projected Gauss–Seidel in alternating order by the positions of the balls, with conjugate gradients between the iterations.
+/// The method is projected Gauss–Seidel, in alternating order of the balls' positions, with conjugate gradients between the iterations.
 /// </remarks>
 internal sealed class PileSolver
 {

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Finds the balls that can reach a pushed object which another ball can reach as well.</summary>
-/// <remarks>Only their steps end at a push.</remarks>
+/// <remarks>Only the steps of these balls end at a push.</remarks>
 /// <param name="pushed">The motions of all objects that balls push.</param>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="before">The balls before the step.</param>
