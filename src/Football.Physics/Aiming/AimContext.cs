@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Data shared by the aiming methods: a compiled scene for each purpose, and reusable flights.</summary>
 /// <remarks>
-/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. It is solved by shooting: a kick is simulated,
-/// and then corrected by its miss. The methods differ in the flights that measure the miss.
+/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. The solvers use the shooting method: they simulate a kick,
+/// and then correct it by its miss. The methods differ in the flights that measure the miss.
 /// </remarks>
 internal sealed class AimContext
 {
@@ -86,7 +86,7 @@ internal sealed class AimContext
     /// <summary>True if the search has used up its budget of path segments.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
-    /// <summary>True if the search has used half of its budget; the rest is reserved for later searches.</summary>
+    /// <summary>True if the search has used half of its budget; later searches may use the rest.</summary>
     public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
 
     /// <summary>Begins a search.</summary>
@@ -106,7 +106,7 @@ internal sealed class AimContext
     /// <summary>True if rotating a kick's azimuth rotates its flight: in still air, with a target at rest.</summary>
     public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
 
-    /// <summary>Flies a kick over the ground to its closest approach.</summary>
+    /// <summary>Simulates a kick over the ground to its closest approach.</summary>
     public Approach Look(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
         KickLook look = Turns(in targetVelocity) ? _turningLook : _look;

@@ -33,7 +33,7 @@ internal abstract class ApproachFlight : KickObserver
 
     protected Simulator Simulator { get; }
 
-    /// <summary>True if there is no wind, which could bring a ball back.</summary>
+    /// <summary>True if there is no wind that could bring the ball back.</summary>
     protected bool IsStill { get; }
 
     /// <summary>The target at time 0, in m.</summary>
@@ -89,7 +89,7 @@ internal abstract class ApproachFlight : KickObserver
     protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
         Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
 
-    /// <summary>True if a ball on the ground comes no closer: it is too far below the target, or rolls away in still air.</summary>
+    /// <summary>True if a ball on the ground comes no closer, because it is too far below the target, or rolls away in still air.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
         motion != MotionState.Airborne && TargetVelocity == Vector3d.Zero
         && (gap.Y * gap.Y >= best || (IsStill && motion == MotionState.Rolling && Vector3d.Dot(in gap, in velocity) > 0));
@@ -118,7 +118,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>The value of <see cref="Blocker"/> if the ball hit only the ground.</summary>
     public const int NoThing = -1;
 
-    /// <summary>A ball in a net creeps if it stays below this speed, in m/s, for this time, in s; it will at most double its speed.</summary>
+    /// <summary>A ball in a net creeps if it stays below this speed, in m/s, for this time, in s; it then at most doubles its speed.</summary>
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
@@ -144,7 +144,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>The first object except the ground that the ball hit, numbered as in events; <see cref="NoThing"/> if there is none.</summary>
     public int Blocker { get; private set; }
 
-    /// <summary>Flies a kick and measures its closest approach.</summary>
+    /// <summary>Simulates a kick and measures its closest approach.</summary>
     /// <param name="state">The ball.</param>
     /// <param name="timeStep">The length of a step, in s.</param>
     /// <param name="duration">The duration of the flight, in s.</param>
@@ -171,7 +171,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         Fly(ref state);
     }
 
-    /// <summary>Flies a kick for a duration, or until its first impact.</summary>
+    /// <summary>Simulates a kick for a duration, or until its first impact.</summary>
     /// <returns>The first object except the ground that the ball hit; <see cref="NoThing"/> if there is none.</returns>
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies a kick step by step until its observer ends the flight.</summary>
+/// <summary>Simulates a kick step by step until its observer ends the flight.</summary>
 internal sealed class KickFlight
 {
     private readonly Simulator _simulator;
@@ -20,7 +20,7 @@ internal sealed class KickFlight
     /// <summary>The number of path segments of the last flight.</summary>
     public long Pieces { get; private set; }
 
-    /// <summary>Flies until the observer ends the flight, or until a time.</summary>
+    /// <summary>Simulates a kick until the observer ends the flight, or up to a time.</summary>
     public void Fly(ref BallState state, double last)
     {
         // A step without an observer is fastest. If its ends are inconclusive, repeat it and pass its segments to the observer.

@@ -94,7 +94,7 @@ internal class KickLook : ApproachFlight
 
 /// <summary>Estimates the closest approach in still air, for a target at rest, independent of the azimuth.</summary>
 /// <remarks>
-/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only the target's distance
+/// In still air, rotating the azimuth rotates the whole flight. So rotate the target to the ball's bearing instead: only the target's distance
 /// and height matter, and one flight yields the azimuth that hits.
 /// </remarks>
 internal sealed class TurningLook : KickLook

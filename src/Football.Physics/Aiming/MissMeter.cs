@@ -27,7 +27,7 @@ internal sealed class MissMeter
     /// <summary>Discards the last measurement, because objects in the scene may have moved.</summary>
     public void Forget() => _measured = null;
 
-    /// <summary>Flies a kick and measures its miss; the last measurement is cached.</summary>
+    /// <summary>Simulates a kick and measures its miss; the last measurement is cached.</summary>
     /// <param name="request">The request.</param>
     /// <param name="velocity">The velocity of the kick, in m/s.</param>
     /// <param name="spin">The spin of the kick, in rad/s.</param>

@@ -64,7 +64,7 @@ internal sealed class BoundsTree
         return false;
     }
 
-    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if there is none before.</summary>
+    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if it reaches none before.</summary>
     public double FirstMet(in StraightWay way, double until)
     {
         int node = 0;
@@ -86,7 +86,7 @@ internal sealed class BoundsTree
         return until;
     }
 
-    /// <summary>Builds the branch for a range of items, split at the median along the axis with the widest spread of centres.</summary>
+    /// <summary>Builds the branch for a range of items, which it splits at the median along the axis with the widest spread of centres.</summary>
     /// <returns>The node after the branch.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {

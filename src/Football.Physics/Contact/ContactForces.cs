@@ -148,7 +148,7 @@ internal static unsafe class ContactForces
         return true;
     }
 
-    /// <summary>Solves G x = b for the forces that remain after the elimination.</summary>
+    /// <summary>Solves G x = b for the forces that remain after elimination.</summary>
     /// <returns>False if the solution is not unique.</returns>
     [SkipLocalsInit]
     private static bool SolveRows(
@@ -171,7 +171,7 @@ internal static unsafe class ContactForces
         return ContactRows.SolveBraced(g, x, z, size);
     }
 
-    /// <summary>Sets G, the response of each condition to a unit of each force, and b, the rest of the conditions without these
+    /// <summary>Sets G, the response of each condition to a unit of each force, and b, the remainder of each condition without these
     /// forces.</summary>
     /// <returns>The largest entry of G, at least 1.</returns>
     private static double SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)

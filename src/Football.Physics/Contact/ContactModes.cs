@@ -9,7 +9,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static unsafe class ContactModes
 {
-    /// <summary>Maximum number of mode changes. After that the search fails.</summary>
+    /// <summary>Maximum number of mode changes. After these, the search fails.</summary>
     private const int MostChanges = 24;
 
     /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>

@@ -108,7 +108,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Finds the contacts that have impulses or are about to get them. All others have no impulse after the step either.</summary>
+    /// <summary>Finds the contacts that have impulses or are about to get them. No other contact has an impulse after the step.</summary>
     /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {

@@ -12,7 +12,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ContactSolver
 {
-    /// <summary>Maximum number of iterations. After that, the set counts as unsolvable, as with two objects that close on a ball.</summary>
+    /// <summary>Maximum number of iterations. If they do not suffice, the set is unsolvable, as with two objects that close on a ball.</summary>
     private const int MostRounds = 48;
 
     /// <summary>Number of iterations for a set that may be unsolvable.</summary>
@@ -24,7 +24,7 @@ internal static class ContactSolver
     /// <summary>Newton gains little if the change is more than this share of the previous one.</summary>
     private const double Little = 0.1;
 
-    /// <summary>Number of iterations before a Newton step. It doubles each time the guessed modes were wrong.</summary>
+    /// <summary>Number of iterations before a Newton step. The number doubles whenever the guessed modes are wrong.</summary>
     private const int RoundsBetween = 2;
     private const int RoundsOfWrong = 2 * RoundsBetween;
 

@@ -38,7 +38,7 @@ internal unsafe struct ContactSystem : IMotionSystem
     public Vector3d Acceleration;
     public Vector3d SpinAcceleration;
 
-    /// <summary>The air speed there, m/s.</summary>
+    /// <summary>The airspeed at that moment, m/s.</summary>
     public double AirSpeed;
 
     /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>

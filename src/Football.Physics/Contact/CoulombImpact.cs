@@ -23,7 +23,7 @@ internal static class CoulombImpact
         Apply(ball, in material, default, in n, in surface, in v, in w, out velocity, out spin);
 
     /// <summary>Computes velocity and spin just after an impact.</summary>
-    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite.</remarks>
+    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite impulse.</remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="material">The material of the other object.</param>
     /// <param name="other">The recoil of the other object.</param>
@@ -44,8 +44,8 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
 
-    /// <summary>Computes an impact with reduced restitution, so that the ball is not faster than allowed; with zero restitution if
-    /// needed.</summary>
+    /// <summary>Computes an impact with reduced restitution, so that the ball does not exceed the maximum speed; if necessary, with zero
+    /// restitution.</summary>
     /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="material">The material of the other object.</param>

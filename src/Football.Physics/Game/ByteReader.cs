@@ -73,7 +73,7 @@ internal struct ByteReader
         return value <= int.MaxValue ? (int)value : throw Broken("an integer beyond 31 bits");
     }
 
-    /// <summary>Reads a number of items of at least the given size; rejects it before allocating if it needs more bytes than are left.</summary>
+    /// <summary>Reads a number of items of at least the given size; rejects the number, before any allocation, if the items need more bytes than are left.</summary>
     public int Count(int smallest)
     {
         int count = Int();

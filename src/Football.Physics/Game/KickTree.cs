@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Kicks sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
-/// <remarks>An AVL tree in arrays; each node stores the size of its subtree. Allocates only to grow.</remarks>
+/// <remarks>An AVL tree in arrays; each node stores the size of its subtree. It allocates only to grow.</remarks>
 internal sealed class KickTree(int capacity)
 {
     private const int None = -1;

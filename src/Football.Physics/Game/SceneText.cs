@@ -3,7 +3,7 @@ using System.Text;
 
 namespace FootballPhysics;
 
-/// <summary>Writes a scene as scenario JSON with exact numbers; rejects parts that are code, and names them.</summary>
+/// <summary>Writes a scene as scenario JSON with exact numbers. It rejects parts that are code, and names them.</summary>
 internal sealed class SceneText
 {
     private readonly StringBuilder _text = new();

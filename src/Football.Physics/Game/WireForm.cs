@@ -2,8 +2,8 @@ namespace FootballPhysics;
 
 /// <summary>Encodes a state in 24 bytes, with numbers as integer multiples of a unit.</summary>
 /// <remarks>
-/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. To round a state, it is encoded and decoded until it
-/// no longer changes; it is then stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
+/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. To round a state, encode and decode it until it no
+/// longer changes; it can then be stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
 /// z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of 1/8 rad/s; rotation 23 bits: the index of the largest
 /// component, and the other three with 7 bits each.
 /// </remarks>

@@ -180,7 +180,7 @@ internal ref struct StepRun
     /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
 
-    /// <summary>Counts an impact. The rest of the step is divided from scratch.</summary>
+    /// <summary>Counts an impact, and divides the rest of the step from scratch.</summary>
     /// <returns>True if the ball may bounce.</returns>
     public bool Hit()
     {

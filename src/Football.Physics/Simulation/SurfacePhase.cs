@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Sliding and rolling on any surface, piece by piece.</summary>
+/// <summary>Steps a ball that slides or rolls on any surface, piece by piece.</summary>
 /// <remarks>
 /// A piece ends at the first of these events: a jump of the drag law, a contact, the end of the slip, the loss of grip, the end of the
 /// load, or rest.
@@ -306,7 +306,7 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>Ends a slide in closed form, which holds however the slip turns.</summary>
+    /// <summary>Ends a slide in closed form, which is valid however the slip turns.</summary>
     /// <remarks>Near the end the push and the load are almost constant, so it uses their means.</remarks>
     /// <returns>False if the end is not near, or if friction cannot hold the ball afterwards.</returns>
     private bool EndSlip(

@@ -9,7 +9,7 @@ internal sealed class WorldContact
     /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>If a step resolves all contacts together more often than this, the ball counts as having no room.</summary>
+    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
     private const int MostUntold = 3;
 
     private readonly Surroundings _around;
@@ -329,7 +329,7 @@ internal sealed class WorldContact
         run.Report(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
     }
 
-    /// <summary>Releases the ball from its carrier. The rest of the step is divided from scratch.</summary>
+    /// <summary>Releases the ball from its carrier, and divides the rest of the step from scratch.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         run.Report(new BallEvent(BallEventKind.ContactEnd, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
@@ -498,7 +498,7 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Puts the ball onto a surface that it stays on: it slides or rolls.</summary>
+    /// <summary>Puts the ball onto a surface on which it stays, sliding or rolling.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         // Report no new slide if the ball already slid there at this instant, nor in a crowded step.

@@ -262,7 +262,7 @@ internal sealed class WorldGuard
         return left <= ContactTolerances.Touching && (coming < 0 || atEnd < 0);
     }
 
-    /// <summary>A gap that closes.</summary>
+    /// <summary>A gap that closes, as a function of the step's length.</summary>
     private readonly struct Closing<TSweep> : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {

@@ -89,7 +89,7 @@ internal sealed class BankShotGrid
         to = around + spread;
     }
 
-    /// <summary>Flies a kick, and stores it as a start if it is one of the closest.</summary>
+    /// <summary>Simulates a kick, and stores it as a start if it is one of the closest.</summary>
     private void Look(double elevation, double azimuth)
     {
         // Use insertion sort, because the list is short and most kicks hit nothing.

@@ -23,7 +23,7 @@ internal sealed class BankShotGuess
     /// <summary>The additional elevation of a kick that may land farther than planned, in rad.</summary>
     private const double Steeper = 0.15;
 
-    /// <summary>The guesses: the share of the last hop, true for a lob as the last leg, and the additional elevation.</summary>
+    /// <summary>The guesses: the share of the last hop, whether the last leg is a lob, and the additional elevation.</summary>
     private static readonly (double Share, bool IsLob, double Steeper)[] Ways =
     [
         (0.5, false, 0), (0.5, true, 0), (0.12, false, 0), (0.12, false, Steeper), (0.85, false, 0), (0.12, true, 0), (0.85, true, 0),

@@ -32,7 +32,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     /// <summary>The share of the tolerance to which legs are closed.</summary>
     /// <remarks>
-    /// A post amplifies the remaining gap, but the full flight corrects that anyway. A value of 1e-3 is no cheaper (<c>football lab bankshots
+    /// A post amplifies the remaining gap, but the full flight corrects this error anyway. A value of 1e-3 is no cheaper (<c>football lab bankshots
     /// --requests 60</c>).
     /// </remarks>
     private const double Closed = 3e-2;
@@ -134,7 +134,7 @@ internal sealed class BankShotProblem : ILeastSquares
         return squares <= Closed * Closed * _request.Tolerance * _request.Tolerance;
     }
 
-    /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
+    /// <summary>Simulates all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
         // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Simulate its duration, and store the gap. 3.
@@ -195,7 +195,7 @@ internal sealed class BankShotProblem : ILeastSquares
         }
     }
 
-    /// <summary>Flies a leg through its bounces, and then for its duration.</summary>
+    /// <summary>Simulates a leg through its bounces, and then for its duration.</summary>
     /// <returns>False if the ball does not bounce that often.</returns>
     private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
     {

@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>The library's solver for one target: Newton's method on the crossing of the target's plane, usually with one flight.</summary>
 /// <remarks>
-/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach. It is a hit, or shows
-/// that no kick hits.
+/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach. The closest approach is either a hit, or
+/// shows that no kick hits.
 /// </remarks>
 internal sealed class DirectAim
 {

@@ -81,7 +81,7 @@ internal sealed class DirectTwoPointAim
         return single;
     }
 
-    /// <summary>Flies a kick, and returns its miss at the waypoint, in m.</summary>
+    /// <summary>Simulates a kick, and returns its miss at the waypoint, in m.</summary>
     private double ThroughMissOf(in Kick kick)
     {
         _problem.SetThrough(_problem.Request);

@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>An approximate flight: drag and lift are quadratics in |u|² through the exact laws at three speeds.</summary>
 /// <remarks>
-/// Both coefficients fall as the spin decays. The error is millimetres at 25 m, and the cost is a quarter of a full flight. The solvers rehearse
+/// Both coefficients fall as the spin decays. The error is a few millimetres at 25 m; the cost is a quarter of that of a full flight. The solvers rehearse
 /// their first corrections in this flight.
 /// </remarks>
 internal struct FittedFlight
@@ -110,8 +110,8 @@ internal struct FittedFlight
         _time = 0;
     }
 
-    /// <summary>Flies to an approximate time, and from there to a plane.</summary>
-    /// <returns>False if the plane is not near.</returns>
+    /// <summary>Simulates to an approximate time, and from there to a plane.</summary>
+    /// <returns>False if the plane is too far away.</returns>
     public bool Fly(double time, ref PlaneCrossing crossing)
     {
         AdvanceTo(time);

@@ -3,7 +3,7 @@ namespace FootballPhysics.Aiming;
 /// <summary>Newton's method on the plane crossings of a <see cref="PlaneProblem"/>.</summary>
 /// <remarks>
 /// It starts from the closed form, and rehearses the first corrections in fitted air. The first Jacobian is computed from the flight itself, and
-/// Broyden's updates improve it. So an iteration costs one flight, and needs no difference quotients.
+/// Broyden's updates improve it. An iteration therefore costs one flight, and needs no difference quotients.
 /// </remarks>
 internal sealed class PlaneNewton
 {
@@ -43,7 +43,7 @@ internal sealed class PlaneNewton
     public double Time { get; private set; }
 
     /// <summary>Solves the problem.</summary>
-    /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one flown.</returns>
+    /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one simulated.</returns>
     public bool Solve()
     {
         // 1. Correct a closed-form guess in fitted air, which also measures the contraction per correction. 2. Simulate one full flight. 3. If it
@@ -196,7 +196,7 @@ internal sealed class PlaneNewton
         return asked > 0 ? Math.Sqrt((miss * miss) + (asked * asked)) : miss;
     }
 
-    /// <summary>Accepts the step that was flown, and updates the Jacobian.</summary>
+    /// <summary>Accepts the step that was simulated, and updates the Jacobian.</summary>
     private void TakeFlown()
     {
         _step.Update(_problem, R, _nextR);
@@ -207,7 +207,7 @@ internal sealed class PlaneNewton
     /// <summary>Rebuilds the Jacobian.</summary>
     private bool Differentiate() => (!_problem.HasThrough || _problem.Rehearse(X, _nextR)) && _step.Measure(_problem, X, _nextR);
 
-    /// <summary>Flies the kick after the step; halves the step repeatedly if the kick does not reach its planes.</summary>
+    /// <summary>Simulates the kick after the step; halves the step repeatedly if the kick does not reach its planes.</summary>
     private bool FlyStep()
     {
         for (int i = 0; i < _patience.Tries; i++)

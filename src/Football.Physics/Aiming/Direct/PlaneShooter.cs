@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies kicks without ground to the vertical planes through the target and a waypoint.</summary>
+/// <summary>Simulates kicks without ground to the vertical planes through the target and a waypoint.</summary>
 /// <remarks>
 /// Without ground, the crossing changes smoothly with the kick, so Newton's method converges.
 /// </remarks>
@@ -54,7 +54,7 @@ internal sealed class PlaneShooter : KickObserver
         _wantsThrough = true;
     }
 
-    /// <summary>Flies a kick until it has crossed its planes, or can no longer cross them.</summary>
+    /// <summary>Simulates a kick until it has crossed its planes, or can no longer cross them.</summary>
     /// <param name="from">The position of the ball, in m.</param>
     /// <param name="velocity">The velocity, in m/s.</param>
     /// <param name="spin">The spin, in rad/s.</param>
@@ -130,7 +130,7 @@ internal sealed class PlaneShooter : KickObserver
     private double StepTo(double time) =>
         time > ShortestStep * _longestStep && time < double.PositiveInfinity ? time / Math.Ceiling((time / _longestStep) - 1e-6) : _longestStep;
 
-    /// <summary>Stores the end of a segment without a crossing.</summary>
+    /// <summary>Stores the end of a segment that contains no crossing.</summary>
     /// <returns>True if the ball falls below the floor.</returns>
     private bool GivesUp(in Vector3d position, in Vector3d velocity)
     {

@@ -9,7 +9,7 @@ internal struct Approach
     /// <summary>The distance of the closest approach, in m.</summary>
     public double Miss;
 
-    /// <summary>True if the kick passes above the target, rather than below it, and does not end short of it.</summary>
+    /// <summary>True if the kick passes above the target, and not below it, and does not end short of it.</summary>
     public bool Above;
 
     /// <summary>The time of the closest approach, in s.</summary>

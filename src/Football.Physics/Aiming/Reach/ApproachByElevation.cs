@@ -31,7 +31,7 @@ internal sealed class ApproachByElevation
     /// <summary>The closest approach so far.</summary>
     public Approach Best { get; private set; }
 
-    /// <summary>The accepted hit.</summary>
+    /// <summary>The hit that was accepted as the result.</summary>
     public Approach Hit { get; private set; }
 
     /// <summary>The speed of the kicks, in m/s.</summary>
@@ -43,7 +43,7 @@ internal sealed class ApproachByElevation
     /// <summary>True if the search budget is used up.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>Prepares for a target.</summary>
+    /// <summary>Prepares a search for a target.</summary>
     public void Aim(PlaneProblem problem)
     {
         _frame = problem.Frame;
@@ -67,10 +67,10 @@ internal sealed class ApproachByElevation
         return true;
     }
 
-    /// <summary>Flies a kick at an elevation, starting with the last azimuth.</summary>
+    /// <summary>Simulates a kick at an elevation, starting with the last azimuth.</summary>
     public Approach At(double elevation) => At(elevation, _context.Steps.Search);
 
-    /// <summary>Flies a kick at an elevation, starting with the azimuth of another approach.</summary>
+    /// <summary>Simulates a kick at an elevation, starting with the azimuth of another approach.</summary>
     public Approach At(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
@@ -84,7 +84,7 @@ internal sealed class ApproachByElevation
         return At(elevation, _context.Steps.Hit);
     }
 
-    /// <summary>Flies a kick without changing its angles.</summary>
+    /// <summary>Simulates a kick without changing its angles.</summary>
     public Approach Of(in Kick kick)
     {
         _kick.Elevation = kick.Elevation;
@@ -265,7 +265,7 @@ internal sealed class HitSearch
         return !below.Above && Between(in below, in above);
     }
 
-    /// <summary>The signed miss over the elevation; ends at a hit.</summary>
+    /// <summary>The signed miss as a function of the elevation; the search ends at a hit.</summary>
     private struct MissOverElevation : IFunction
     {
         private readonly ApproachByElevation _approaches;

@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the kick that comes closest to a target, over all elevations within the bounds.</summary>
 /// <remarks>
-/// The signed miss is a smooth function of the elevation: zero at a hit, negative if a kick is too low or too short. If it is negative everywhere,
+/// The signed miss is a smooth function of the elevation: it is zero at a hit, and negative if a kick is too low or too short. If it is negative everywhere,
 /// the target is out of reach, and the maximum belongs to the closest kick.
 /// </remarks>
 internal sealed class ClosestKick
@@ -114,7 +114,7 @@ internal sealed class RollingKick
         _approaches.Bounds = new ElevationBounds(Math.Max(bounds.Lowest, steepEnough), bounds.Highest);
     }
 
-    /// <summary>Flies the kick.</summary>
+    /// <summary>Simulates the kick.</summary>
     public Approach Fly()
     {
         LowerBound = double.PositiveInfinity;

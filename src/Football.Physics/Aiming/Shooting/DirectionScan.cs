@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
+/// <summary>Simulates kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
 internal sealed class DirectionScan
 {
     /// <summary>The maximum number of starts.</summary>
@@ -27,7 +27,7 @@ internal sealed class DirectionScan
     /// <summary>Empties the list.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>Flies the kicks, and adds the local minima to the list.</summary>
+    /// <summary>Simulates kicks, and adds the local minima to the list.</summary>
     /// <param name="rows">The number of elevations.</param>
     /// <param name="columns">The number of azimuths.</param>
     /// <param name="speed">The speed, in m/s.</param>

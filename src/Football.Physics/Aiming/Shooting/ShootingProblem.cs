@@ -3,7 +3,7 @@ namespace FootballPhysics.Aiming;
 /// <summary>The boundary-value problem of a kick in its most general form: the ball must be at the target at a given time.</summary>
 /// <remarks>
 /// A waypoint before the target is optional. The unknowns are elevation, azimuth, speed, spins and times; each is free within bounds, or held. The
-/// residuals are the gaps at those times. They change smoothly with all unknowns, however the path bends.
+/// residuals are the gaps at those times. They change smoothly with all unknowns, even if the path bends.
 /// </remarks>
 internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
@@ -22,7 +22,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>The maximum number of residuals: the gaps at the target and at the waypoint.</summary>
     public const int MostEquations = 6;
 
-    /// <summary>The maximum miss of a timely hit, in m; a ball falls this far in less than the allowed time error.</summary>
+    /// <summary>The maximum miss of a timely hit, in m; a ball falls by this distance in less than the allowed time error.</summary>
     private const double TimelyMiss = 2e-5;
 
     /// <summary>The step of a flight dominated by air, and the longest step of a scan, in s.</summary>
@@ -156,7 +156,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>Returns the kick for the unknowns.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
-    /// <summary>Flies a kick and computes its residuals.</summary>
+    /// <summary>Simulates a kick and computes its residuals.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
         BallState state = Launch(x);
@@ -270,7 +270,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
     }
 
-    /// <summary>Flies a kick while it may come closer, and sets its time unknowns to the times of its closest approaches.</summary>
+    /// <summary>Simulates a kick while it may come closer, and sets its time unknowns to the times of its closest approaches.</summary>
     /// <returns>The sum of the squared misses, in m².</returns>
     public double Approach(double[] x)
     {
@@ -308,7 +308,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return false;
     }
 
-    /// <summary>Flies a kick to a given time, and sets the time unknown to it.</summary>
+    /// <summary>Simulates a kick to a given time, and sets the time unknown to it.</summary>
     /// <returns>The squared miss at the target at this time, in m².</returns>
     public double GapAt(double[] x, double time)
     {
