@@ -37,7 +37,7 @@ internal static class Flush
                 continue;
             }
 
-            // Flush: the ball touches a surface with the same normal, and closes no faster than the normals differ, |u| |n₁ × n₂|.
+            // Flush: the ball touches a surface with the same normal, and closes on it no faster than the difference of the normals explains, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactTolerances.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal))

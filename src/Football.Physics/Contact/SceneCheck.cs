@@ -45,7 +45,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
         {
-            // Allow for the distance that the ball's momentum can carry it into the net, even past the net's edges.
+            // The ball's momentum may carry it into the net, even past the net's edges: allow for this distance.
             if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
             {
                 return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");

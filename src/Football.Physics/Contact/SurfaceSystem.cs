@@ -113,7 +113,7 @@ internal struct SurfaceSystem : IMotionSystem
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
 
-        // If the spin is greater at the end, it has passed zero: a stage saw it near zero, with an arbitrary direction.
+        // A greater spin at the end means that the spin has passed zero: near zero, a stage gave it an arbitrary direction.
         Vector3d spin = step.End.Spin;
         bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
         s.SpinAxis = ended ? Vector3d.Zero : spin;

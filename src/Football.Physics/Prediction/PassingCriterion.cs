@@ -90,7 +90,7 @@ internal sealed class PassingCriterion
             return true;
         }
 
-        // The sine is a lower bound of the angle at which the velocity stops receding.
+        // Compare sines instead of angles: an angle is never smaller than its sine.
         return TurnMargin * across * left < receding / away.Length;
     }
 

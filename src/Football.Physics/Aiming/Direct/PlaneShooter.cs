@@ -67,7 +67,7 @@ internal sealed class PlaneShooter : KickObserver
         _through.Reset();
         Lowest = double.PositiveInfinity;
 
-        // Let one step end at the expected time of the first plane, and one at that of the second.
+        // Let one step end at the expected time of the first plane, and a later one at the expected time of the second.
         BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
         _longestStep = longestStep;
         _targetTime = targetTime;

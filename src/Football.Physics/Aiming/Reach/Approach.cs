@@ -82,7 +82,7 @@ internal struct ApproachBracket
         double x1 = one.Elevation - three.Elevation;
         double x2 = two.Elevation - three.Elevation;
 
-        // Newton's divided differences, from the third point.
+        // Interpolate with Newton's divided differences, starting from the third point.
         double s1 = (one.Miss - three.Miss) / x1;
         double s2 = (two.Miss - three.Miss) / x2;
         double q = (s1 - s2) / (x1 - x2);

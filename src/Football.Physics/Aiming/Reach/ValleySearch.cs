@@ -68,7 +68,7 @@ internal sealed class ValleySearch
 
         move = curvature > 0 ? -slope / curvature : 0;
 
-        // With such a third derivative, the error of the vertex is about half the product of the distances to the neighbours.
+        // With a third derivative of that size, the error of the vertex is about half the product of the distances to both neighbours.
         double doubt = 0.5 * left * right;
         if (0.5 * curvature * ((doubt * doubt) + (move * move)) < Closeness * Math.Max(1.0, at.Middle.Miss))
         {

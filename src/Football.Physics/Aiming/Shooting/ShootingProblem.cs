@@ -213,7 +213,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
         else
         {
-            // Compute relative to the air, with mean drag and lift over the path.
+            // Use quantities relative to the air, with the mean drag and lift over the path.
             Vector3d air = toTarget - (time * wind);
             Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
             double spinRate = spins.SpinRate;

@@ -175,7 +175,7 @@ public sealed class Interception
         {
             double from = _earliest[i].From;
 
-            // Choose the lowest index among players within a nanosecond of the earliest; all others are later.
+            // First is the lowest index among players within a nanosecond of the earliest; all other players are later.
             if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
             {
                 First = i;

@@ -108,7 +108,7 @@ internal sealed class ShareSearch
                 continue;
             }
 
-            // Compute the earliest time at which he could reach this point. Because he can reach the ball, it is never later than the ball's own time.
+            // Compute his earliest arrival time at this point. It is never later than the ball's arrival, because he can reach the ball.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
             double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));

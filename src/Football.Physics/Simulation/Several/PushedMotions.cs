@@ -68,7 +68,7 @@ internal sealed class PushedMotions(World world)
         {
             if (_before[m].Velocity != _after[m].Velocity)
             {
-                // The volume swept until the end, both with and without the push.
+                // The volume that the object sweeps until the end, both with and without the push.
                 Bounds3d box = world.BoundsOfMover(m, time, end - time);
                 box = box.Union(box.Translated((end - time) * _before[m].Velocity)).Union(box.Translated((end - time) * _after[m].Velocity));
                 meets = box.Expanded(reach).Intersects(new Bounds3d(position, position));
