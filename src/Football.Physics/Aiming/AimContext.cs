@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Data shared by the aiming methods: a compiled scene for each purpose, and reusable flights.</summary>
 /// <remarks>
-/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. It is solved by shooting: a kick is simulated,
-/// and then corrected by its miss. The methods differ in the flights that measure the miss.
+/// An aim is a boundary-value problem: both ends of a flight are given, and the kick is unknown. The solvers use the shooting method: they simulate a kick,
+/// and then correct it by its miss. The methods differ in the flights that measure the miss.
 /// </remarks>
 internal sealed class AimContext
 {
@@ -34,7 +34,7 @@ internal sealed class AimContext
         Scene scene = game.Scene;
         HasThings = scene.HasThings;
 
-        // Measure misses in the full scene. Search without obstacles and, where plane crossings must be smooth, without ground.
+        // Measure misses in the full scene. Search without obstacles and, if plane crossings must be smooth, without the ground.
         var real = new Simulator(scene, SolverSettings.Default);
         Scene open = HasThings ? WithoutThings(scene) : scene;
         _simulator = HasThings ? new Simulator(open, SolverSettings.Default) : real;
@@ -86,14 +86,14 @@ internal sealed class AimContext
     /// <summary>True if the search has used up its budget of path segments.</summary>
     public bool IsWorn => _pieces >= MostPieces;
 
-    /// <summary>True if the search has used half of its budget; the rest is reserved for later searches.</summary>
+    /// <summary>True if the search has used half of its budget; later searches may use the rest.</summary>
     public bool IsHalfSpent => _spent >= _most / 2 || _pieces >= MostPieces / 2;
 
     /// <summary>Begins a search.</summary>
     /// <param name="mostIterations">The maximum number of iterations.</param>
     public void Begin(int mostIterations)
     {
-        // The budget is 16 flights per iteration, minus those that a search already under way may still use.
+        // The budget is 16 flights per iteration, minus those reserved for a search that is already running.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
@@ -106,7 +106,7 @@ internal sealed class AimContext
     /// <summary>True if rotating a kick's azimuth rotates its flight: in still air, with a target at rest.</summary>
     public bool Turns(in Vector3d targetVelocity) => Scene.Air.IsStill && targetVelocity == Vector3d.Zero;
 
-    /// <summary>Flies a kick over the ground to its closest approach.</summary>
+    /// <summary>Simulates a kick over the ground to its closest approach.</summary>
     public Approach Look(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
         KickLook look = Turns(in targetVelocity) ? _turningLook : _look;
@@ -143,7 +143,7 @@ internal sealed class AimContext
     /// <summary>Returns the closed-form flight of a kick, with coefficients averaged over a path length.</summary>
     public FlatFire Model(double speed, double spinRate, double way)
     {
-        // Average over the two points of Gauss's rule on the path, with speeds estimated from the drag at launch.
+        // Average over the two Gauss points of the path, with speeds estimated from the drag at launch.
         _simulator.AirFactors(speed, spinRate, out double drag, out double lift);
         double perLength = speed > 0 ? drag / speed : 0;
         double early = speed * Elementary.Exp(-0.2113 * perLength * way);

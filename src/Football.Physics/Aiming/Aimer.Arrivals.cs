@@ -28,7 +28,7 @@ public sealed partial class Aimer
         RefuseThrough(request);
         Check.Within("aim.arrival.speed", speed, 0, Limits.Speed, exclusiveLow: true);
 
-        // Along the ground, a faster kick arrives faster. In the air, search over the time of flight: the arrival speed changes smoothly with it,
+        // Along the ground, a faster kick arrives faster. In the air, search over the time of flight: the arrival speed changes smoothly with time,
         // whereas each kick speed has two arcs.
         if (_context.Shooting.CanRoll(request) && Rolling(request, speed, out AimResult roll))
         {
@@ -52,7 +52,7 @@ public sealed partial class Aimer
         bool hits = TryArrival(request, time, out kick, out arrival, out bool isEarly);
         if (isEarly)
         {
-            // The ball is within tolerance but lands too early. Solve again for a closer kick, which arrives on time.
+            // The kick is within tolerance but arrives too early: solve again for a closer kick, which arrives on time.
             _context.Begin(request.MaximumIterations);
             _general.IsTimely = true;
             hits = TryArrival(request, time, out kick, out arrival, out _);
@@ -61,7 +61,7 @@ public sealed partial class Aimer
 
         if (!hits && isBetween)
         {
-            // The kick grazes the jump of the drag law: search in short steps.
+            // The kick grazes the jump of the drag law: search with short steps.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
             hits = TryArrival(request, time, out kick, out arrival, out _);
@@ -142,7 +142,7 @@ public sealed partial class Aimer
                 break;
             }
 
-            // Keep the signs of the bracket: too slow at the low end, too fast at the high end.
+            // Keep the bracket's signs: too slow at the low end, too fast at the high end.
             (low, atLow, high, atHigh) = off < 0 ? (middle, off, high, atHigh) : (low, atLow, middle, off);
         }
 

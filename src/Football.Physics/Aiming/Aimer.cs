@@ -50,18 +50,18 @@ public sealed partial class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public AimResult Find(AimRequest request, bool measure = true)
     {
-        // 1. Search in long steps, and measure the miss. 2. If search and measurement disagree, repeat in short steps. 3. If the kick is blocked,
+        // 1. Search with long steps, and measure the miss. 2. If search and measurement disagree, repeat with short steps. 3. If the kick is blocked,
         // try the other arc and, if the spin is free, other spins.
         Begin(request);
         AimSolution solution = Search(request);
         AimResult result = Report(request, in solution, measure);
 
-        // If the flight differs from the search and no obstacle explains it, the long steps were too inaccurate.
+        // The flight differs from the search and no obstacle explains the difference: the long steps were too inaccurate.
         bool blocked = result.Status == AimStatus.Blocked;
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
         if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
-            // A kick that grazes the jump of the drag law takes another path in finer steps: search again in short steps.
+            // A kick that grazes the jump of the drag law takes a different path with finer steps: search again with short steps.
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
@@ -79,7 +79,7 @@ public sealed partial class Aimer
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the request has a waypoint.</exception>
     public AimResult FindSlowest(AimRequest request)
     {
-        // Search in long steps, then in short ones. If neither finds a kick, the fastest kick determines the status.
+        // Search with long steps, then with short ones. If neither finds a kick, the fastest kick determines the status.
         Begin(request);
         RefuseThrough(request);
         if (!Slowest(request, out AimSolution solution))
@@ -111,7 +111,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time);
         if (result.Status == AimStatus.NotConverged && !_context.IsSpent)
         {
-            // The kick grazes the jump of the drag law: search again in short steps.
+            // The kick grazes the jump of the drag law: search again with short steps.
             _context.Steps = AimSteps.Short;
             result = AtTime(request, time);
             _context.Steps = AimSteps.Long;
@@ -136,7 +136,7 @@ public sealed partial class Aimer
         };
         Find(request);
 
-        // Use one request per code path: low, high, too slow, waypoint, along the ground, slowest, fixed arrival time.
+        // One request per code path: low, high, too slow, waypoint, along the ground, slowest, fixed arrival time.
         AimResult high = Find(request with { Arc = AimArc.High });
         Find(request with { Speed = 8 });
         Find(request with { Waypoint = new Vector3d(1, contact + 2, -9) });
@@ -148,7 +148,7 @@ public sealed partial class Aimer
     /// <summary>Searches for an unblocked kick on the other arc and, if the spin is free, with other spins on both arcs, nearest first.</summary>
     private AimResult Around(AimRequest request, in AimResult blocked, bool measure)
     {
-        // Try the other arc with the requested spin first, then rings of spins around it, nearest first, on both arcs.
+        // Try the other arc with the requested spin first. Then try rings of spins around that spin, nearest first, on both arcs.
         AimArc other = request.Arc == AimArc.Low ? AimArc.High : AimArc.Low;
         AimResult found = With(request, other, request.TopSpin, request.SideSpin, measure);
         for (int ring = 1; ring <= SpinRings && request.SpinIsFree && !found.HitsTarget; ring++)
@@ -165,7 +165,7 @@ public sealed partial class Aimer
 
     private bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // Search for a flight, and also for a roll, which may be slower still.
+        // Search for the slowest flight, and for a roll, which may be even slower.
         bool flies = _general.Slowest(request, out solution);
         if (_context.Shooting.CanRoll(request) && _direct.SlowestRoll(request, flies ? solution.Speed : request.Speed, out AimSolution roll))
         {
@@ -187,7 +187,7 @@ public sealed partial class Aimer
     /// <summary>Returns a point on a square ring of spins around the requested spin, clamped to the allowed range.</summary>
     private static void SpinOnRing(AimRequest request, int ring, int place, out double top, out double side)
     {
-        // Start with sidespin, because it usually bends a kick around an obstacle. The ring has 8 n points, on four edges.
+        // Start with sidespin, because sidespin usually bends a kick around an obstacle. Ring n has 8 n points, on four edges.
         int along = (place % (2 * ring)) - ring;
         int edge = place / (2 * ring);
         int x = edge switch { 0 => ring, 1 => -ring, 2 => -along, _ => along };
@@ -203,7 +203,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time, out bool isEarly);
         if (isEarly)
         {
-            // The ball is within tolerance but lands too early. Solve again for a closer kick, which arrives on time.
+            // The kick is within tolerance but arrives too early: solve again for a closer kick, which arrives on time.
             _general.IsTimely = true;
             result = AtTime(request, time, out _);
             _general.IsTimely = false;
@@ -216,11 +216,11 @@ public sealed partial class Aimer
     {
         if (!_general.AtTime(request, time, out AimSolution solution))
         {
-            // No kick was found: either the budget ran out, or the search has covered all kicks.
+            // No kick was found: either the budget was used up, or the search covered all kicks.
             solution.Status = _context.IsSpent ? AimStatus.NotConverged : AimStatus.OutOfReach;
         }
 
-        // A kick that passes the target at another time is not a hit.
+        // A kick that passes the target at a different time is not a hit.
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin, time);
         isEarly = measured.Distance <= request.Tolerance && !(time - measured.Time <= LargestDelay);
@@ -263,7 +263,7 @@ public sealed partial class Aimer
     {
         solution.Vectors(out Vector3d velocity, out Vector3d spin);
 
-        // Use the solver's own estimate if no obstacle can block the kick.
+        // If no obstacle can block the kick, use the solver's own estimate.
         if (!measure && !_context.HasThings && solution.Miss < double.PositiveInfinity)
         {
             double? throughMiss = request.Waypoint is null ? null : solution.ThroughMiss;
@@ -273,7 +273,7 @@ public sealed partial class Aimer
 
         MeasuredMiss measured = _context.Miss.Measure(request, in velocity, in spin);
 
-        // The measured miss alone decides whether the kick hits; the method's status only explains a miss.
+        // The measured miss alone decides whether the kick hits. The method's status only explains a miss.
         AimStatus status = _context.Frame(request).IsDegenerate ? AimStatus.Degenerate
             : measured.Distance <= request.Tolerance ? Judge(request, AimStatus.Hit, in measured, passes)
             : Missed(in solution, in measured);
@@ -292,11 +292,11 @@ public sealed partial class Aimer
     private AimResult Result(
         AimRequest request, AimStatus status, in AimSolution solution, in Vector3d velocity, in Vector3d spin, in MeasuredMiss measured)
     {
-        // The methods of the thesis count their own iterations. Save the counters now: later flights are not part of the search.
+        // The thesis' methods count their own iterations. Save the counters now, because later flights are not part of the search.
         int iterations = solution.Iterations > 0 ? solution.Iterations : _context.Iterations;
         int simulations = _context.Simulations;
 
-        // Rolls, misses, and flat kicks to a target at least as high count as the low arc. Otherwise the sign of d speed/d time determines the arc.
+        // Rolls, misses, and flat kicks at a target of at least the same height count as the low arc. Otherwise, the sign of d speed/d time determines the arc.
         TargetFrame frame = _context.Frame(request);
         bool rolls = _context.StaysDown(in frame.From, velocity.Y);
         bool hits = status is AimStatus.Hit or AimStatus.WaypointMissed;

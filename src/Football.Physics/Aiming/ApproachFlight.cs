@@ -33,7 +33,7 @@ internal abstract class ApproachFlight : KickObserver
 
     protected Simulator Simulator { get; }
 
-    /// <summary>True if there is no wind, which could bring a ball back.</summary>
+    /// <summary>True if there is no wind that could bring the ball back.</summary>
     protected bool IsStill { get; }
 
     /// <summary>The target at time 0, in m.</summary>
@@ -89,7 +89,7 @@ internal abstract class ApproachFlight : KickObserver
     protected virtual void TakeEnd(in BallState state, in Vector3d velocity) =>
         Take(Gap(state.Position, state.Time).LengthSquared, state.Time, state.Position, in velocity);
 
-    /// <summary>True if a ball on the ground comes no closer: it is too far below the target, or rolls away in still air.</summary>
+    /// <summary>True if a ball on the ground comes no closer, because it is too far below the target, or rolls away in still air.</summary>
     protected bool IsPast(MotionState motion, in Vector3d gap, in Vector3d velocity, double best) =>
         motion != MotionState.Airborne && TargetVelocity == Vector3d.Zero
         && (gap.Y * gap.Y >= best || (IsStill && motion == MotionState.Rolling && Vector3d.Dot(in gap, in velocity) > 0));
@@ -118,7 +118,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>The value of <see cref="Blocker"/> if the ball hit only the ground.</summary>
     public const int NoThing = -1;
 
-    /// <summary>A ball in a net creeps if it stays below this speed, in m/s, for this time, in s; it will at most double its speed.</summary>
+    /// <summary>A ball in a net creeps if it stays below this speed, in m/s, for this time, in s; it then at most doubles its speed.</summary>
     private const double Slow = 0.3;
     private const double Long = 0.4;
 
@@ -144,7 +144,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>The first object except the ground that the ball hit, numbered as in events; <see cref="NoThing"/> if there is none.</summary>
     public int Blocker { get; private set; }
 
-    /// <summary>Flies a kick and measures its closest approach.</summary>
+    /// <summary>Simulates a kick and measures its closest approach.</summary>
     /// <param name="state">The ball.</param>
     /// <param name="timeStep">The length of a step, in s.</param>
     /// <param name="duration">The duration of the flight, in s.</param>
@@ -162,7 +162,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         _fast = state.Time;
         Blocker = NoThing;
 
-        // If no objects are required, the start counts as an approach, because the kick may lead away at once.
+        // If no objects are required, the start counts as an approach, because the ball may move away at once.
         if (HasMetAll)
         {
             TakeEnd(in state, state.Velocity);
@@ -171,7 +171,7 @@ internal sealed class MeasuredFlight : ApproachFlight
         Fly(ref state);
     }
 
-    /// <summary>Flies a kick for a duration, or until its first impact.</summary>
+    /// <summary>Simulates a kick for a duration, or until its first impact.</summary>
     /// <returns>The first object except the ground that the ball hit; <see cref="NoThing"/> if there is none.</returns>
     public int FlyTo(ref BallState state, double timeStep, double duration)
     {
@@ -188,7 +188,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // On the ground, friction curves the path within a step: inspect each step.
+        // On the ground, friction curves the path within a step, so inspect every step.
         watches = HasMetAll && state.Motion != MotionState.Airborne;
         return Math.Min(TimeStep, Last - state.Time);
     }
@@ -200,7 +200,7 @@ internal sealed class MeasuredFlight : ApproachFlight
             return false;
         }
 
-        // Inspect the segments if the step contains an impact, or passes the target or waypoint. Otherwise the end of the step is sufficient.
+        // Inspect the segments if the step contains an impact, or passes the target or waypoint. Otherwise, the end of the step is sufficient.
         bool doubts = ended || Passes(in before, in after, after.Velocity)
             || (_through is { } point && Vector3d.Dot(before.Position - point, before.Velocity) < 0 && Vector3d.Dot(after.Position - point, after.Velocity) > 0);
         if (!doubts)
@@ -221,14 +221,14 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         _throughSquared = Math.Min(_throughSquared, piece.ClosestApproach(in point, out _));
 
-        // Stop only if the ball comes closer to neither the target nor the waypoint.
+        // Stop only if the ball approaches neither the target nor the waypoint.
         return isPast && IsPast(piece.Motion, piece.EndPosition - point, piece.EndVelocity, _throughSquared);
     }
 
     public override bool IsOver(in BallState before, in BallState after, EventBuffer events, bool ended)
     {
-        // 1. An impact ends the flight, unless the kick must hit that object. 2. Until all required objects are hit, end if the ball is stuck.
-        // 3. After that, end if the ball comes no closer.
+        // 1. An impact ends the flight, unless the kick must hit that object. 2. While required objects remain, end if the ball is stuck. 3. After
+        // that, end when the ball no longer approaches.
         for (int i = 0; i < events.Count; i++)
         {
             ref readonly BallEvent e = ref events[i];
@@ -245,7 +245,7 @@ internal sealed class MeasuredFlight : ApproachFlight
                 return true;
             }
 
-            // After a required impact the flight continues; after the last one the approach begins.
+            // After a required impact, the flight continues. After the last one, the approach begins.
             ended = false;
             _met++;
             if (HasMetAll)
@@ -261,7 +261,7 @@ internal sealed class MeasuredFlight : ApproachFlight
 
         if (!HasMetAll)
         {
-            // A ball that stays on the ground cannot bounce off it again. A ball that is at rest, or creeps down a net, hits nothing more.
+            // A ball that stays on the ground cannot bounce off the ground again. A ball that is at rest, or creeps down a net, hits nothing more.
             bool staysDown = after.Motion is MotionState.Sliding or MotionState.Rolling && after.Carrier == 0 && _things[_met] == 0;
             return staysDown || after.Motion == MotionState.Rest || Creeps(in after);
         }
@@ -294,7 +294,7 @@ internal sealed class MeasuredFlight : ApproachFlight
     /// <summary>True if the ball creeps down a net and cannot reach anything in time.</summary>
     private bool Creeps(in BallState state)
     {
-        // A ball in a net swings for a long time. Stop if it is slow for a while, and would not reach the target in time even at twice its speed.
+        // A ball in a net swings for a long time. Stop if it stays slow for a while, and would not reach the target in time even at twice its speed.
         double speed = state.Velocity.Length;
         if (state.Nets == 0 || speed > Slow)
         {

@@ -38,7 +38,7 @@ internal sealed class ArrivalTimes
         _closest = default;
         int count = Scan();
 
-        // The low arc is the one with the shorter time: search from the shortest time.
+        // The low arc has the shorter time of flight: search from the shortest time upwards.
         bool isLow = request.Arc == AimArc.Low;
         for (int pass = 0; pass < 3; pass++)
         {
@@ -174,7 +174,7 @@ internal sealed class ArrivalTimes
             hit = middle;
         }
 
-        // Accept the kick at the very end if its arrival speed is within the error allowed.
+        // Accept the kick at the very end if the error of its arrival speed is within tolerance.
         root = hit;
         return Math.Abs(hit.Off) <= Aimer.LargestArrivalError;
     }

@@ -91,7 +91,7 @@ internal readonly struct TargetFrame
 
     public TargetFrame(in Vector3d from, in Vector3d target)
     {
-        // A target straight above or below has no horizontal direction: use −z.
+        // If the target is straight above or below, it has no horizontal direction: use −z.
         Vector3d flat = (target - from).Horizontal;
         From = from;
         Target = target;

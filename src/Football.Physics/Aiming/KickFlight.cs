@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies a kick step by step until its observer ends the flight.</summary>
+/// <summary>Simulates a kick step by step until its observer ends the flight.</summary>
 internal sealed class KickFlight
 {
     private readonly Simulator _simulator;
@@ -20,10 +20,10 @@ internal sealed class KickFlight
     /// <summary>The number of path segments of the last flight.</summary>
     public long Pieces { get; private set; }
 
-    /// <summary>Flies until the observer ends the flight, or until a time.</summary>
+    /// <summary>Simulates a kick until the observer ends the flight, or up to a time.</summary>
     public void Fly(ref BallState state, double last)
     {
-        // An unobserved step is fastest. If its ends are inconclusive, repeat the step and pass its segments to the observer.
+        // A step without an observer is fastest. If its ends are inconclusive, repeat it and pass its segments to the observer.
         Pieces = 0;
         bool isOver = false;
         while (!isOver && state.Time < last && Pieces < AimContext.MostPieces)
@@ -32,7 +32,7 @@ internal sealed class KickFlight
             double step = _observer.StepFrom(in before, out bool watches);
             bool ended = false;
 
-            // Take the step unobserved first, and evaluate it from its ends.
+            // First take the step without an observer, and evaluate it from its ends.
             if (!watches)
             {
                 ended = Take(ref state, step, _log);
@@ -41,7 +41,7 @@ internal sealed class KickFlight
 
             if (watches)
             {
-                // Repeat from the same start, so that the step is bit-identical.
+                // Start again from the same state, so that the repeated step is bit-identical.
                 state = before;
                 ended = Take(ref state, step, _watched);
             }

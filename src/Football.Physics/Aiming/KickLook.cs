@@ -24,7 +24,7 @@ internal class KickLook : ApproachFlight
     /// <param name="timeStep">The step of the flight, in s.</param>
     public virtual Approach Fly(in TargetFrame frame, in Vector3d targetVelocity, in Kick kick, double speed, double timeStep)
     {
-        // Fly until the ball comes no closer; the start counts as an approach.
+        // Simulate until the ball no longer approaches; the start counts as an approach.
         kick.Vectors(speed, in frame.Forward, out Vector3d velocity, out Vector3d spin);
         BallState state = Simulator.Launch(frame.From, velocity, spin);
         Frame = frame;
@@ -45,7 +45,7 @@ internal class KickLook : ApproachFlight
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before it.
+        // If the ball passes the target in a step with one segment, a cubic between its ends is sufficient. At an impact, use the velocity before the impact.
         Vector3d velocity = ended ? BeforeImpact(log.Events) : after.Velocity;
         if (!Passes(in before, in after, in velocity))
         {
@@ -79,7 +79,7 @@ internal class KickLook : ApproachFlight
     /// <summary>True if the ball passes above the target, in the vertical plane of the motion.</summary>
     protected bool IsAbove(in Vector3d gap, in Vector3d ahead)
     {
-        // The side of the path on which the target lies: the sign of the cross product of velocity and gap.
+        // The target's side of the path: the sign of the cross product of velocity and gap.
         Vector3d moving = Velocity - TargetVelocity;
         return (Vector3d.Dot(in moving, in ahead) * gap.Y) - (moving.Y * Vector3d.Dot(in gap, in ahead)) > 0;
     }
@@ -94,7 +94,7 @@ internal class KickLook : ApproachFlight
 
 /// <summary>Estimates the closest approach in still air, for a target at rest, independent of the azimuth.</summary>
 /// <remarks>
-/// In still air, rotating the azimuth rotates the whole flight. So the target is rotated to the ball's bearing instead: only the target's distance
+/// In still air, rotating the azimuth rotates the whole flight. So rotate the target to the ball's bearing instead: only the target's distance
 /// and height matter, and one flight yields the azimuth that hits.
 /// </remarks>
 internal sealed class TurningLook : KickLook
@@ -112,13 +112,13 @@ internal sealed class TurningLook : KickLook
         _isBeyond = false;
         Approach approach = base.Fly(in frame, in targetVelocity, in kick, speed, timeStep);
 
-        // The target was rotated to the ball's bearing; rotate the kick back by this bearing, so that the ball reaches the target.
+        // The target was rotated to the ball's bearing. Rotate the kick back by this bearing, so that the ball reaches the target.
         Vector3d went = (Position - frame.From).Horizontal;
         double length = went.Length;
         Vector3d ahead = length > 1e-9 ? went / length : kick.Direction(in frame.Forward);
         approach.Kick.Azimuth -= length > 0 ? Elementary.Atan2(Vector3d.Dot(in went, in frame.Left), Vector3d.Dot(in went, in frame.Forward)) : 0;
 
-        // A path that ends short of the target's distance passes below the target, whatever its final direction.
+        // A path that ends before it has covered the target's distance passes below the target, whatever its final direction.
         approach.Above = _isBeyond && IsAbove(approach.Gap, in ahead);
         return approach;
     }
@@ -138,7 +138,7 @@ internal sealed class TurningLook : KickLook
 
     protected override double ClosestApproach(in PathSegment piece, out double time)
     {
-        // The target rotates with the ball: start from the ball's position at the midpoint, and iterate to the closest approach.
+        // The target rotates with the ball: start with the ball's position at the midpoint, and iterate to the closest approach.
         time = piece.Time + (0.5 * piece.Length);
         for (int i = 0; i < 2; i++)
         {
@@ -150,7 +150,7 @@ internal sealed class TurningLook : KickLook
 
     protected override bool Leaves(in BallState state, in Vector3d gap)
     {
-        // The ball is farther away horizontally than the best approach, or is falling beyond and below the target.
+        // The horizontal distance exceeds that of the best approach, or the ball falls beyond and below the target.
         Vector3d flat = gap.Horizontal;
         return Vector3d.Dot(in flat, state.Velocity) > 0 && Vector3d.Dot(state.Position - Frame.From, in flat) > 0
             && (flat.LengthSquared > Squared || (gap.Y < 0 && state.Velocity.Y < 0));

@@ -27,14 +27,14 @@ internal sealed class MissMeter
     /// <summary>Discards the last measurement, because objects in the scene may have moved.</summary>
     public void Forget() => _measured = null;
 
-    /// <summary>Flies a kick and measures its miss; the last measurement is cached.</summary>
+    /// <summary>Simulates a kick and measures its miss; the last measurement is cached.</summary>
     /// <param name="request">The request.</param>
     /// <param name="velocity">The velocity of the kick, in m/s.</param>
     /// <param name="spin">The spin of the kick, in rad/s.</param>
     /// <param name="time">The time of the measurement, in s after the kick; an earlier impact ends it. Null measures at the closest approach.</param>
     public MeasuredMiss Measure(AimRequest request, in Vector3d velocity, in Vector3d spin, double? time = null)
     {
-        // Return the cached result: the solver and the report measure the same kick.
+        // Return the cached result, because the solver and the report measure the same kick.
         if (ReferenceEquals(request, _measured) && velocity == _measuredVelocity && spin == _measuredSpin && time == _measuredTime)
         {
             return _miss;
@@ -47,7 +47,7 @@ internal sealed class MissMeter
         // On the scene's clock, the target has moved since time 0.
         Vector3d target = AimContext.Raised(_simulator, request.Target) - (request.KickTime * request.TargetVelocity);
 
-        // Measure at the given time, not at the closest approach.
+        // Measure the miss at the given time, not at the closest approach.
         if (time is { } end)
         {
             int blocker = _shot.FlyTo(ref state, step, end);
@@ -95,7 +95,7 @@ internal static class MeasuringStep
     /// <summary>True if drag or lift exceeds gravity so much that paths bend into loops, or end in the air.</summary>
     public static bool IsRuledByAir(Simulator simulator, double upward, double speed, double spinRate)
     {
-        // Compare drag or lift at the maximum airspeed with weight minus buoyancy.
+        // Compare the drag or lift at the maximum airspeed with the weight minus the buoyancy.
         double most = speed + simulator.Scene.Air.Wind.Length;
         simulator.AirFactors(most, spinRate, out double drag, out double lift);
         return most * Math.Max(drag, Math.Abs(lift)) > Ruling * Math.Abs(upward);

@@ -33,7 +33,7 @@ internal abstract class AirLaws
     {
         ForceSet forces = scene.Forces;
 
-        // Tables contain absent forces and, for the measured laws, constant coefficients. Other laws are evaluated one by one.
+        // Tables contain absent forces and, for the measured laws, constant coefficients. Evaluate other laws one by one.
         return !HasTables(forces) ? new MixedLaws(scene, drag, lift) : forces.Coefficients switch
         {
             AerodynamicModel.Published => new TableLaws<PublishedLaw>(scene, drag, lift),
@@ -65,7 +65,7 @@ internal abstract class AirLaws
     {
         bool spins = spinSquared > AirRates.NoSpin;
 
-        // |ω̂ × u|² = |ω × u|²/|ω|²; then lift and decay per unit of spin.
+        // |ω̂ × u|² = |ω × u|²/|ω|²; then compute lift and decay per unit of spin.
         double perSquared = spins ? 1.0 / spinSquared : 0;
         double rate = spins ? Math.Sqrt(spinSquared) : 0;
         Factors(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);

@@ -43,7 +43,7 @@ internal static class AirRates
         double acrossSquared = perRate * perRate * ((x * x) + (y * y) + (z * z));
         laws.Factors((ux * ux) + (uy * uy) + (uz * uz), rate, acrossSquared, branch, out drag, out lift, out decay);
 
-        // Divide by the spin, for L (ω × u) and −decay ω. Without spin, the decay stays an angular deceleration.
+        // Divide by the spin, for L (ω × u) and −decay ω. If there is no spin, the decay stays an angular deceleration.
         if (rate > 0)
         {
             lift *= perRate;

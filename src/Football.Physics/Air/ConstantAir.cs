@@ -55,7 +55,7 @@ internal struct ConstantAir : IFlightAir
     public readonly bool FactorsPerSpin(
         double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // Per unit of spin, the lift is k_L and the decay k.
+        // Per unit of spin, the lift is k_L and the decay is k.
         bool spins = spinSquared > AirRates.NoSpin;
         drag = _drag * Math.Sqrt(speedSquared);
         lift = _lift;

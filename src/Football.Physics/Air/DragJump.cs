@@ -81,7 +81,7 @@ internal readonly struct DragJump
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool MayCross(DragBranch branch, in DragJump from, in DragJump rate, in DragJump to, double h)
     {
-        // Also extrapolate from the start: a step may cross a surface and return.
+        // Also extrapolate from the start, because a step may cross a surface and return.
         double speedAhead = from.Speed + (h * rate.Speed);
         double spinAhead = from.Spin + (h * rate.Spin);
         if (branch == DragBranch.Spinning)
@@ -89,7 +89,7 @@ internal readonly struct DragJump
             return !(to.Speed > 0 && to.Spin > 0 && speedAhead > 0 && spinAhead > 0);
         }
 
-        // Both must be positive at one instant: both at a later time, or one before it falls and the other after it rises.
+        // Both must be positive at the same instant: both at a later time, or one before it falls and the other after it rises.
         bool speedLater = to.Speed > 0 || speedAhead > 0;
         bool spinLater = to.Spin > 0 || spinAhead > 0;
         return (speedLater && spinLater) || (spinLater && from.Speed > 0 && from.Spin <= 0) || (speedLater && from.Spin > 0 && from.Speed <= 0);
@@ -110,7 +110,7 @@ internal readonly struct DragJump
         var path = new JumpPath(in from, in fromRate, in to, in toRate, h);
         double low = 0;
 
-        // Sample first: a step may enter the law with spin and leave it again between its ends.
+        // Sample first, because a step may enter the law with spin and leave it again between its ends.
         for (int i = 1; i <= Samples; i++)
         {
             double high = (double)i / Samples;
@@ -118,7 +118,7 @@ internal readonly struct DragJump
             {
                 path.Narrow(ref low, ref high, inside);
 
-                // The crossed surface is the one whose function has the smaller value.
+                // The crossed surface is the one with the smaller function value.
                 bySpeed = path.Speed(high) < path.Spin(high);
                 return high;
             }

@@ -19,7 +19,7 @@ internal static class JumpLocator
             return false;
         }
 
-        // Refine the interpolated time with Newton's method on the step itself.
+        // Refine the interpolated time by Newton's method on the step itself.
         EventLocator.Locate(ref sweep, new Crossing<TSweep>(bySpeed, Longest * h), fraction * h);
         return true;
     }
@@ -44,7 +44,7 @@ internal static class JumpLocator
             double function = _bySpeed ? at.Speed : at.Spin;
             double rate = _bySpeed ? rates.Speed : rates.Spin;
 
-            // Make the function positive before the crossing from either side; the correction is Newton's −f/f'.
+            // Choose the sign so that the function is positive before the crossing, from either side; the correction is Newton's −f/f'.
             value = rate > 0 ? -function : function;
             correction = -function / rate;
             if (!(Math.Abs(correction) < _longest))
@@ -52,7 +52,7 @@ internal static class JumpLocator
                 return true;
             }
 
-            // The remainder is so small that the end can be moved without repeating the step.
+            // The remainder is small enough to move the end without repeating the step.
             bool isClose = Math.Abs(correction) <= EventLocator.Negligible;
             if (isClose && tau + correction > 0)
             {

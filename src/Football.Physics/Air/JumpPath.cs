@@ -37,7 +37,7 @@ internal readonly struct JumpPath
     /// <param name="high">The end of the search; not inside. On return, a fraction that is inside.</param>
     public bool PassesThrough(double low, ref double high)
     {
-        // One function is positive at first, the other at the end. If they overlap, the law with spin applies in between.
+        // One function is positive at the start, the other at the end. If both are positive in between, the law with spin applies there.
         bool spinRises = Speed(low) > 0 && Spin(high) > 0;
         if (!(spinRises || (Spin(low) > 0 && Speed(high) > 0)))
         {

@@ -38,7 +38,7 @@ internal sealed class MixedLaws : AirLaws
     public override void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // A stage may overshoot zero spin: lift then stops, and the decay, an even function of ω, continues smoothly.
+        // A stage may overshoot zero spin: lift then stops, but the decay, an even function of ω, continues smoothly.
         AirFlow flow = default;
         flow.SpeedSquared = speedSquared;
         flow.Speed = Math.Sqrt(speedSquared);

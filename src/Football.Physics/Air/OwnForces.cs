@@ -31,7 +31,7 @@ internal sealed class OwnForces
     /// <exception cref="InvalidOperationException">A force is not finite.</exception>
     public void AddTo(in ForceContext ball, ref AirFactors factors)
     {
-        // Pass the flow with the local wind to the forces.
+        // Pass the air-relative velocity, with the local wind, to the forces.
         ForceAccumulator sum = default;
         ForceContext seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)

@@ -40,7 +40,7 @@ public sealed class ScaledAir : IForce
     {
         Vector3d u = ball.AirVelocity;
 
-        // Evaluate the scene's laws; the force then adds the difference that the factors make.
+        // Evaluate the scene's laws, then add the force that the factors contribute.
         DragBranch branch = DragJump.BranchAt(Laws.Jumps, u.LengthSquared, _radius * _radius * ball.Spin.LengthSquared);
         Vector3d w = ball.Spin;
         AirRates.Factors(Laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, branch, out double drag, out double lift, out _);

@@ -95,7 +95,7 @@ internal struct SceneAir : IFlightAir
     public readonly void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // In a wind field, jumps are not located: use the branch of the current flow.
+        // In a wind field, jumps are not located: use the branch of the present flow.
         DragBranch here = DragJump.Choose(_jumpsInField, locates: false, region, speedSquared, _radiusSquared * spinRate * spinRate);
         _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
     }

@@ -25,7 +25,7 @@ internal sealed class TableLaws<TLaw> : AirLaws
         _ofDrag = drag;
         _ofLift = lift;
 
-        // Lift depends on the same C_D as drag, and jumps with it.
+        // Lift depends on the same C_D as drag, and jumps together with it.
         Jumps = law.Jumps && (Drags || Lifts);
         Bound = BoundUpTo(2.0 * Limits.Speed);
         OrdinaryBound = BoundUpTo(OrdinarySpeed);

@@ -64,7 +64,7 @@ internal sealed class BoundsTree
         return false;
     }
 
-    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if there is none before.</summary>
+    /// <summary>Returns the time at which a straight path reaches the first box, s; the given limit if it reaches none before.</summary>
     public double FirstMet(in StraightWay way, double until)
     {
         int node = 0;
@@ -72,7 +72,7 @@ internal sealed class BoundsTree
         {
             double met = way.Meets(in _bounds[node]);
 
-            // The path reaches this node, and so its entire branch, too late or not at all.
+            // The path reaches this node, and thus its entire branch, too late or not at all.
             if (!(met < until))
             {
                 node = _after[node];
@@ -86,11 +86,11 @@ internal sealed class BoundsTree
         return until;
     }
 
-    /// <summary>Builds the branch for a range of items, split at the median along the axis with the widest spread of centres.</summary>
+    /// <summary>Builds the branch for a range of items, which it splits at the median along the axis with the widest spread of centres.</summary>
     /// <returns>The node after the branch.</returns>
     private int Build(Bounds3d[] boxes, int[] items, int from, int to, int node)
     {
-        // Bounds of all items, and bounds of their centres, which determine the split axis.
+        // The bounds of all items, and the bounds of their centres, which determine the split axis.
         Bounds3d all = boxes[items[from]];
         Bounds3d centers = boxes[items[from]].AtCenter;
         for (int i = from + 1; i < to; i++)
@@ -183,8 +183,7 @@ internal struct NearThings
                 continue;
             }
 
-            // Take the deepest overlap. Break ties by the normals, because the order of
-            // traversal and the order in the scene are arbitrary.
+            // Use the deepest overlap. Break ties by the normals, because the orders of the traversal and of the scene are arbitrary.
             ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
             double overlap = world.Ball.Radius - at.Distance;
             overlapsBody |= overlap > ContactTolerances.Touching && world.Colliders[i].IsBody;
@@ -237,7 +236,7 @@ internal struct NearThings
     /// <returns>False at the end.</returns>
     public bool NextPassage(out int thing)
     {
-        // Nets and goals are stationary and have bounds, so they are in the tree.
+        // Nets and goals are stationary and bounded, so they are in the tree.
         while (_world.Tree.Next(in _box, ref _node, out int leaf))
         {
             thing = _world.Leaves[leaf];
@@ -297,7 +296,7 @@ internal struct NearThings
     {
         Collider collider = _world.Colliders[moving];
 
-        // The box that the collider sweeps in this time.
+        // The box that the collider sweeps during this time.
         Bounds3d bounds = collider.BoundsDuring(_time, _duration);
         if (_duration > 0)
         {

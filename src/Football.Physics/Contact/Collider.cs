@@ -72,7 +72,7 @@ internal sealed class Collider
     /// <summary>Its name.</summary>
     public string Name { get; private set; }
 
-    /// <summary>True if it is level ground. The height of a ball on it is exact: other code compares such heights exactly.</summary>
+    /// <summary>True if it is level ground. A ball on level ground has an exact height, because other code compares such heights for equality.</summary>
     public bool IsLevelGround { get; init; }
 
     /// <summary>The exact height of the centre of a ball on level ground, m; −∞ for other surfaces.</summary>
@@ -81,7 +81,7 @@ internal sealed class Collider
     /// <summary>Returns the position of a ball on this surface, with the exact height if it is level ground.</summary>
     public Vector3d Snap(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, LevelContact, position.Z) : position;
 
-    /// <summary>As <see cref="Snap"/>, but never lowers the ball.</summary>
+    /// <summary>Like <see cref="Snap"/>, but never lowers the ball.</summary>
     public Vector3d SnapUp(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, Math.Max(position.Y, LevelContact), position.Z) : position;
 
     /// <summary>Its layer; −1 for the ground, goal frames and engine slots. Engine colliders are filtered when they are
@@ -257,7 +257,7 @@ internal sealed class Collider
     /// <summary>Transforms a path to the object's own frame.</summary>
     public PathCubic Seen(in PathCubic path, double time)
     {
-        // Transform the path to the frame of the moving shape, where the shape is stationary.
+        // Transform the path to the frame of the moving shape, in which the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
         return motion.IsTurned ? seen.InAxes(in motion) : seen;
@@ -296,7 +296,7 @@ internal readonly struct ContactMaterial
     /// <summary>Upper bound of e at any speed: 1, or more for a bumper.</summary>
     private readonly double _most;
 
-    /// <summary>Minimum speed off the surface after an impact, m/s.</summary>
+    /// <summary>Minimum separation speed after an impact, m/s.</summary>
     public double MinimumExitSpeed { get; init; }
 
     /// <summary>e_t along x, and along every direction except z.</summary>
@@ -382,7 +382,7 @@ internal readonly struct ContactMaterial
             return e;
         }
 
-        // Use the ratio of squares, so that it cannot overflow.
+        // Use the ratio of squares, up to the limit beyond which its square would overflow.
         double steep = HalfRise * approach;
         double square = along.LengthSquared / (steep * steep);
         double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
@@ -408,8 +408,8 @@ internal readonly struct ContactMaterial
         return largest;
     }
 
-    /// <summary>Returns the speed off a bumper after an impact, m/s: e v_n or more.</summary>
-    /// <remarks>It exceeds 1000 m/s only if the approach did.</remarks>
+    /// <summary>Returns the separation speed after an impact with a bumper, m/s: e v_n or more.</summary>
+    /// <remarks>It exceeds 1000 m/s only if the approach speed did.</remarks>
     /// <param name="approach">v_n, m/s.</param>
     /// <param name="restitution">e.</param>
     /// <param name="share">The share of the restitution to apply.</param>
@@ -425,7 +425,7 @@ internal readonly struct ContactMaterial
 
     private static double AtRest(double atRigSpeed, double perSpeed)
     {
-        // e₀ = e₆ √(1 + (6/V_e)²).
+        // The restitution at zero speed, e₀ = e₆ √(1 + (6/V_e)²).
         double x = RigSpeed * perSpeed;
         return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
     }

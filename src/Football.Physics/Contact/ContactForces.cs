@@ -19,7 +19,7 @@ internal static unsafe class ContactForces
     {
         if (system.Bearer >= 0)
         {
-            // ω̇_n = −(c_ω/I) (ω − Ω)·n.
+            // The damped spin about the normal: ω̇_n = −(c_ω/I) (ω − Ω)·n.
             ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
             spinAcceleration -= bearer.Damping * (Vector3d.Dot(in spin, in bearer.Normal) - bearer.CarrierSpin) * bearer.Normal;
         }
@@ -95,7 +95,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref w, rows, size);
         }
 
-        // Compute the response of the eliminated contact to the free motion, and to a unit of each other force.
+        // Compute how the eliminated contact responds to the free motion, and to a unit of each other force.
         ForceRow own = default;
         if (stuck >= 0)
         {
@@ -148,7 +148,7 @@ internal static unsafe class ContactForces
         return true;
     }
 
-    /// <summary>Solves G x = b for the forces that remain after the elimination.</summary>
+    /// <summary>Solves G x = b for the forces that remain after elimination.</summary>
     /// <returns>False if the solution is not unique.</returns>
     [SkipLocalsInit]
     private static bool SolveRows(
@@ -161,7 +161,7 @@ internal static unsafe class ContactForces
             return ContactRows.Eliminate(g, x, size, ContactTolerances.Singular * largest);
         }
 
-        // For two sticking contacts, the conditions along the line between the contact points coincide.
+        // If two contacts stick, their conditions along the line between the contact points are the same.
         for (int i = 0; i < size; i++)
         {
             z[i] = 0;
@@ -171,7 +171,7 @@ internal static unsafe class ContactForces
         return ContactRows.SolveBraced(g, x, z, size);
     }
 
-    /// <summary>Sets G, the response of each condition to a unit of each force, and b, the rest of the conditions without these
+    /// <summary>Sets G, the response of each condition to a unit of each force, and b, the remainder of each condition without these
     /// forces.</summary>
     /// <returns>The largest entry of G, at least 1.</returns>
     private static double SetSystem(ForceRow* rows, double* g, double* b, int size, in Vector3d acceleration, in Vector3d spinAcceleration)
@@ -259,8 +259,7 @@ internal static unsafe class ContactForces
             size += system.Contacts[i].Bears ? SetRows(in system, i, in spin, rows + size) : 0;
         }
 
-        // Eliminate the resistance that holds a ball at a standstill, and its spin, first: they must not enter the sum of squares of the
-        // forces.
+        // First eliminate the resistance that holds a ball at a standstill, and its spin: the sum of squares of the forces must not include them.
         Vector3d normal = system.Bearer >= 0 ? system.Contacts[system.Bearer].Normal : Vector3d.Zero;
         Vector3d turning = Vector3d.Cross(in normal, in system.Along) / system.World.Ball.Radius;
         double held = 0;

@@ -9,7 +9,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static unsafe class ContactModes
 {
-    /// <summary>Maximum number of mode changes. After that the search fails.</summary>
+    /// <summary>Maximum number of mode changes. After these, the search fails.</summary>
     private const int MostChanges = 24;
 
     /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>
@@ -44,7 +44,7 @@ internal static unsafe class ContactModes
         Forget(ref system);
         if (likely >= 0)
         {
-            // Start with the carrier as the bearer (the contact that resists rolling). At a standstill, search for the bearer instead.
+            // Start with the carrier as the bearer (the contact that resists rolling). At a standstill, search for the bearer.
             system.Bearer = likely;
             Roll(ref system, in at, default);
             system.Pinned = false;
@@ -199,7 +199,7 @@ internal static unsafe class ContactModes
             return;
         }
 
-        // At a standstill, the ball is held, or it starts to roll along the push.
+        // At a standstill, the ball is either held, or starts to roll along the push.
         double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
         system.Along = push < 0 ? -system.Along : system.Along;
         system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
@@ -235,7 +235,7 @@ internal static unsafe class ContactModes
 
         if (!isLine)
         {
-            // With a single normal, the free direction is along the velocity.
+            // If only one normal remains, the free direction is the direction of the velocity.
             Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
             double speed = rolling.Length;
             return speed > 0 ? rolling / speed : Vector3d.Zero;
@@ -295,7 +295,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // Activate the contact that would be penetrated fastest.
+        // Activate the contact that the ball would penetrate fastest.
         least = -ContactTolerances.LeastLoad;
         for (int i = 0; i < system.Count; i++)
         {
@@ -314,7 +314,7 @@ internal static unsafe class ContactModes
             return true;
         }
 
-        // Let the contact that exceeds its friction cone most slip. If its slip is zero, it slips against the friction needed.
+        // Let the contact that exceeds its friction cone most slip. If its slip is zero, it slips against the friction that it needs.
         double most = 0;
         for (int i = 0; i < system.Count; i++)
         {
@@ -328,7 +328,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
         {
-            // Drilling friction cannot hold the spin, so the spin starts against the holding torque.
+            // Drilling friction cannot hold the spin: the spin starts against the holding torque.
             system.HoldsSpin = false;
             system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
             return true;
@@ -336,7 +336,7 @@ internal static unsafe class ContactModes
 
         if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
         {
-            // Rolling resistance cannot hold the ball either, so the ball starts to roll against the holding force.
+            // Rolling resistance cannot hold the ball either: the ball starts to roll against the holding force.
             system.Pinned = false;
             system.Along = system.Held > 0 ? -system.Along : system.Along;
             return true;
@@ -358,8 +358,7 @@ internal static unsafe class ContactModes
     /// <param name="push">The acceleration of the ball at rest, relative to its carrier, m/s².</param>
     public static bool Hold(in ContactSystem system, in Vector3d push)
     {
-        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three take all of the
-        // push.
+        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three leave no free direction.
         PushProjection free = Project(in system, in push);
         return free.TakesAll || (free.First < 0 ? push.Length <= ContactTolerances.LeastLoad
             : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));

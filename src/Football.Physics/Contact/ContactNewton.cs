@@ -20,7 +20,7 @@ internal static class ContactNewton
     /// <param name="w">Spin, rad/s.</param>
     public static void Step(Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
     {
-        // Per mass: a tangential impulse changes the spin by 1/(α r) times itself, and the slip by (1 + α)/α times itself.
+        // Per unit mass: a tangential impulse changes the spin by 1/(α r) times the impulse, and the slip by (1 + α)/α times the impulse.
         double r = ball.Radius;
         double perTurn = 1.0 / (ball.InertiaFactor * r);
         double grip = ball.InertiaFactor / (1.0 + ball.InertiaFactor);
@@ -35,7 +35,7 @@ internal static class ContactNewton
         Span<Row> rows = stackalloc Row[size];
         Span<double> system = stackalloc double[size * (size + 1)];
 
-        // Set up a row per unknown: its residual, and the derivatives with respect to v and ω.
+        // Set up one row per unknown: its residual, and its derivatives with respect to v and ω.
         for (int i = 0; i < contacts; i++)
         {
             ref readonly Contact contact = ref set[pressing[i]];
@@ -48,7 +48,7 @@ internal static class ContactNewton
             bool bears = contact.Load - closing > 0;
             rows[3 * i] = new Row { AlongV = n, PushV = n, Residual = bears ? closing : contact.Load, OfMotion = bears ? 1 : 0, OfItself = bears ? 0 : 1, LoadRow = -1 };
 
-            // s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
+            // The slip s = u_t + r n × ω; an impulse F changes the spin by −n × F/(α r).
             Vector3d relative = v - contact.Velocity;
             Couple(
                 rows.Slice((3 * i) + 1, 2), t1, t2, -r * t2, r * t1, -perTurn * t2, perTurn * t1,
@@ -59,7 +59,7 @@ internal static class ContactNewton
 
         if (bearer >= 0)
         {
-            // r ω_t, which rolling resistance changes directly.
+            // The unknown r ω_t, which rolling resistance changes directly.
             ref readonly Contact contact = ref set[resistance.Bearer];
             Vector3d t1 = Tangent(in contact.Normal);
             Vector3d t2 = Vector3d.Cross(in contact.Normal, in t1);
@@ -72,7 +72,7 @@ internal static class ContactNewton
             rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
-        // Residual + derivative × change = 0: a linear system for the changes of all impulses.
+        // Residual + derivative × change = 0 is a linear system for the changes of all impulses.
         Fill(system, rows, size);
         if (!Eliminate(system, size))
         {
@@ -85,7 +85,7 @@ internal static class ContactNewton
             double change = system[(i * (size + 1)) + size];
             bool isLoad = i < 3 * contacts && i % 3 == 0;
 
-            // Keep every load at zero or above.
+            // Keep every load non-negative.
             change = isLoad ? Math.Max(change, -set[pressing[i / 3]].Load) : change;
             v += change * rows[i].PushV;
             w += change * rows[i].PushW;
@@ -108,7 +108,7 @@ internal static class ContactNewton
         }
     }
 
-    /// <summary>Finds the contacts that have impulses or are about to get them. All others have no impulse after the step either.</summary>
+    /// <summary>Finds the contacts that have impulses or are about to get them. No other contact has an impulse after the step.</summary>
     /// <returns>Their number; more than <see cref="Most"/> if there are too many.</returns>
     private static int Pressing(Span<Contact> set, double duration, in Vector3d v, int bearer, Span<int> pressing, out int bearerAt)
     {
@@ -138,13 +138,13 @@ internal static class ContactNewton
     /// allows.</summary>
     private static Row Drilling(in Contact contact, BallProperties ball, double duration, double drilling, in Vector3d w, int loadRow)
     {
-        // ω_n = (ω_n − D)/(1 + k) ∓ c N.
+        // Damping and drilling friction: ω_n = (ω_n − D)/(1 + k) ∓ c N.
         double about = Vector3d.Dot(in w, in contact.Normal);
         double damping = TurningResistance.Damping(in contact, ball, duration);
         double perLoad = TurningResistance.DrillingPerLoad(in contact, ball);
         double damped = (about - drilling) / (1.0 + damping);
 
-        // If the load allows it, drilling friction stops the spin about the normal. Otherwise the spin is damped and reduced by that limit.
+        // Drilling friction stops the spin about the normal if the load allows it. Otherwise, damp the spin and reduce it by the friction limit.
         bool ends = Math.Abs(damped) <= perLoad * contact.Load;
         double resisted = damped > 0 ? perLoad : -perLoad;
         return new Row
@@ -164,7 +164,7 @@ internal static class ContactNewton
         Span<Row> rows, in Vector3d pushV1, in Vector3d pushV2, in Vector3d alongW1, in Vector3d alongW2,
         in Vector3d pushW1, in Vector3d pushW2, in Slipping slip, in Slipping push, double grip, double friction, double load, int loadRow)
     {
-        // T = F − g s. If |T| ≤ μ N, the contact grips and the slip must vanish; otherwise F = μ N T/|T|.
+        // T = F − g s. If |T| ≤ μ N, the contact grips, so the slip must vanish; otherwise F = μ N T/|T|.
         double first = push.First - (grip * slip.First);
         double second = push.Second - (grip * slip.Second);
         double size = Math.Sqrt((first * first) + (second * second));
@@ -210,7 +210,7 @@ internal static class ContactNewton
     /// <summary>Builds the system: per unknown, the derivatives of its residual, and the negative residual.</summary>
     private static void Fill(Span<double> system, Span<Row> rows, int size)
     {
-        // Compute the response of every row to a unit of every impulse.
+        // Compute how every row responds to a unit of every impulse.
         Span<double> motions = stackalloc double[size * size];
         for (int i = 0; i < size; i++)
         {
@@ -222,7 +222,7 @@ internal static class ContactNewton
             }
         }
 
-        // Sum per row: the motion, the unknown itself, the load that bounds it, and the turn of its direction.
+        // The terms of a row: the motion, the unknown itself, the load that limits it, and the turn of its direction.
         for (int i = 0; i < size; i++)
         {
             ref readonly Row row = ref rows[i];
@@ -241,7 +241,7 @@ internal static class ContactNewton
 
             if (row.Turns > 0)
             {
-                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T across its direction matters.
+                // −μ dN T/|T| − (μ N/|T|)(1 − T Tᵀ/|T|²)(dF − g ds): only the change of T perpendicular to T matters.
                 int second = i + row.Other;
                 Span<double> other = motions.Slice(second * size, size);
                 double across = row.Turns * row.Across;
@@ -266,7 +266,7 @@ internal static class ContactNewton
         int width = size + 1;
         for (int column = 0; column < size; column++)
         {
-            // Choose the largest pivot in the column, because a small one would amplify rounding errors.
+            // Use the largest pivot in the column, because a small pivot would amplify rounding errors.
             int pivot = column;
             for (int i = column + 1; i < size; i++)
             {

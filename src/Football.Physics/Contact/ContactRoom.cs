@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Memory for contact sets that exceed the caller's stack memory.</summary>
 /// <remarks>
-/// Stationary surfaces are never dropped from a set, however many a ball touches. The memory is kept, so a later step with as many contacts
+/// Stationary surfaces are never dropped from a set, however many of them a ball touches. The memory is kept, so a later step with as many contacts
 /// allocates nothing. Sets in use at the same time need separate memory. Threads that share a simulator each have their own.
 /// </remarks>
 internal sealed class ContactRoom
@@ -14,7 +14,7 @@ internal sealed class ContactRoom
     /// <summary>Returns memory for a number of contacts.</summary>
     /// <param name="count">The number of contacts.</param>
     /// <param name="room">The caller's memory.</param>
-    /// <returns>The caller's memory if it is large enough; otherwise this memory.</returns>
+    /// <returns>The caller's memory if it is large enough; otherwise, this object's memory.</returns>
     public Span<Contact> Of(int count, Span<Contact> room)
     {
         if (count <= room.Length)

@@ -56,8 +56,7 @@ internal readonly struct ContactSearch
             return best;
         }
 
-        // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along the gap of each
-        // collider.
+        // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along each collider's gap.
         _world.Engine?.LookAlong(in _path, _time);
         var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius), _time, _path.Length);
         while (near.NextCollider(out int thing))
@@ -65,7 +64,7 @@ internal readonly struct ContactSearch
             bool seam = false;
             double at = thing == carrier || ContactSet.Has(held, thing) ? double.PositiveInfinity : FirstContact(thing, carrier, held, Math.Min(best, _path.Length), out seam);
 
-            // For simultaneous contacts, take the first collider of the scene, regardless of the order of the walk.
+            // If contacts are simultaneous, use the first collider in scene order, regardless of the traversal order.
             if (at < best || (at == best && at <= _path.Length && ComesFirst(thing, first.Index, at)))
             {
                 best = at;
@@ -109,7 +108,7 @@ internal readonly struct ContactSearch
         int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
 
-        // A net extends beyond its edges by the depth of the ball in another net, so expand the search by it.
+        // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
         int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
         double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
@@ -120,7 +119,7 @@ internal readonly struct ContactSearch
             double at = double.PositiveInfinity;
             Separation gap = default;
 
-            // Consider nets that the ball is not in, and mouths that it has not entered and whose line it has not passed.
+            // Check nets that do not contain the ball, and mouths that the ball has not entered and whose line it has not passed.
             if (thing < goals)
             {
                 int net = thing - nets;
@@ -139,7 +138,7 @@ internal readonly struct ContactSearch
                 at = TimeOfImpact.First(ref mouth);
             }
 
-            // For simultaneous passages, take the first net or goal of the scene, regardless of the order of the walk.
+            // If passages are simultaneous, use the first net or goal in scene order, regardless of the traversal order.
             if (at < best || (at == best && thing < bestThing))
             {
                 best = at;
@@ -148,7 +147,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // A net stretches with the ball in it, so its bounds are of no use: always test whether the ball leaves it.
+        // A net that contains the ball stretches, so its bounds do not help: always test whether the ball leaves it.
         for (int net = 0; net < _world.Nets.Length && s.Nets >> net != 0; net++)
         {
             if ((s.Nets >> net & 1) != 0)
@@ -160,7 +159,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // For a ball in the mouth of a goal, always test whether it passes the line or leaves through the mouth.
+        // If the ball is in the mouth of a goal, always test whether it passes the line or leaves through the mouth.
         for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)
@@ -219,7 +218,7 @@ internal readonly struct ContactSearch
             return TimeOfImpact.First(ref rotating);
         }
 
-        // Transform the path to the frame of a moving collider, where the collider is stationary.
+        // Transform the path to the frame of a moving collider, in which the collider is stationary.
         PathCubic path = _path;
         Bounds3d bounds = _bounds;
         if (collider.Moves)
@@ -237,7 +236,7 @@ internal readonly struct ContactSearch
         double t = 0;
         while (TimeOfImpact.Finds(ref gap, ref t))
         {
-            // A flush seam causes no contact: advance until the ball is over the face and the normals agree.
+            // A flush seam causes no contact: advance until the ball is above the face and the normals agree.
             double passage = Flush.Passage(_world, thing, _path.At(t), _path.VelocityAt(t), _time + t, carrier, held);
             if (!(passage > 0))
             {

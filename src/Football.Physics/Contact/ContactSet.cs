@@ -41,7 +41,7 @@ internal static class ContactSet
         int kept = 0;
         for (int i = 0; i < set.Length; i++)
         {
-            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. A body that is now stationary does not return.
+            // Keep contacts that neither close nor separate, (v − V)·n ≈ 0, and slow movers. Do not keep a body that has become stationary.
             double rate = Vector3d.Dot(s.Velocity - set[i].Velocity, in set[i].Normal);
             bool stays = set[i].Gap <= ContactTolerances.Touching && rate >= -ContactTolerances.Approaching && rate <= ContactTolerances.Leaving;
             if (stays || (lingers && set[i].Moves && set[i].Velocity != Vector3d.Zero && Math.Abs(rate) < world.MinimumBounceSpeed))
@@ -221,7 +221,7 @@ internal static class ContactSet
         PutOntoTwo(world, ref s, set);
         bool moved = true;
 
-        // Repeat projections until the ball no longer moves. Project stationary surfaces last, so that the ball does not enter them.
+        // Repeat the projections until the ball no longer moves. Project stationary surfaces last, so that the ball does not enter them.
         for (int round = 0; round < MostRounds && moved; round++)
         {
             moved = false;
@@ -273,7 +273,7 @@ internal static class ContactSet
     {
         Span<Contact> room = stackalloc Contact[Room];
 
-        // Include nearby surfaces: pushed out of one object, the ball must not enter another.
+        // Include nearby surfaces, because a ball pushed out of one object must not enter another.
         Span<Contact> set = Near(world, in s, Beside, room, world.Room);
         foreach (ref readonly Contact contact in set)
         {
@@ -314,7 +314,7 @@ internal static class ContactSet
         ShapePoint at = collider.At(s.Position, s.Time);
         if (contact.IsFlat && collider.HasFaces && !at.IsFlat)
         {
-            // Just beyond the edge of a flat face, the ball is still on the plane of the face.
+            // Just beyond the edge of a flat face, the ball is still on the plane of that face.
             return false;
         }
 
@@ -322,7 +322,7 @@ internal static class ContactSet
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position - (world.Ball.Radius * at.Normal), s.Time), at.Normal);
         bool bears = contact.Load > 0;
 
-        // A loaded contact holds the ball on its surface with zero normal speed; the others only keep the ball out. Close remaining gaps if
+        // A loaded contact keeps the ball on its surface, at zero normal speed; other contacts only keep the ball out. Close remaining gaps if
         // possible.
         s.Velocity -= (bears ? off : gap <= ContactTolerances.Touching ? Math.Min(0, off) : 0) * at.Normal;
         gap = bears && (contact.Touches || closes) ? gap : Math.Min(0, gap);

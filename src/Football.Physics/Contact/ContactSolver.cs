@@ -12,7 +12,7 @@ namespace FootballPhysics;
 /// </remarks>
 internal static class ContactSolver
 {
-    /// <summary>Maximum number of iterations. After that, the set counts as unsolvable, as with two objects that close on a ball.</summary>
+    /// <summary>Maximum number of iterations. If they do not suffice, the set is unsolvable, as with two objects that close on a ball.</summary>
     private const int MostRounds = 48;
 
     /// <summary>Number of iterations for a set that may be unsolvable.</summary>
@@ -24,7 +24,7 @@ internal static class ContactSolver
     /// <summary>Newton gains little if the change is more than this share of the previous one.</summary>
     private const double Little = 0.1;
 
-    /// <summary>Number of iterations before a Newton step. It doubles each time the guessed modes were wrong.</summary>
+    /// <summary>Number of iterations before a Newton step. The number doubles whenever the guessed modes are wrong.</summary>
     private const int RoundsBetween = 2;
     private const int RoundsOfWrong = 2 * RoundsBetween;
 
@@ -82,7 +82,7 @@ internal static class ContactSolver
         int next = between - 1;
         for (int round = 0; round < MostRounds; round++)
         {
-            // Run one projected Gauss–Seidel iteration, and return if the solution has converged.
+            // Run one iteration of projected Gauss–Seidel, and return if the solution has converged.
             change = Round(set, ball, duration, ref resistance, ref v, ref w);
             if (change <= settled)
             {
@@ -91,7 +91,7 @@ internal static class ContactSolver
 
             if (change > before.Change)
             {
-                // Newton guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel alone.
+                // Newton's method guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel only.
                 kept.CopyTo(set);
                 v = before.Velocity;
                 w = before.Spin;
@@ -102,7 +102,7 @@ internal static class ContactSolver
                 continue;
             }
 
-            // Stop: the solution has nearly converged and more iterations gain little, as with indeterminate loads.
+            // Stop if the solution has nearly converged and more iterations gain little, as with indeterminate loads.
             if (change <= ContactTolerances.Foreseen && (change > Little * before.Change || between > RoundsOfWrong))
             {
                 return true;
@@ -110,7 +110,7 @@ internal static class ContactSolver
 
             before.Change = double.PositiveInfinity;
 
-            // Now and then try a Newton step. Keep the state before it, because it may guess the wrong modes.
+            // Occasionally try a Newton step. Save the state first, because the step may guess the wrong modes.
             if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
             {
                 next = round + between;
@@ -140,7 +140,7 @@ internal static class ContactSolver
     /// <summary>Applies the impulses that the contacts already hold.</summary>
     private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
     {
-        // Warm start: apply the stored impulses to the velocity and the spin.
+        // Warm start: apply the stored impulses to velocity and spin.
         foreach (ref readonly Contact contact in set)
         {
             v += (contact.Load * contact.Normal) + contact.Friction;
@@ -161,7 +161,7 @@ internal static class ContactSolver
             scale += contact.Load;
         }
 
-        // Rolling resistance and drilling friction only act at the contact with the greatest load.
+        // Rolling resistance and drilling friction act only at the contact with the greatest load.
         change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
         return change > 0 ? change / scale : 0;
     }
@@ -170,7 +170,7 @@ internal static class ContactSolver
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Closing(in Contact contact, double duration, in Vector3d v)
     {
-        // (v − V)·n + gap/h: a gap may close within the time. Over zero time, only touching surfaces count.
+        // (v − V)·n + gap/h, because a gap may close within the time h. Over zero time, only touching surfaces count.
         double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactTolerances.Touching ? double.MaxValue : 0;
         return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
     }
@@ -239,7 +239,7 @@ internal struct TurningResistance
     {
         int heaviest = ContactSet.Heaviest(set);
 
-        // Another contact now has the greatest load: undo the resistance at the old one.
+        // The greatest load is now at another contact: undo the resistance at the old one.
         if (heaviest != Bearer)
         {
             w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
@@ -256,7 +256,7 @@ internal struct TurningResistance
         ref readonly Contact contact = ref set[heaviest];
         Vector3d n = contact.Normal;
 
-        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I, then drilling friction brings it towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I; then drilling friction reduces it by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
         double most = DrillingPerLoad(in contact, ball) * contact.Load;
@@ -265,7 +265,7 @@ internal struct TurningResistance
         Drilling += drilled;
         w += drilled * n;
 
-        // Across the normal: resistance against the rolling, limited by the load, which never reverses the rolling.
+        // Across the normal: the rolling resistance, which is limited by the load and never reverses the roll.
         double resistance = MostRolling(in contact, ball, in v);
         Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
         double size = turning.Length;

@@ -38,7 +38,7 @@ internal unsafe struct ContactSystem : IMotionSystem
     public Vector3d Acceleration;
     public Vector3d SpinAcceleration;
 
-    /// <summary>The air speed there, m/s.</summary>
+    /// <summary>The airspeed at that moment, m/s.</summary>
     public double AirSpeed;
 
     /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>
@@ -83,7 +83,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         u = air.AirVelocity;
         airSpeed = air.AirSpeed;
 
-        // a_air = L (ω × u) − D u; the ground's settings determine how much of it acts.
+        // a_air = L (ω × u) − D u; the ground's settings determine which share of it acts.
         Vector3d push = air.Acceleration;
         if (World.AirActs)
         {
@@ -98,7 +98,7 @@ internal unsafe struct ContactSystem : IMotionSystem
 
         if (!World.SharesAir && sticks)
         {
-            // Without a share for the spin, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
+            // If the spin does not share the air's force, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
             ref readonly SetContact bearer = ref Contacts[Bearer];
             Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
             spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);

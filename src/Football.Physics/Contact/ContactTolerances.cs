@@ -54,7 +54,7 @@ internal static class ContactTolerances
     public const double Overlap = 5e-10;
 
     /// <summary>The maximum overlap, at the end of a step, of two balls that touch without load, m.</summary>
-    /// <remarks>Above: a missed push enters. Below: a group rejects whole steps because of the method's error.</remarks>
+    /// <remarks>Above: a push that was missed moves a ball into another. Below: a group rejects whole steps because of the method's error.</remarks>
     public const double EnteredUnloaded = 1e-9;
 
     /// <summary>The maximum separation of two surfaces with the same normal until they are compared again, m.</summary>
@@ -99,7 +99,7 @@ internal static class ContactTolerances
     public const double CarrierDistance = 1e-6;
 
     /// <summary>The margin of a pile's search for contacts beyond the motion of the balls, m.</summary>
-    /// <remarks>Above: more contacts without load to solve. Below: a contact is missed if a push moves a ball farther than predicted.</remarks>
+    /// <remarks>Above: the solver gets more contacts without load. Below: a contact is missed if a push moves a ball farther than predicted.</remarks>
     public const double PileMargin = 1e-5;
 
     /// <summary>The gap below which the displayed path of a squeezed ball follows a stationary surface, m.</summary>
@@ -112,10 +112,10 @@ internal static class ContactTolerances
     public const double Lingering = 2e-4;
 
     /// <summary>The margin of the search for other objects beside a line of contact, m.</summary>
-    /// <remarks>Above: a ball in a gutter leaves the whole step too often. Below: an object is met within the whole step.</remarks>
+    /// <remarks>Above: a ball in a gutter leaves the whole step too often. Below: the ball hits an object within the whole step.</remarks>
     public const double LineRoom = 5e-3;
 
-    // ---- Speeds, m/s; times the radius also spins ----
+    // ---- Speeds in m/s; spins, multiplied by the radius ----
 
     /// <summary>The speed below which a ball is at a standstill, m/s; for spins, times the radius.</summary>
     /// <remarks>Above: a creeping ball stops. Below: rounding keeps a ball moving.</remarks>
@@ -150,7 +150,7 @@ internal static class ContactTolerances
     public const double Sticking = 1e-7;
 
     /// <summary>After many pieces, a turning slip ends at this larger value, m/s.</summary>
-    /// <remarks>Above: the end shows in the path. Below: the pieces of a step run out.</remarks>
+    /// <remarks>Above: the end of the slip is visible in the path. Below: the pieces of a step run out.</remarks>
     public const double StickingAfterMany = 1e-6;
 
     /// <summary>A slip below this is the error of the solver, m/s: the ball rolls.</summary>
@@ -262,11 +262,11 @@ internal static class ContactTolerances
     public const double SameNormal = 4e-9;
 
     /// <summary>Normals whose angle has a smaller sine than this belong to one face or to coinciding surfaces.</summary>
-    /// <remarks>Above: two faces count as one. Below: rounding splits a face.</remarks>
+    /// <remarks>Above: two faces are treated as one. Below: rounding splits a face.</remarks>
     public const double Coincident = 1e-8;
 
     /// <summary>Normals are independent if |n₁ × n₂|, 1 − (n₁·n₂)² or |n₁·(n₂ × n₃)| exceeds this.</summary>
-    /// <remarks>Above: narrow wedges count as one surface. Below: the solution is amplified rounding.</remarks>
+    /// <remarks>Above: narrow wedges are treated as one surface. Below: the solution is amplified rounding.</remarks>
     public const double Independent = 1e-6;
 
     /// <summary>A plane whose normal has a smaller y than this is a wall: no position is above it.</summary>
@@ -278,7 +278,7 @@ internal static class ContactTolerances
     /// balls get huge loads.</remarks>
     public const double LeastDeterminant = 1e-3;
 
-    // ---- Shares: relative to the quantity at hand ----
+    // ---- Shares, relative to the quantity in question ----
 
     /// <summary>The advance of a search relative to the time, at late times, where the clock is coarse.</summary>
     /// <remarks>Above: contacts at late times are skipped. Below: the time does not change, and the search does not end.</remarks>
@@ -357,7 +357,7 @@ internal static class ContactTolerances
     public const double Foreseen = 1e-8;
 
     /// <summary>The bracket at which the search for a jump of the load ends, relative to the piece.</summary>
-    /// <remarks>Above: the ball is behind the edge. Below: more evaluations for a place that an edge does not define.</remarks>
+    /// <remarks>Above: the ball is behind the edge. Below: more evaluations, for a position that an edge does not define.</remarks>
     public const double JumpWidth = 1e-8;
 
     /// <summary>The minimum step of a search, relative to the path.</summary>
@@ -365,7 +365,7 @@ internal static class ContactTolerances
     public const double ShortestShare = 1e-7;
 
     /// <summary>After a jump of the load, the piece ends this share of its length beyond the jump; more than <see cref="JumpWidth"/>.</summary>
-    /// <remarks>Above: the ball passes the next face. Below: the next piece starts before the edge again.</remarks>
+    /// <remarks>Above: the ball passes over the next face. Below: the next piece starts before the edge again.</remarks>
     public const double BeyondJump = 1e-7;
 
     /// <summary>The error of the conditions of a group, relative to the largest force, if the forces are not unique.</summary>

@@ -23,7 +23,7 @@ internal static class CoulombImpact
         Apply(ball, in material, default, in n, in surface, in v, in w, out velocity, out spin);
 
     /// <summary>Computes velocity and spin just after an impact.</summary>
-    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite.</remarks>
+    /// <remarks>The impulse on the ball is m (v' − v); the other object gets the opposite impulse.</remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="material">The material of the other object.</param>
     /// <param name="other">The recoil of the other object.</param>
@@ -44,8 +44,8 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin) => Apply(ball, in material, in other, in n, in surface, in v, in w, 1.0, out velocity, out spin);
 
-    /// <summary>Computes an impact with reduced restitution, so that the ball is not faster than allowed; with zero restitution if
-    /// needed.</summary>
+    /// <summary>Computes an impact with reduced restitution, so that the ball does not exceed the maximum speed; if necessary, with zero
+    /// restitution.</summary>
     /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="material">The material of the other object.</param>
@@ -69,8 +69,7 @@ internal static class CoulombImpact
         out Vector3d velocity,
         out Vector3d spin)
     {
-        // Bisect the share of the restitution: friction has a kink, so the speed is not a polynomial of it. The lower bound is always
-        // valid.
+        // Bisect the share of the restitution: because of friction's kink, the speed is not a polynomial of it. The lower bound is always valid.
         double low = 0;
         double high = 1;
         for (int i = 0; i < Halvings; i++)
@@ -92,7 +91,7 @@ internal static class CoulombImpact
     /// <param name="after">(v' − V')·n, m/s.</param>
     public static double Added(BallProperties ball, in ContactMaterial material, in GivingWay other, double before, double after) =>
 
-        // ½ m/(1 + m/M) (w'² − w²).
+        // The energy gain ½ m/(1 + m/M) (w'² − w²).
         material.IsBumper ? Math.Max(0, 0.5 * ball.Mass / (1.0 + other.Ratio) * ((after * after) - (before * before))) : 0;
 
     private static void Apply(
@@ -113,20 +112,20 @@ internal static class CoulombImpact
         double approach = -Vector3d.Dot(in u, in n);
         if (!(approach > 0))
         {
-            // A surface that recedes as fast as the ball approaches gives no impulse.
+            // The surface recedes at least as fast as the ball approaches, so there is no impulse.
             velocity = v;
             spin = w;
             return;
         }
 
-        // J_n/m = (1 + e) (−u·n)/(1 + m/M).
+        // The normal impulse J_n/m = (1 + e) (−u·n)/(1 + m/M).
         Vector3d along = u + (approach * n);
         double restitution = material.RestitutionAt(approach, in along);
         double normal = material.IsBumper
             ? (approach + material.Bumped(approach, restitution, share)) / (1.0 + other.Ratio)
             : (1.0 + (share * restitution)) * approach / (1.0 + other.Ratio);
 
-        // s = u_t + r n × ω; grip J/m = (1 + e_t) s/(1 + 1/α + m/M), at most μ J_n/m.
+        // The slip s = u_t + r n × ω; a grip needs J/m = (1 + e_t) s/(1 + 1/α + m/M), limited to μ J_n/m.
         Vector3d slip = along + (r * Vector3d.Cross(in n, in w));
         double turning = alpha / (1.0 + alpha + (alpha * other.Ratio));
         double gripX = turning * (1.0 + material.TangentialX);
@@ -136,7 +135,7 @@ internal static class CoulombImpact
         Vector3d friction = size > most ? most / size * grip : grip;
         velocity = v + (normal * n) - friction;
 
-        // ω' = ω + (r/(α r²)) n × J/m; about the normal, keep e_ω of the spin minus b μ_s J_n/I.
+        // ω' = ω + (r/(α r²)) n × J/m; about the normal, keep the share e_ω of the spin minus b μ_s J_n/I.
         double about = Vector3d.Dot(in w, in n);
         double kept = material.Spin * about;
         double drilled = material.DrillingLength * material.SlidingFriction * normal / (alpha * r * r);

@@ -25,7 +25,7 @@ internal sealed class EnginePushes
     /// <summary>Records a collider before it is pushed.</summary>
     public void Note(EngineCollider collider)
     {
-        // Pushes are valid until the engine's time advances: remove those of earlier times.
+        // Pushes are valid until the engine's time advances: remove pushes of earlier times.
         for (int i = _pushed.Count - 1; i >= 0; i--)
         {
             if (_pushed[i] == collider)
@@ -69,7 +69,7 @@ internal sealed class EnginePushes
             _pushed.Add(kept[i].Collider);
         }
 
-        // A look-ahead is over, so discard its memory. A step may be repeated, so keep the others.
+        // The look-ahead is over: discard its pushes. Keep the others, because a step may be repeated.
         if (memory == OfLook)
         {
             kept.Clear();
@@ -109,7 +109,7 @@ internal sealed class EnginePushes
 
     private bool IsKept(EngineCollider collider)
     {
-        // A push kept during a look-ahead belongs to the real step, which continues after the look-ahead.
+        // A push stored during a look-ahead belongs to the real step, which continues after the look-ahead.
         for (int i = 0; i < _kept[OfLook].Count; i++)
         {
             if (_kept[OfLook][i].Collider == collider)

@@ -102,7 +102,7 @@ internal sealed class EngineThings
     /// <summary>Finds the colliders within a distance of a position, m, unless the last cast covers it.</summary>
     public void LookAt(in Vector3d position, double time, double distance)
     {
-        // Inside the volume of the last cast there are no new colliders to find.
+        // The volume of the last cast contains no new colliders.
         if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
             Look(in position, in position, _ballRadius + distance, time, 0);
@@ -199,7 +199,7 @@ internal sealed class EngineThings
         Vector3d to = from + (way.Duration * way.Velocity);
         Look(in from, in to, way.Around, way.Time, way.Duration);
 
-        // The cast finds colliders near the path. The moving box of each collider decides whether the path reaches it.
+        // The cast finds colliders near the path. Use each collider's moving box to decide whether the path reaches it.
         for (int i = 0; i < Count; i++)
         {
             Collider collider = _world.Colliders[_found[i]];
@@ -219,14 +219,14 @@ internal sealed class EngineThings
         _around = around + Beside;
         _isKnown = true;
 
-        // The engine reports positions at one time, and colliders may have moved when the ball passes. Expand the cast by that motion.
+        // The engine reports positions at a single time, and colliders may move until the ball passes: expand the cast by this motion.
         double now = _engine.Time;
         double apart = Math.Max(Math.Abs(time - now), Math.Abs(time + duration - now));
         double moved = Moved(apart);
         Cast(in from, in to, moved);
         double asked = moved;
 
-        // A newly found rotating collider may have moved farther than the cast allowed for, so cast again with the larger margin.
+        // A newly found rotating collider may move farther than the cast allowed for: cast again with the larger margin.
         if (NoteRotating() && Moved(apart) is var farther && farther > moved)
         {
             Cast(in from, in to, farther);
@@ -240,7 +240,7 @@ internal sealed class EngineThings
             Array.Resize(ref _found, _hits.Count);
         }
 
-        // An engine may return all its colliders. Skip those outside the box of the cast, which it need not return.
+        // An engine may return more colliders than necessary, even all: skip those outside the box of the cast.
         Bounds3d box = new Bounds3d(in from, in from).Union(new Bounds3d(in to, in to)).Expanded(_around + asked);
         for (int i = 0; i < _hits.Count; i++)
         {
@@ -251,7 +251,7 @@ internal sealed class EngineThings
                 continue;
             }
 
-            // A collider keeps its index from cast to cast, so that the index of a carrier stays valid.
+            // A collider keeps its index from cast to cast, so the carrier's index stays valid.
             _found[Count++] = IndexOf(PlaceOf(hit));
         }
     }
@@ -294,7 +294,7 @@ internal sealed class EngineThings
             EngineCollider hit = _hits.At(i);
             if (hit.Placement.Motion.Rotates && _isRotating.Add(hit))
             {
-                // An engine may create new colliders without end, so drop the oldest one beyond twice the size of an answer.
+                // An engine may create new colliders endlessly: above twice the size of an answer, drop the oldest collider.
                 if (_rotating.Count >= Math.Max(Room, 2 * _hits.Count))
                 {
                     _isRotating.Remove(_rotating[0]);
@@ -322,7 +322,7 @@ internal sealed class EngineThings
             Extend(2 * _used);
         }
 
-        // The slot may still contain the same collider from an earlier step, which is then known.
+        // The slot may still contain this collider from an earlier step: the collider is then known.
         place = _used++;
         _places.Add(hit, place);
         if (!ReferenceEquals(_colliders[place].Engine, hit))
@@ -353,7 +353,7 @@ internal sealed class EngineThings
     /// <summary>Records which collider has a number.</summary>
     private void Know(EngineCollider collider)
     {
-        // An engine may create new colliders without end, so clear the cache when it is full. Colliders in use are found again.
+        // An engine may create new colliders endlessly: clear the cache when it is full. Later casts find the colliders in use again.
         if (_known.Count >= MostKnown && !_known.ContainsKey(collider.Number))
         {
             _known.Clear();

@@ -37,7 +37,7 @@ internal static class Flush
                 continue;
             }
 
-            // Flush: a touched surface with the same normal, and a closing speed within the difference of the normals, |u| |n₁ × n₂|.
+            // Flush: the ball touches a surface with the same normal, and closes on it no faster than the difference of the normals explains, |u| |n₁ × n₂|.
             Collider other = world.Colliders[i];
             ShapePoint on = other.At(position, time);
             if (!(on.Distance - r <= 2.0 * ContactTolerances.Touching) || !(Vector3d.Dot(on.Normal, at.Normal) > 1.0 - ContactTolerances.SameNormal))
@@ -50,13 +50,12 @@ internal static class Flush
             Vector3d along = velocity - other.ShapeVelocity(position - (r * on.Normal), time);
             double closingOnOther = -Vector3d.Dot(in along, on.Normal);
 
-            // Between the ends of a piece, the path error makes the ball close on its own contacts. Allow the same speed for a flush
-            // surface.
+            // Between the ends of a piece, the path error makes the ball close on its own contacts: allow the same speed for a flush surface.
             bool carries = i == carrier || ContactSet.Has(held, i);
             double explained = (speed * sine) + ContactTolerances.Approaching + (carries ? Math.Max(0, closingOnOther) : 0);
             if (closing <= explained && (carries || closingOnOther <= ContactTolerances.Approaching))
             {
-                // The longer of two times: past the edge (r sin θ), and until coinciding convex surfaces separate (½ |u|² t²/r).
+                // The longer of two times: until the ball is past the edge (r sin θ), and until coinciding convex surfaces separate (½ |u|² t²/r).
                 double apart = carries && sine <= ContactTolerances.Coincident ? Math.Sqrt(2.0 * ContactTolerances.PartedSurfaces * r) / speed : 0;
                 return Math.Max(Math.Max(OverTheEdge * r * sine / speed, apart), double.Epsilon);
             }
@@ -161,7 +160,7 @@ internal static class Flush
                 continue;
             }
 
-            // The traversal order is undefined, so choose by the rule rather than by the first hit.
+            // The traversal order is undefined: choose by this rule instead of by the first contact found.
             bool wins = ComesBefore(world, i, at.IsFlat, best, isFlat, -at.Distance - depth, carrier);
             if (wins)
             {

@@ -46,7 +46,7 @@ internal static unsafe class FrictionBrace
         double root = Math.Sqrt(Math.Max(0, square));
         if (a < 0)
         {
-            // Beyond the larger root, where the load is positive.
+            // The load is positive beyond the larger root.
             double least = (-b - (z[0] > 0 ? root : -root)) / a;
             low = z[0] > 0 ? Math.Max(low, least) : low;
             high = z[0] < 0 ? Math.Min(high, least) : high;

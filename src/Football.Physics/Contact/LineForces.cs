@@ -202,7 +202,7 @@ internal unsafe struct LineForces
         double second = -Vector3d.Dot(in push, in _other) + (sine * half);
         double perSquare = 1.0 / (sine * sine);
 
-        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂. K is the part due to rolling resistance and drilling friction.
+        // Along the line: S = Q₁ + Q₂ and Δ = Q₁ − Q₂. K is due to rolling resistance and drilling friction.
         double turn = _radius * Vector3d.Dot(in torque, in _across);
         double otherTurn = _radius * Vector3d.Dot(in torque, in _otherAcross);
         double along = Vector3d.Dot(in push, in Along);

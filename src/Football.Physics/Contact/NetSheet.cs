@@ -91,13 +91,13 @@ internal sealed class NetSheet
     /// </remarks>
     public double Bends(in Vector3d position, in Vector3d velocity, double side, double h)
     {
-        // Maximum depth that the ball can reach within h.
+        // The maximum depth that the ball can reach within h.
         double depth = Math.Max(0, Depth(in position, side)) + (h * velocity.Length);
         double off = Vector3d.Dot(in velocity, Normal);
         double pull = _stiffness * depth * Math.Max(0, Tension(in velocity, side));
         double drag = _tangential * depth * (velocity - (off * Normal)).Length;
 
-        // λ h of the pull, λ = k b δ + √k, and of the drag, λ = k_t δ, each to the fourth power.
+        // λ h to the fourth power, of the pull (λ = k b δ + √k) and of the drag (λ = k_t δ).
         double pulls = h * ((_stiffness * _damping * depth) + Math.Sqrt(_stiffness));
         double drags = h * _tangential * depth;
         pulls *= pulls;

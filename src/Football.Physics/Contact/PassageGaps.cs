@@ -19,7 +19,7 @@ internal readonly struct FallingGap(in Separation sought, in PathCubic path, dou
         _sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
         step = double.PositiveInfinity;
 
-        // A closed gap that still falls is the event. A closed gap at rest does not fall.
+        // If the gap is closed and still decreases, the event has occurred. If it is closed and constant, there is no event.
         if (gap <= ContactTolerances.Touching)
         {
             if (rate < -ContactTolerances.Approaching && (t > 0 || gap > 0 || _sought.What == SeparationKind.NetLeft))
@@ -82,7 +82,7 @@ internal struct NetGap : IGap
         Vector3d velocity = _path.VelocityAt(t);
         Vector3d place = _world.Nets[_index].PlaceInFrame(in at);
 
-        // The side of entry is the ball's side of the sheet when it reaches the slab.
+        // The side of entry is the side of the sheet from which the ball reaches the slab.
         double side = place.Z < 0 ? -1.0 : 1.0;
         step = 0;
         Consider(Separation.OfMeetingNet(_world, _index, 2, place.Z, side, _deepest, _deepestSide), in at, in velocity, ref step);
@@ -99,7 +99,7 @@ internal struct NetGap : IGap
         condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
         double bend = condition.Bends * _acceleration;
 
-        // If the gap is open, advance while it is sure to stay open. If it is zero but not decreasing, advance until it could decrease. Otherwise the step is zero.
+        // If the gap is open, advance as far as it certainly stays open. If it is zero but not decreasing, advance until it could decrease. Otherwise, the step is zero.
         double safe = value > ContactTolerances.Touching ? TimeOfImpact.Safe(value, rate, bend)
             : value > -ContactTolerances.Touching && rate >= 0 ? TimeOfImpact.Along(rate, bend)
             : 0;
@@ -143,7 +143,7 @@ internal struct MouthGap : IGap
         _time = time;
         _bend = acceleration;
 
-        // At the start of the path the ball may be slightly behind the mouth, because it was projected onto its carrier after the last piece.
+        // At the start of the path, the ball may be slightly behind the mouth, because the last piece projected it onto its carrier.
         _isBefore = goal.BeforeMouth(path.At(0)) >= -ContactTolerances.Projected;
     }
 
@@ -185,7 +185,7 @@ internal readonly struct GoalPlaneGap(in Separation plane, in PathCubic path, do
     {
         _plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
 
-        // The ball is beyond the plane, or on it and moving through it.
+        // The ball is beyond the plane, or on the plane and moving through it.
         bool passes = gap < -2.0 * ContactTolerances.Touching || TimeOfImpact.Closes(gap, rate);
         step = passes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
         return passes;

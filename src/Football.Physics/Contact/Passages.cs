@@ -35,7 +35,7 @@ internal static class Passages
         {
             ulong bit = 1UL << i;
 
-            // In front of the mouth the ball is outside; behind it, inside if it came through the opening.
+            // In front of the mouth, the ball is outside. Behind the mouth, it is inside if it entered through the opening.
             if (world.Goals[i].BeforeMouth(s.Position) > 0)
             {
                 s.GoalsEntered &= ~bit;

@@ -16,7 +16,7 @@ internal static class SceneCheck
     /// fits.</summary>
     public static (string Field, string Value, string Allowed)? Fault(in BallState s, World world)
     {
-        // Fast path for the most common state: on level ground or in the air, in no net and no goal.
+        // Fast path for the most common state: on level ground or in the air, not in a net or a goal.
         bool isInAny = (s.Nets | s.NetSides | s.GoalsEntered | s.GoalsPassed) != 0;
         if (!isInAny && s.Carrier == 0 && (s.Motion == MotionState.Airborne || (world.IsLevel && Math.Abs(s.Position.Y - world.LevelContact) <= ContactTolerances.CarrierDistance)))
         {
@@ -45,7 +45,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Nets.Length && s.Nets >> i != 0; i++)
         {
-            // Allow for how far the ball's momentum can carry it into the net, even past the net's edges.
+            // The ball's momentum may carry it into the net, even past the net's edges: allow for this distance.
             if ((s.Nets >> i & 1) != 0 && world.Nets[i].PlaceInFrame(s.Position).Length > world.Nets[i].FarthestIn(FastestInNets))
             {
                 return ("state.nets", Text(s.Nets), $"the nets that a ball at {s.Position.ToString("R", null)} can be in");
@@ -54,7 +54,7 @@ internal static class SceneCheck
 
         for (int i = 0; i < world.Goals.Length && s.GoalsEntered >> i != 0; i++)
         {
-            // The ball must be behind the mouth and in front of the line.
+            // The ball must be behind the mouth, and in front of the goal line.
             double before = world.Goals[i].BeforeMouth(s.Position);
             if ((s.GoalsEntered >> i & 1) != 0 && !(before <= Tolerance(in s) && world.Goals[i].BeforeLine(s.Position, world.Ball.Radius) >= -BehindLine))
             {
@@ -79,7 +79,7 @@ internal static class SceneCheck
             return world.Engine is null ? Carrier(in s, "one of the scene's things") : null;
         }
 
-        // The carrier is a net: the ball must be at rest in that net.
+        // The carrier is a net, so the ball must be at rest in that net.
         long net = s.Carrier - world.ThingOfNet(0);
         if (net >= 0)
         {
@@ -92,7 +92,7 @@ internal static class SceneCheck
             return Carrier(in s, "a thing that can carry the ball");
         }
 
-        // The state does not contain the positions of moved or pushed objects, so do not check the distance to them.
+        // The state does not contain the positions of moved or pushed objects: do not check the distance to them.
         Collider carrier = world.Colliders[index];
         if (world.Ignores(carrier))
         {

@@ -83,7 +83,7 @@ internal readonly struct Separation
             case SeparationKind.Contact:
                 Collider collider = _world.Colliders[_index];
 
-                // A stationary plane: (p − c)·n − r, without curvature.
+                // A stationary plane has the gap (p − c)·n − r, and no curvature.
                 if (collider.StandingPlane is { } plane)
                 {
                     value = plane.DistanceTo(in position) - _world.Ball.Radius;
@@ -94,7 +94,7 @@ internal readonly struct Separation
                 ShapePoint at = collider.At(in position, time);
                 value = at.Distance - _world.Ball.Radius;
 
-                // Along n, the shape moves at the ball's centre as fast as at the contact point.
+                // Along n, the shape's velocity at the ball's centre equals its velocity at the contact point.
                 rate = Vector3d.Dot(velocity - collider.ShapeVelocity(in position, time), at.Normal);
                 break;
             case SeparationKind.NetMet when (_axis & 3) == 2:
@@ -134,7 +134,7 @@ internal readonly struct Separation
         value = isLength ? place.X - net.HalfLength : place.Y - net.HalfWidth;
         rate = isLength ? speed.X : speed.Y;
 
-        // A net extends beyond its edge by the depth of the ball in another net, so that a ball between two nets is caught.
+        // A net extends beyond its edge by the depth of the ball in another net, so that it catches a ball between two nets.
         if (_deepest >= 0)
         {
             value -= _world.Nets[_deepest].Depth(in position, _deepestSide);

@@ -50,7 +50,7 @@ internal struct ShapeGap : IGap
         _radius = radius;
         _acceleration = acceleration;
 
-        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) for a concave surface. A convex surface bends away.
+        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) if the surface is concave. A convex surface bends away from the path.
         double hollow = collider.HollowCurvature;
         _speed = path.FastestSpeed;
         _bend = acceleration + (hollow > 0 ? _speed * _speed * hollow / (1.0 - ((1.0 + TimeOfImpact.NearHollow) * radius * hollow)) : 0);
@@ -74,14 +74,14 @@ internal struct ShapeGap : IGap
         step = double.PositiveInfinity;
         if (t == 0 && gap <= ContactTolerances.Touching && rate <= ContactTolerances.Leaving && _acceleration == 0)
         {
-            // On a straight path, ignore a closing contact without load. If the ball ends up inside the surface, it is pushed out.
+            // On a straight path, ignore a closing contact without load. If the ball ends inside the surface, a push moves it out.
             return false;
         }
 
         double hollow = _collider.HollowCurvature;
         if ((t == 0 || Crosses) && hollow == 0)
         {
-            // A convex shape lies behind the tangent plane at its nearest point. If the path never reaches the plane, there is no contact.
+            // A convex shape lies behind the tangent plane at its nearest point: if the path never reaches that plane, there is no contact.
             var plane = new PlaneGap(_path.DistanceTo(at.Normal, gap - _path.ClimbAlong(at.Normal, t)), in _span);
             if (!(TimeOfImpact.First(ref plane, t) <= _span.Until))
             {
@@ -91,7 +91,7 @@ internal struct ShapeGap : IGap
 
         step = TimeOfImpact.Step(gap, rate, _bend);
 
-        // Far from a concave surface M is not valid, so bound the closing by the speed. Near it, use M only until the ball may be far again.
+        // Far from a concave surface, M is invalid: bound the closing by the speed. Near it, use M only until the ball may be far again.
         if (hollow > 0)
         {
             double bySpeed = Math.Max(gap, 0) / _speed;
@@ -137,14 +137,14 @@ internal readonly struct RotatingGap : IGap
         _hollow = hollow;
         _radius = radius;
 
-        // Upper bounds of |w|, w = v − V, and of ρ, the ball's distance from the pivot.
+        // Upper bounds of |w|, with w = v − V, and of ρ, the ball's distance from the pivot.
         PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
         Bounds3d box = seen.Bounds;
         double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
         double speed = seen.FastestSpeed;
         double spin = shape.SpinRate;
 
-        // The gap closes at most at |w| plus the rotation speed: of the ball about the pivot, or of the shape if that is smaller.
+        // The gap closes at most at |w| plus the rotation speed, either of the ball about the pivot or of the shape, whichever is smaller.
         double around = spin * farthest;
         _closing = speed + Math.Min(around, shape.Swing);
 
@@ -164,7 +164,7 @@ internal readonly struct RotatingGap : IGap
             return true;
         }
 
-        // Take the longer of two safe steps. Far from a concave surface only the speed bound is valid; near it, limit the step by the bend.
+        // Use the longer of two safe steps. Far from a concave surface, only the speed bound is valid; near it, limit the step by the bend.
         double byBend = TimeOfImpact.Safe(Math.Max(gap, 0) + (rate > -Slow ? ContactTolerances.SlowSink : 0), rate, _bend);
         byBend = !(_hollow > 0) ? byBend : gap < TimeOfImpact.NearHollow * _radius ? Math.Min(byBend, ((TimeOfImpact.NearHollow * _radius) - gap) / _whole) : 0;
         step = Math.Max(byBend, Math.Max(gap, 0) / _closing);

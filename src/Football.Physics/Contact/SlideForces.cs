@@ -85,7 +85,7 @@ internal struct SlideForces
 
         Load(in push, in first, in second, out rates.First, out rates.Second);
 
-        // v̇ = A − Σ μ N ŝ along the line; ω̇ = T + Σ μ N n × ŝ/(α r), minus the bearer's resistance about its normal.
+        // v̇ = A − Σ μ N ŝ along the line; ω̇ = T + Σ μ N n × ŝ/(α r), minus the bearer's resistance about its own normal.
         double firstRub = _firstSliding * rates.First;
         double secondRub = _secondSliding * rates.Second;
         double most = _drilling * (IsSecondBearer ? rates.Second : rates.First);

@@ -48,12 +48,12 @@ internal readonly struct SlipDecay
         double size = slip.Length;
         double c = push.Length;
 
-        // k|s| + c·s falls at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
+        // k|s| + c·s decreases at the rate k² − |c|² to zero at the end, where ∫ŝ = (s₀ + c t)/k.
         double left = (k * k) - (c * c);
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
         Direction = (slip + (Time * push)) / k;
 
-        // ∫s dt: c·s follows from d|s|²/dt = 2(−k|s| + c·s), the part across from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
+        // ∫s dt: c·s follows from d|s|²/dt = 2(−k|s| + c·s), the component across c from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
         Vector3d area = 0.5 * Time * slip;
         if (c > 1e-3 * k)
         {

@@ -56,7 +56,7 @@ internal readonly struct StickElimination
         acceleration += load * _pushV;
         spinAcceleration += load * _pushW;
 
-        // F − r n × (n × F)/(α r) = (1 + α)/α F.
+        // The change of slip due to F: F − r n × (n × F)/(α r) = (1 + α)/α F.
         Vector3d slip = askedAlong - acceleration - (_radius * Vector3d.Cross(in _normal, in spinAcceleration));
         friction = _share * SurfaceSystem.Tangential(in slip, in _normal);
         acceleration += friction;

@@ -82,7 +82,7 @@ internal struct SurfaceSystem : IMotionSystem
     {
         if (HasEnded(in at.Spin))
         {
-            // Beyond zero, continue the decay so that the end of the piece can be located, but with no spin to lift the ball.
+            // Continue the decay beyond zero, so that the end of the piece can be located, but with no spin to lift the ball.
             var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
             SurfaceForces held = ForcesOn(time, in still);
             rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
@@ -113,7 +113,7 @@ internal struct SurfaceSystem : IMotionSystem
         s.Position = step.End.Position;
         s.Velocity = step.End.Velocity;
 
-        // A spin that is greater at the end has passed zero, because a stage saw it near zero with an arbitrary direction.
+        // A greater spin at the end means that the spin has passed zero: near zero, a stage gave it an arbitrary direction.
         Vector3d spin = step.End.Spin;
         bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
         s.SpinAxis = ended ? Vector3d.Zero : spin;
@@ -133,17 +133,17 @@ internal struct SurfaceSystem : IMotionSystem
     {
         Unsafe.SkipInit(out SurfaceForces on);
 
-        // n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
+        // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
         ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
         Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
         Vector3d n = on.Normal;
 
-        // N/m = −(a_b − A_s)·n − qᵀHq: the load that makes the ball follow the surface.
+        // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
         Vector3d body = Around.Weight;
         double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
         on.Body = Tangential(in body, in n);
 
-        // a_air = L (ω × u) − D u plus custom forces. In the measured profile its normal part adds to the load.
+        // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
         Vector3d u = at.Velocity - Around.Wind;
         var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
         double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
@@ -157,7 +157,7 @@ internal struct SurfaceSystem : IMotionSystem
         on.Spins = rate > 0;
         on.Braking = on.Spins ? air.Decay * rate : air.Decay;
 
-        // A net's force acts in full along the surface; along the normal, only the part that presses the ball onto it acts.
+        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts.
         double pressing = 0;
         if (Nets != 0)
         {
@@ -167,13 +167,13 @@ internal struct SurfaceSystem : IMotionSystem
             on.Torque += nets.SpinAcceleration;
         }
 
-        // Forces that act in flight but not on a surface also hold the ball on it, without friction. Otherwise it would leave and return
-        // at once.
+        // Forces that act in flight but not on a surface also hold the ball on the surface, without friction. Otherwise, the ball would leave and
+        // return at once.
         on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
         on.Load = Math.Max(0, load);
         if (Around.Air.HasSide && on.FreeLoad <= ContactTolerances.LeastLoad)
         {
-            // A knuckle force only acts in flight. If it would press the ball back at once, the ball stays.
+            // A knuckle force acts only in flight. If it would press the ball back at once, the ball stays on the surface.
             on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
         }
 
@@ -247,7 +247,7 @@ internal struct SurfaceSystem : IMotionSystem
     /// <remarks>The ball stays at rest if rolling friction can hold it against this push.</remarks>
     public readonly Vector3d PushFromRest(in SurfaceForces on)
     {
-        // (a_b,t − A_s,t)/(1 + α), with A_s the acceleration of the carrier's material.
+        // The drive of a rolling ball is (a_b,t − A_s,t)/(1 + α); A_s is the acceleration of the carrier's material.
         Vector3d drive = World.SharesAir ? Drive(in on) : (on.Body / (1.0 + World.Ball.InertiaFactor)) + Tangential(on.Own, in on.Normal);
         return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
     }
@@ -310,7 +310,7 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
         double friction = SlidingFriction(in on);
 
-        // For a ball without spin, the air's torque reduces the torque of friction, but never reverses it.
+        // If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
         double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
 
         // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n.
@@ -347,7 +347,7 @@ internal struct SurfaceSystem : IMotionSystem
                 + (alpha / (1.0 + alpha) * on.SurfaceRate)
                 - (RollingFriction(in on, speed) * direction);
 
-        // ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
+        // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
         Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
         return new MotionRates(along - (on.Centripetal * n), in spin);
     }

@@ -100,7 +100,7 @@ internal readonly struct SearchSpan
     {
         double next = t + Math.Max(step, Shortest);
 
-        // A lengthened step must not skip the end of the path, where the gap may have closed.
+        // A lengthened step must not skip the end of the path, because the gap may have closed there.
         next = next > Until && t + step <= Until && t < Until ? Until : next;
         t = next;
         return next <= Until;

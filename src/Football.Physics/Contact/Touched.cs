@@ -45,7 +45,7 @@ internal readonly unsafe struct Touched
     /// <returns>Their number; 0 if the ball may reach another object.</returns>
     public static int Find(World world, in BallState s, double dt, double reach, Touched* set)
     {
-        // Query the engine further only if the ball touches several surfaces.
+        // Query the engine for more only if the ball touches several surfaces.
         if (world.Engine is { } engine)
         {
             if (reach > ContactTolerances.Touching && Find(world, in s, dt, ContactTolerances.Touching, set) < 2)
@@ -66,7 +66,7 @@ internal readonly unsafe struct Touched
                 return 0;
             }
 
-            // Require that no moving surface comes near, and no stationary one that the ball does not touch.
+            // Reject the set if a moving surface, or a stationary one that the ball does not touch, comes near.
             Collider collider = world.Colliders[thing];
             ShapePoint at = collider.At(s.Position, s.Time);
             double gap = at.Distance - radius;

@@ -41,7 +41,7 @@ internal sealed partial class World
         IsLevelGroundAlone = IsLevel && IsBare;
         IsPlaneAlone = IsBare && scene.Ground.Heights is null;
 
-        // In the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
+        // Colliders in the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
         if (!IsBare)
         {
             Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
@@ -70,7 +70,7 @@ internal sealed partial class World
         var leaves = new List<int>();
         for (int i = 0; i < Colliders.Length; i++)
         {
-            // A collider that the ball ignores keeps its index, but no search finds it.
+            // A collider that the ball ignores keeps its index, but searches never find it.
             Collider collider = Colliders[i];
             if (Ignores(collider))
             {
@@ -91,7 +91,7 @@ internal sealed partial class World
             }
         }
 
-        // Nets and goals are stationary, so they are in the tree as well.
+        // Nets and goals are stationary, so they are also in the tree.
         for (int i = 0; i < Nets.Length + Goals.Length; i++)
         {
             leaves.Add(FirstPassage + i);
@@ -101,7 +101,7 @@ internal sealed partial class World
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
 
-        // Broad phase of all stationary objects with bounds.
+        // The broad phase of all bounded stationary objects.
         var boxes = new Bounds3d[Leaves.Length];
         for (int i = 0; i < boxes.Length; i++)
         {
@@ -271,7 +271,7 @@ internal sealed partial class World
         Colliders = colliders;
     }
 
-    // Keep code that a bare pitch does not need in its own method, so that games without obstacles need not compile it.
+    // Keep code that a bare pitch does not need in a separate method, so that games without obstacles need not compile it.
     private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
     {
         colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
@@ -296,12 +296,12 @@ internal sealed partial class World
     /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its duration.</summary>
     public double FreeFor(in StraightWay way)
     {
-        // Most paths reach no box at all, so test that first.
+        // Most paths reach no box at all, so test this first.
         Bounds3d box = way.Box;
         int node = 0;
         double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
 
-        // Shapes without a bounding box: compare their distance from the midpoint of the path.
+        // For shapes without a bounding box, compare their distance from the midpoint of the path.
         Vector3d middle = way.Middle;
         double half = 0.5 * way.Duration;
         double reach = (half * way.Velocity.Length) + way.Around;
@@ -310,7 +310,7 @@ internal sealed partial class World
             Collider collider = Colliders[Unbounded[i]];
             if (!collider.IsLevelGround && !(collider.At(in middle).Distance > reach))
             {
-                // If that is too close, use the distance from the start: the ball cannot reach the shape before it covers it.
+                // If this distance is too small, use the distance from the start: the ball must cover it before it can reach the shape.
                 double distance = collider.At(way.From).Distance - way.Around;
                 free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
             }
@@ -352,7 +352,7 @@ internal sealed partial class World
 
         foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
         {
-            // Hash an unbounded shape by its values at two points.
+            // Hash an unbounded shape by sampling it at two points.
             ShapePoint low = collider.At(Vector3d.Zero);
             ShapePoint high = collider.At(new Vector3d(11, 7, 5));
             key.Add(low.Distance);
@@ -420,7 +420,7 @@ internal sealed partial class World
     /// <summary>Returns the carrier of the ball; the first collider if a state of another scene names an unknown one.</summary>
     public Collider CarrierOf(in BallState s)
     {
-        // Between steps, an engine collider is identified by its own number.
+        // Between steps, identify an engine collider by its own number.
         long index = ColliderOf(s.Carrier, s.Position, s.Time);
         return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
     }
@@ -433,7 +433,7 @@ internal sealed partial class World
         ShapePoint at = collider.At(s.Position, s.Time);
         Vector3d n = at.Normal;
 
-        // p + (r − d) n, and zero speed off the surface.
+        // The position on the surface, p + (r − d) n, with zero separation speed.
         s.Position += (Ball.Radius - at.Distance) * n;
         s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
         s.Position = collider.Snap(s.Position);
@@ -485,7 +485,7 @@ internal sealed partial class World
         {
             if ((nets >> i & 1) != 0)
             {
-                // The deepest that the ball can get in the time p gives p λ(δ + p v) = c, quadratic in p.
+                // The greatest depth that the ball can reach in the time p satisfies p λ(δ + p v) = c, which is quadratic in p.
                 double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(in position, SideOf(sides, i))));
                 double bend = Nets[i].RatePerDepth * speed;
                 longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));

@@ -108,7 +108,7 @@ public readonly struct BallEvent : IFormattable
     /// <param name="radius">The radius of the ball, in m.</param>
     public Vector3d SlipBefore(double radius)
     {
-        // v + ω × (−r n), without its part along n.
+        // The contact-point velocity v + ω × (−r n), without its normal component.
         Vector3d surface = VelocityBefore - (radius * Vector3d.Cross(SpinBefore, Normal));
         return surface - (Vector3d.Dot(in surface, Normal) * Normal);
     }

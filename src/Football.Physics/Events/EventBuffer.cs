@@ -74,7 +74,7 @@ public sealed class EventBuffer
     /// <summary>Removes the events before a time.</summary>
     internal void Forget(double before)
     {
-        // Events are sorted by time, so these come first.
+        // Events are sorted by time, so the earlier ones come first.
         int gone = 0;
         while (gone < Count && _events[gone].Time < before)
         {
@@ -92,7 +92,7 @@ public sealed class EventBuffer
     {
         Impacts += item.Kind == BallEventKind.Impact ? 1 : 0;
 
-        // If the buffer is full, it grows or drops the oldest event of the tail.
+        // If the buffer is full, it either grows or drops the oldest event of the tail.
         if (Count == _events.Length)
         {
             MakeRoom();
@@ -112,7 +112,7 @@ public sealed class EventBuffer
             Add(in other._events[i]);
         }
 
-        // Count the events that the other buffer has dropped.
+        // Include the events that the other buffer has dropped.
         Dropped += other.Dropped;
     }
 

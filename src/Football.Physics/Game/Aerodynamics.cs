@@ -18,7 +18,7 @@ public sealed class Aerodynamics
     private readonly bool _jumps;
     private readonly bool _varies;
 
-    // Not readonly: a call through a readonly field would copy the struct first.
+    // Not readonly, because a call through a readonly field would first copy the struct.
     private SceneAir _air;
 
     /// <summary>Compiles the air of a scene.</summary>

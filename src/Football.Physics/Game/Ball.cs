@@ -48,7 +48,7 @@ public sealed class Ball
                 return;
             }
 
-            // Obstacles that the ball has pushed stay where they are.
+            // Obstacles that the ball has pushed stay at their new positions.
             if (value.World.Obstacles.Count > 0)
             {
                 value.World.Obstacles.Follow(_simulator.World.Obstacles);
@@ -197,7 +197,7 @@ public sealed class Ball
     {
         BallState state = simulator.LaunchAt(in position, Vector3d.Zero, Vector3d.Zero, time);
 
-        // The ball rolls away if rolling friction cannot hold it on a slope or against the wind.
+        // If rolling friction cannot hold the ball on a slope or against the wind, the ball rolls away.
         if (state.Motion == MotionState.Rolling && simulator.RestsAt(in state))
         {
             state.Motion = MotionState.Rest;

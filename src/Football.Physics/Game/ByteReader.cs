@@ -11,7 +11,7 @@ internal struct ByteReader
     /// <exception cref="FormatException">The checksum does not match.</exception>
     public ByteReader(ReadOnlySpan<byte> bytes)
     {
-        // Copy the bytes, so that they cannot change between the check and the read.
+        // Copy the bytes, so that nobody can change them between the check and the read.
         byte[] copy = bytes.ToArray();
         if (!Crc32.Holds(copy))
         {
@@ -28,7 +28,7 @@ internal struct ByteReader
     /// <summary>Returns the exception for a number that is out of range.</summary>
     public static FormatException Broken(ArgumentOutOfRangeException refusal)
     {
-        // Remove the parameter suffix that the runtime appends: it shows an internal name.
+        // Remove the parameter suffix that the runtime appends, because it contains an internal name.
         string message = refusal.Message;
         int end = message.LastIndexOf(". (Parameter", StringComparison.Ordinal);
         return new FormatException($"The bytes are broken: {(end > 0 ? message[..end] : message)}.", refusal);
@@ -52,7 +52,7 @@ internal struct ByteReader
     {
         ulong value = 0;
 
-        // Read groups of seven bits, lowest first; the top bit of each byte is set if another byte follows.
+        // Read groups of seven bits, lowest group first; the top bit of each byte is set if another byte follows.
         for (int shift = 0; shift < 63; shift += 7)
         {
             Need(1);
@@ -73,7 +73,7 @@ internal struct ByteReader
         return value <= int.MaxValue ? (int)value : throw Broken("an integer beyond 31 bits");
     }
 
-    /// <summary>Reads a number of items of at least the given size; rejects it before allocating if it needs more bytes than are left.</summary>
+    /// <summary>Reads a number of items of at least the given size; rejects the number, before any allocation, if the items need more bytes than are left.</summary>
     public int Count(int smallest)
     {
         int count = Int();

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace FootballPhysics;
 
-/// <summary>The CRC-32 checksum (IEEE 802.3, as in Ethernet, zip and PNG); detects every error burst of up to 32 bits.</summary>
+/// <summary>The CRC-32 checksum (IEEE 802.3, as in Ethernet, zip and PNG), which detects every error burst of up to 32 bits.</summary>
 internal static class Crc32
 {
     /// <summary>The size of the checksum, in bytes.</summary>
@@ -21,7 +21,7 @@ internal static class Crc32
         {
             for (int i = 0; i < bytes.Length; i++)
             {
-                // Process one byte at a time; bits are reflected (lowest first), as in zip.
+                // Process one byte at a time. Bits are reflected (lowest bit first), as in zip files.
                 crc = (crc >> 8) ^ s_table[(byte)(crc ^ first[i])];
             }
         }

@@ -52,7 +52,7 @@ public sealed partial class FixedStepRunner
             return new BallPose(state.Position, state.Orientation);
         }
 
-        // A straight line between the ends of the step would cut the corner of a bounce; interpolate through its events.
+        // A straight line between the ends of the step would cut the corner of a bounce: interpolate through the events.
         fraction = fraction > 0 ? fraction : 0;
         double time = previous.Time + (fraction * span);
         double t0 = previous.Time;
@@ -78,7 +78,7 @@ public sealed partial class FixedStepRunner
             p0 = happened.Position;
         }
 
-        // Interpolate linearly between two events; spread the rotation evenly over the whole step.
+        // Interpolate linearly between two events, and spread the rotation evenly over the entire step.
         double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
         Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);

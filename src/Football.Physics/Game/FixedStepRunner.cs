@@ -106,7 +106,7 @@ public sealed partial class FixedStepRunner
                 throw new InvalidOperationException("The new scene has another number of bodies and movable obstacles, and a Rollback is attached to this runner. Use a scene with as many of them as the old one.");
             }
 
-            // Only Ball.Simulator defines how a ball continues in another scene; use it here too.
+            // Ball.Simulator alone defines how a ball continues in another scene: use it here too.
             var ball = new Ball(_simulator) { State = _states[0] };
             ball.Simulator = value;
             _simulator = value;
@@ -260,7 +260,7 @@ public sealed partial class FixedStepRunner
         Check.Index(nameof(ball), ball, _states.Length);
         Check.Place("launch.position", position);
 
-        // The balls of a group share one clock; the clock of a single ball restarts. Bodies continue from where they are.
+        // The balls of a group share one clock; a single ball restarts its clock. Bodies continue from their current positions.
         double time = _group is null ? 0 : Time;
         _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
         BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
@@ -292,7 +292,7 @@ public sealed partial class FixedStepRunner
         _left += counted;
         try
         {
-            // Subtract the time after the step, so that the time of a failed step can still be dropped.
+            // Subtract the time only after the step, so that the time of a failed step can still be dropped.
             for (; _left >= TimeStep; _left -= TimeStep)
             {
                 StepOnce();
@@ -301,7 +301,7 @@ public sealed partial class FixedStepRunner
         }
         catch
         {
-            // Drop the remaining steps: otherwise the next frame would repeat the failed step and those after it.
+            // Drop the remaining steps: otherwise, the next frame would repeat the failed step and the steps after it.
             DropWholeSteps();
             throw;
         }
@@ -364,7 +364,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Sets the tick and the states; the runner has produced or validated these states itself.</summary>
     internal void GoTo(long tick, BallState[] states)
     {
-        // Interpolation must not start at the old position: draw the ball here until the next step.
+        // Interpolation must not start at the old position: draw the ball at the new position until the next step.
         Array.Copy(states, _states, _states.Length);
         Array.Copy(states, _previous, _states.Length);
         Tick = tick;
@@ -400,7 +400,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Makes one step: positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
     private void StepOnce()
     {
-        // Save everything that a step changes, including its kicks, so that a failed step changes nothing.
+        // Save everything that a step changes, including its kicks: a failed step must change nothing.
         Array.Copy(_states, _before, _states.Length);
         World world = _simulator.World;
         if (_motions.Length > 0)
@@ -440,7 +440,7 @@ public sealed partial class FixedStepRunner
             throw;
         }
 
-        // Quantise within the step, so that hashes, recording and rollback all see the quantised state.
+        // Quantise within the step, so that hashing, recording and rollback all see the quantised state.
         Tick++;
         if (_wireTicks > 0 && Tick % _wireTicks == 0)
         {
@@ -460,7 +460,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Positions the bodies for this tick, and stores the positions for rollback and recording.</summary>
     private void MoveBodiesTo(World world)
     {
-        // Prefer MoveBodies, because it can also position the bodies at resimulated ticks.
+        // Prefer MoveBodies, because it can also position the bodies when ticks are resimulated.
         if (MoveBodies is { } move)
         {
             move(Time);
@@ -472,7 +472,7 @@ public sealed partial class FixedStepRunner
             History?.PutBodies(Tick, bodies);
         }
 
-        // Store the final positions: a resimulation must use exactly the positions that this step uses.
+        // Store the final positions, because a resimulation must use exactly the positions of this step.
         if (world.Bodies is { } moved)
         {
             History?.KeepBodies(Tick, moved);
@@ -491,7 +491,7 @@ public sealed partial class FixedStepRunner
     {
         if (Kicks.Count > 0 && Kicks[0].Tick < Tick - _kickTicks)
         {
-            // Keep all kicks since the oldest tick to which a rollback or the recording can still return.
+            // Keep all kicks since the oldest tick to which a rollback or a replay can return.
             long oldest = Tick - _kickTicks;
             oldest = Math.Min(oldest, History?.OldestTick ?? oldest);
             Kicks.RemoveBefore(Math.Min(oldest, Recording?.StartTick ?? oldest));

@@ -47,11 +47,11 @@ public sealed record Foot
         Validate(ball, in velocity, in spin);
         Check.Size("foot.velocity", footVelocity, Limits.Speed, "m/s");
 
-        // Treat the strike as a collision with a movable mass, by the same impact law as all contacts.
+        // Treat the strike as a collision with a movable mass, under the impact law of all contacts.
         Vector3d n = Direction(normal);
         CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
 
-        // U' = U − J/M
+        // The foot's velocity after the strike: U' = U − J/M.
         return new FootStrike(
             in footVelocity,
             in n,
@@ -83,13 +83,13 @@ public sealed record Foot
         Check.Size("kick.velocity", wantedVelocity, Limits.Speed, "m/s");
         Check.Size("kick.spin", wantedSpin, Limits.Spin, "rad/s");
 
-        // A zero impulse has no direction.
+        // An impulse of zero has no direction.
         if (!((wantedVelocity - velocity).Length > 0))
         {
             throw Check.Refusal("kick.velocity", wantedVelocity.ToString(), "a velocity that differs from the ball's");
         }
 
-        // Use the closed-form strike if the foot is fast enough for it.
+        // Use the closed-form strike if the foot can reach its speed.
         FootStrike wanted = Inverse(ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         if (wanted.FootVelocity.Length <= MaximumSpeed)
         {
@@ -100,7 +100,7 @@ public sealed record Foot
         var part = new Part(this, ball, in velocity, in spin, in wantedVelocity, in wantedSpin);
         for (int i = Shares - 1; i >= 0; i--)
         {
-            // Scan downwards from the full kick: the first feasible fraction brackets the largest one.
+            // Scan downwards from the full kick: the first feasible fraction brackets the largest feasible one.
             double low = (double)i / Shares;
             if (part.Takes(low).Length <= MaximumSpeed)
             {
@@ -110,7 +110,7 @@ public sealed record Foot
             }
         }
 
-        // No fraction is feasible, for instance for a fast incoming ball: make the same swing at maximum speed.
+        // No fraction is feasible, for instance because the incoming ball is fast: make the same swing at maximum speed.
         Vector3d swing = MaximumSpeed / wanted.FootVelocity.Length * wanted.FootVelocity;
         return new FootStrike(Strike(ball, velocity, spin, swing, wanted.Normal));
     }
@@ -120,12 +120,12 @@ public sealed record Foot
     {
         double r = ball.Radius;
 
-        // J = m (v' − v)
+        // The impulse J = m (v' − v).
         Vector3d impulse = ball.Mass * (wantedVelocity - velocity);
         double size = impulse.Length;
         Vector3d direction = impulse / size;
 
-        // The impulse changes only the spin perpendicular to it: Δω = (r/I) J × n. The spin along the impulse is unchanged.
+        // The impulse changes only the spin perpendicular to it: Δω = (r/I) J × n. The spin along the impulse stays the same.
         Vector3d turn = wantedSpin - spin;
         double lost = Vector3d.Dot(in turn, in direction);
         Vector3d across = turn - (lost * direction);
@@ -212,7 +212,7 @@ public sealed record Foot
 
         public bool Evaluate(double x, out bool holds)
         {
-            // True if the foot would be too fast, or the speed is NaN.
+            // True if the foot's speed would be too high or is NaN.
             holds = !(Takes(x).Length <= _foot.MaximumSpeed);
             return false;
         }

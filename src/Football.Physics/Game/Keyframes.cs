@@ -50,7 +50,7 @@ internal sealed class Keyframes(int balls, int movers)
     /// <summary>Reads keyframes written by <see cref="Write"/>.</summary>
     public void Read(ref ByteReader reader)
     {
-        // The smallest keyframe has full states, and motions whose numbers are all zero and thus omitted.
+        // The smallest keyframe has full states, and motions that consist of zeros only, which are omitted.
         for (int count = reader.Count((Snapshot.Size * balls) + (5 * movers)); count > 0; count--)
         {
             Grow();

@@ -11,7 +11,7 @@ internal static class KickBytes
 
     public static void Write(in KickInput kick, ref ByteWriter writer)
     {
-        // Two bytes: 6 bits for the velocity, 6 for the spin, and one that is set if the kick is not for the first ball.
+        // Two bytes: 6 bits for the velocity, 6 bits for the spin, and a bit that is set if the kick is not for the first ball.
         ulong forms = PackedNumbers.Forms(kick.Velocity) | (PackedNumbers.Forms(kick.Spin) << 6) | (kick.Ball > 0 ? OtherBall : 0);
         writer.Bits(forms, 2);
         if (kick.Ball > 0)
@@ -31,7 +31,7 @@ internal static class KickBytes
         Vector3d spin = PackedNumbers.Vector(forms >> 6, ref reader);
         try
         {
-            // KickInput validates the values, as it does for kicks from the game.
+            // KickInput validates the values, just as for kicks from the game.
             return new KickInput(tick, velocity, spin, player, ball);
         }
         catch (ArgumentOutOfRangeException refusal)

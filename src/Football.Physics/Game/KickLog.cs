@@ -50,10 +50,10 @@ public sealed class KickLog
     /// <exception cref="ArgumentOutOfRangeException">The runner that owns this log does not have this ball; nothing has changed.</exception>
     public void Add(in KickInput kick)
     {
-        // A kick may come from the network: reject an unknown ball on arrival, not in the middle of a step.
+        // A kick may come from the network: reject an unknown ball at once, not in the middle of a step.
         Check.Index("kick.ball", kick.Ball, _balls);
 
-        // Sort on insertion, so that the order of arrival does not affect the order in which kicks are applied.
+        // Sort when inserting, so that kicks are applied in the same order whatever their order of arrival.
         _kicks.Put(in kick);
     }
 
@@ -108,7 +108,7 @@ public sealed class KickLog
 
     internal void Write(ref ByteWriter writer)
     {
-        // The count, then for each kick: ticks since the last kick, player, ball, velocity and spin.
+        // The number of kicks, then for each kick: ticks since the last kick, player, ball, velocity and spin.
         writer.Integer((ulong)Count);
         long last = 0;
         for (int i = 0; i < Count; i++)
@@ -128,7 +128,7 @@ public sealed class KickLog
         long tick = 0;
         for (int i = 0; i < count; i++)
         {
-            // A sum beyond 63 bits becomes negative, and KickInput rejects it.
+            // A sum that exceeds 63 bits becomes negative, and KickInput rejects it.
             tick += reader.Long();
             KickInput kick = KickBytes.Read(tick, reader.Int(), ref reader);
             if (i > 0 && log._kicks.At(i - 1).Order(kick.Tick, kick.Player, kick.Ball) >= 0)

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Kicks sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
-/// <remarks>An AVL tree in arrays; each node stores the size of its subtree. Allocates only to grow.</remarks>
+/// <remarks>An AVL tree in arrays; each node stores the size of its subtree. It allocates only to grow.</remarks>
 internal sealed class KickTree(int capacity)
 {
     private const int None = -1;
@@ -95,7 +95,7 @@ internal sealed class KickTree(int capacity)
             return node;
         }
 
-        // The arrays may be reallocated by the call, so keep no reference across it.
+        // The call may reallocate the arrays: keep no reference across it.
         if (order > 0)
         {
             int left = Put(_nodes[node].Left, in kick);
@@ -137,7 +137,7 @@ internal sealed class KickTree(int capacity)
                 return left;
             }
 
-            // The next kick in order replaces this node.
+            // The next kick in the sort order replaces this node.
             right = TakeFirst(right, out int next);
             _nodes[next].Left = left;
             _nodes[next].Right = right;

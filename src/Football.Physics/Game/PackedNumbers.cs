@@ -14,7 +14,7 @@ internal static class PackedNumbers
     /// <summary>Returns the form of a number, two bits.</summary>
     public static ulong Form(double value)
     {
-        // Compare bits: −0 is not zero here, so that it is restored as −0.
+        // Compare bits: −0 does not count as zero, so that it is restored as −0.
         long bits = BitConverter.DoubleToInt64Bits(value);
         return bits == 0 ? Zero : BitConverter.DoubleToInt64Bits((double)(float)value) == bits ? (ulong)Single : Double;
     }

@@ -5,7 +5,7 @@ internal sealed class PlacementLog
 {
     private Entry[] _entries = new Entry[64];
 
-    // Sorted by tick. Removed entries stay at the front of the array until they fill half of it.
+    // Entries are sorted by tick. Removed entries stay at the front of the array until they fill half of it.
     private int _first;
     private int _end;
 
@@ -41,7 +41,7 @@ internal sealed class PlacementLog
             _first++;
         }
 
-        // Compact once more than half of the array is unused: each entry is copied about once overall.
+        // Compact the array once more than half of it is unused, so that each entry is copied about once overall.
         if (2 * _first > _entries.Length)
         {
             Array.Copy(_entries, _first, _entries, 0, Count);
@@ -62,7 +62,7 @@ internal sealed class PlacementLog
         long last = 0;
         for (int i = start; i < end; i++)
         {
-            // Tick differences are small, and mostly fit into one byte.
+            // Tick differences are small, so most of them fit into one byte.
             writer.Integer((ulong)(_entries[i].Tick - last));
             writer.Integer((ulong)_entries[i].Body);
             Write(in _entries[i].Motion, ref writer);
@@ -75,7 +75,7 @@ internal sealed class PlacementLog
     {
         var log = new PlacementLog();
 
-        // The minimum entry size rejects a corrupt count before any allocation.
+        // A corrupt count exceeds the bytes left divided by the minimum entry size: reject it before any allocation.
         int count = reader.Count(7);
         long tick = 0;
         for (int i = 0; i < count; i++)
@@ -103,8 +103,8 @@ internal sealed class PlacementLog
     /// <summary>Writes a motion: the forms of its numbers, then the numbers.</summary>
     public static void Write(in RigidMotion motion, ref ByteWriter writer)
     {
-        // 35 bits of forms in five bytes: position 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6, withdrawn 1. The pivot is stored relative
-        // to the position.
+        // Five bytes hold 35 bits of forms: position 6, velocity 6, spin 6, rotation 6 + 2, time 2, pivot 6, withdrawn 1. The pivot is relative to
+        // the position.
         Quaterniond q = motion.Orientation;
         ulong forms = PackedNumbers.Forms(motion.Origin) | (PackedNumbers.Forms(motion.Velocity) << 6) | (PackedNumbers.Forms(motion.Spin) << 12)
             | (PackedNumbers.Forms(new Vector3d(q.X, q.Y, q.Z)) << 18) | (PackedNumbers.Form(q.W) << 24) | (PackedNumbers.Form(motion.Time) << 26)
@@ -132,14 +132,14 @@ internal sealed class PlacementLog
         Vector3d q = PackedNumbers.Vector(forms >> 18, ref reader);
         motion.Orientation = new Quaterniond(q.X, q.Y, q.Z, PackedNumbers.Number(forms >> 24, ref reader));
 
-        // This number is not stored, because it follows from the rotation.
+        // The rotation determines this number, so it is not stored.
         motion.IsTurned = motion.Orientation != Quaterniond.Identity;
         motion.IsWithdrawn = (forms >> 34 & 1) != 0;
         motion.Time = PackedNumbers.Number(forms >> 26, ref reader);
         motion.Pivot = motion.Origin + PackedNumbers.Vector(forms >> 28, ref reader);
         try
         {
-            // A pushed obstacle may be farther away, and faster, than a game may place a body.
+            // A pushed obstacle may be farther away, and faster, than the bodies that a game may place.
             Check.Size("body.position", motion.Origin, double.MaxValue, "m");
             Check.Size("body.velocity", motion.Velocity, double.MaxValue, "m/s");
             Check.Size("body.spin", motion.Spin, Limits.Spin, "rad/s");

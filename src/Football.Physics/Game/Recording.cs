@@ -143,10 +143,10 @@ public sealed class Recording
         int keyframe = Math.Min((int)((tick - StartTick) / KeyframeTicks), _keyframes.Count);
         long from = StartTick + ((long)keyframe * KeyframeTicks);
 
-        // Continue from the runner's current tick if it is in between and its state is the recorded one.
+        // Continue from the runner's current tick if this tick is in between and its state is the recorded one.
         if (replay.Tick < from || replay.Tick > tick || Snapshot.Hash(replay.States) != HashAt(replay.Tick))
         {
-            // Otherwise start at the last keyframe before the tick. Set the bodies first: the runner's rollback then restarts from them.
+            // Otherwise, start at the last keyframe before the tick. Set the bodies first, because the runner's rollback then restarts from them.
             World world = replay.Simulator.World;
             world.Bodies?.ForgetTimes();
             if (world.Movers > 0)
@@ -169,7 +169,7 @@ public sealed class Recording
     /// <summary>Serialises the segment; the bytes are the same on every machine.</summary>
     public byte[] ToBytes()
     {
-        // The runner may have kicks outside the segment; write only those inside it.
+        // The runner may have kicks outside the segment: write only kicks inside it.
         var kicks = new KickLog();
         for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
         {
@@ -178,7 +178,7 @@ public sealed class Recording
 
         var writer = new ByteWriter();
 
-        // Header: format, library version, scene hash, step, first tick, quantisation, and whether an engine moved colliders.
+        // The header: format, library version, scene hash, time step, first tick, quantisation, and whether an engine moved colliders.
         writer.Bits(Format, 5);
         writer.Integer((ulong)Version.Length);
         foreach (char letter in Version)
@@ -192,7 +192,7 @@ public sealed class Recording
         writer.Integer((ulong)QuantizationInterval);
         writer.Bits(HasMovingColliders ? 1UL : 0, 1);
 
-        // The start state: the balls, then the bodies and movable obstacles.
+        // The initial state: the balls, then the bodies and movable obstacles.
         writer.Integer((ulong)_start.Length);
         for (int i = 0; i < _start.Length; i++)
         {
@@ -209,7 +209,7 @@ public sealed class Recording
         kicks.Write(ref writer);
         Bodies.Write(StartTick, EndTick, ref writer);
 
-        // The results: a hash after every step, and the keyframes. ToArray appends the checksum.
+        // The results: a hash per step, and the keyframes. ToArray appends the checksum.
         writer.Integer((ulong)_count);
         for (int i = 0; i < _count; i++)
         {
@@ -240,7 +240,7 @@ public sealed class Recording
         Replay(simulator, HasMovingColliders ? static _ => { }
         : null);
 
-        // A readable text that can serve as a scenario; the replay uses the segment.
+        // Write a readable text that can serve as a scenario; the replay uses the segment.
         string about = new SceneText().Begin()
             .Text("library", Version)
             .Text("runtime", RuntimeInformation.FrameworkDescription)
@@ -264,7 +264,7 @@ public sealed class Recording
     {
         var reader = new ByteReader(bytes);
 
-        // Same order as ToBytes. Check each number as it is read: the bytes are untrusted.
+        // Read in the same order as ToBytes writes. Check each number at once, because the bytes are untrusted.
         ReadFormat(ref reader);
         string version = ReadVersion(ref reader);
         ulong sceneHash = reader.Bits(8);
@@ -278,7 +278,7 @@ public sealed class Recording
         int wireTicks = reader.Int();
         bool engineMoves = reader.Bits(1) != 0;
 
-        // Check each count against the bytes left, so that a corrupt count allocates nothing.
+        // Check each count against the number of bytes left, so that a corrupt count does not allocate memory.
         int balls = reader.Count(Snapshot.Size);
         if (balls is 0 or > MostBalls)
         {
@@ -324,7 +324,7 @@ public sealed class Recording
 
         PlacementLog bodies = PlacementLog.Read(ref reader);
 
-        // Check here: an unknown body index would otherwise fail in the middle of a replay.
+        // Check this now: otherwise, an unknown body index would fail in the middle of a replay.
         if (bodies.HighestBody() >= motions.Length)
         {
             throw ByteReader.Broken("a body is moved that is none of those at the start");
@@ -337,7 +337,7 @@ public sealed class Recording
             segment.Add(reader.Bits(8));
         }
 
-        // The hashes are complete now, so compare the keyframes with them.
+        // All hashes are known now: compare the keyframes with them.
         segment._keyframes.Read(ref reader);
         segment.CheckKeyframes();
         reader.End();
@@ -349,7 +349,7 @@ public sealed class Recording
     {
         Add(Snapshot.Hash(states));
 
-        // Keyframe i holds tick StartTick + 64 (i + 1); the start itself is stored separately.
+        // Keyframe i contains tick StartTick + 64 (i + 1); the initial state is stored separately.
         if (_count % KeyframeTicks == 0)
         {
             _keyframes.Add(states, world);
@@ -377,7 +377,7 @@ public sealed class Recording
             return false;
         }
 
-        // The later hashes, keyframes and body positions belong to a discarded timeline.
+        // Discard the later hashes, keyframes and body positions, which belong to the old timeline.
         _count = (int)(tick - StartTick);
         _keyframes.Keep(_count / KeyframeTicks);
         Bodies.RemoveFrom(tick);
@@ -394,7 +394,7 @@ public sealed class Recording
     {
         ZipArchiveEntry entry = zip.CreateEntry(name);
 
-        // Use a fixed date, so that the same match gives the same bytes.
+        // Use a fixed date, so that the same match yields the same bytes.
         entry.LastWriteTime = new DateTimeOffset(2000, 1, 1, 0, 0, 0, TimeSpan.Zero);
         using Stream file = entry.Open();
         file.Write(bytes);
@@ -442,7 +442,7 @@ public sealed class Recording
 
         for (int i = 0; i < _keyframes.Count; i++)
         {
-            // A valid keyframe may still come from another match, and Seek would then deviate from the recording.
+            // A valid keyframe may come from another match, in which case Seek would deviate from the recording.
             if (Snapshot.Hash(_keyframes.StatesOf(i).ToArray()) != _hashes[((i + 1) * KeyframeTicks) - 1])
             {
                 throw ByteReader.Broken("a keyframe is not the state of its tick");
@@ -455,7 +455,7 @@ public sealed class Recording
     {
         var key = new SceneKey();
 
-        // Hash everything that affects a step apart from state, kicks and bodies: peers with equal hashes produce identical bits.
+        // Hash everything that affects a step besides state, kicks and bodies: peers with equal hashes produce bit-identical results.
         key.Add(runner.TimeStep);
         key.Add(runner.QuantizationInterval);
         key.Add(runner.Balls);
@@ -472,7 +472,7 @@ public sealed class Recording
         ulong hash = 0;
         for (int i = 0; i < runner.Balls; i++)
         {
-            // Mix in order, so that swapping two balls changes the hash; for a single ball, the result is its own hash.
+            // Mix the hashes in order, so that swapping two balls changes the result. For a single ball, the result is the ball's own hash.
             ulong own = runner.SimulatorOf(i).SceneHash;
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -500,7 +500,7 @@ public sealed class Recording
     /// <summary>Sets a runner to the start of the segment, with its kicks and body positions, after checking its scene.</summary>
     private FixedStepRunner Replay(FixedStepRunner runner, Action<double>? bodiesAt)
     {
-        // Reject a different scene or different settings now, because the replay would diverge later without explanation.
+        // Reject a different scene or different settings now; otherwise, the replay would diverge later without explanation.
         ulong hash = HashOf(runner);
         World world = runner.Simulator.World;
         if (runner.Balls != Balls || hash != SceneHash || world.Movers != _motions.Length)
@@ -520,13 +520,13 @@ public sealed class Recording
             runner.Kicks.Add(in Kicks[i]);
         }
 
-        // Restore the start: bodies and movable obstacles first, then the balls.
+        // Restore the initial state: bodies and movable obstacles first, then the balls.
         if (world.Movers > 0)
         {
             world.WriteMotions(_motions);
         }
 
-        // Keep all kicks: Seek can return to any tick.
+        // Keep all kicks, because Seek can return to any tick.
         runner.KickTicks = Limits.Tick;
         runner.QuantizationInterval = QuantizationInterval;
         runner.MoveBodies = bodiesAt;

@@ -40,7 +40,7 @@ public sealed class Rollback
         _movers = runner.Simulator.World.Movers;
         _bodies = keepsBodies ? new PlacementLog() : null;
 
-        // Ring buffers of ticks + 1 slots, including the present: tick t is stored at t mod (ticks + 1).
+        // Ring buffers with one slot for each of the last ticks and one for the present: tick t is stored at t mod (ticks + 1).
         _states = new BallState[(ticks + 1) * _balls];
         _motions = new RigidMotion[(ticks + 1) * _movers];
         _from = new BallState[_balls];
@@ -147,10 +147,10 @@ public sealed class Rollback
 
         RefuseUnknownPlaces(tick);
 
-        // Store it in the ring buffer, from which PlayAgain starts.
+        // Store the state in the ring buffer, because PlayAgain starts from there.
         _states[PlaceOf(tick) + ball] = state;
 
-        // There is nothing to resimulate at the present tick: set the runner itself, but keep the history.
+        // At the present tick there is nothing to resimulate: set the runner itself, and keep the history.
         if (tick == Runner.Tick)
         {
             _replays = true;
@@ -199,7 +199,7 @@ public sealed class Rollback
     /// <summary>Restarts the history at the runner's new tick.</summary>
     internal void Begin(long tick)
     {
-        // A resimulation also calls this method, and must keep the ring buffer of the match.
+        // A resimulation also calls this method, and must not replace the match's ring buffer.
         if (!_replays)
         {
             OldestTick = tick;
@@ -234,7 +234,7 @@ public sealed class Rollback
 
         _bodies?.Record(tick, bodies);
 
-        // Track this even without stored positions: the last tick with a moved body limits how far a rollback can go.
+        // Track this even if no positions are stored: the last tick with a moved body limits how far back a rollback can go.
         for (int i = 0; i < bodies.Count && _bodiesMoved < tick; i++)
         {
             _bodiesMoved = bodies.IsTold(i) ? tick : _bodiesMoved;
@@ -265,7 +265,7 @@ public sealed class Rollback
     /// <summary>Throws if an object moved in the steps to resimulate and its past positions are unknown.</summary>
     private void RefuseUnknownPlaces(long from)
     {
-        // MoveBodies can position the bodies at any past time.
+        // MoveBodies can position the bodies at any time in the past.
         if (Runner.MoveBodies is not null || from >= Runner.Tick)
         {
             return;
@@ -296,7 +296,7 @@ public sealed class Rollback
             return null;
         }
 
-        // Save the bodies that the game has already moved for the next step, and restore them afterwards.
+        // Save the bodies that the game has already moved for the next step; restore them afterwards.
         World world = Runner.Simulator.World;
         _waiting.RemoveFrom(0);
         if (world.Bodies is { } bodies)
@@ -308,7 +308,7 @@ public sealed class Rollback
         _replays = true;
         try
         {
-            // Restore bodies, then balls, at that tick, and simulate from there with the current kicks.
+            // Restore the bodies, then the balls, at this tick, and simulate from there with the current kicks.
             if (_movers > 0)
             {
                 world.WriteMotions(MotionsAt(from));
@@ -344,7 +344,7 @@ public sealed class Rollback
             _replays = false;
         }
 
-        // Restore the body positions that the game set for the next step.
+        // Restore the body positions that the game has set for the next step.
         if (world.Bodies is { } moved)
         {
             _waiting.Apply(now, moved);

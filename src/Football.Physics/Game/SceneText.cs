@@ -3,7 +3,7 @@ using System.Text;
 
 namespace FootballPhysics;
 
-/// <summary>Writes a scene as scenario JSON with exact numbers; rejects parts that are code, and names them.</summary>
+/// <summary>Writes a scene as scenario JSON with exact numbers. It rejects parts that are code, and names them.</summary>
 internal sealed class SceneText
 {
     private readonly StringBuilder _text = new();
@@ -90,7 +90,7 @@ internal sealed class SceneText
             return;
         }
 
-        // The format supports the library's wind profile, but neither a custom wind field nor a profile with an added steady wind.
+        // The format supports the library's wind profile, but not a custom wind field, nor a profile plus a steady wind.
         if (air.WindField is not WindByHeight wind || air.Wind != Vector3d.Zero || wind.GroundHeight != (ground.IsNone ? 0 : ground.Height))
         {
             throw Code("air.windField");
@@ -128,12 +128,12 @@ internal sealed class SceneText
             throw Code("ground.pattern");
         }
 
-        // Level ground may have two tangential restitutions, which the scenario writes as [x, z].
+        // Level ground can have two tangential restitutions; the scenario contains them as [x, z].
         double along = ground.Material.TangentialRestitution;
         Numbers(SceneFields.GroundMaterial, ground.Material).Numbers(SceneFields.Ground, ground)
             .Numbers("tangentialRestitution", along, ground.TangentialRestitutionZ ?? along);
 
-        // Missing ground has an infinite height, which JSON cannot express: write the preset "none" instead.
+        // Missing ground has an infinite height, which JSON cannot represent: write the preset "none".
         SceneText place = ground.IsNone ? Text("surface", "none") : Number("height", ground.Height).Vector("normal", ground.Normal);
         place.Word("aerodynamics", ground.Aerodynamics);
         if (ground.Heights is { } heights)
@@ -198,7 +198,7 @@ internal sealed class SceneText
     private SceneText Word<T>(string name, T value)
         where T : struct, Enum
     {
-        // Use the spelling of the scenario format in files.
+        // Use the spelling of the scenario format.
         string word = value is AerodynamicModel.Regularized ? "regularised" : value.ToString();
         return Text(name, char.ToLowerInvariant(word[0]) + word[1..]);
     }
@@ -233,7 +233,7 @@ internal sealed class SceneText
 
     private void Braced(Action members)
     {
-        // Each nested object starts with its own first member.
+        // Each nested object starts a new list of members.
         bool before = _first;
         _first = true;
         _text.Append('{');
@@ -255,7 +255,7 @@ internal sealed class SceneText
         _text.Append('"');
         foreach (char letter in text)
         {
-            // Write quotes, backslashes and control characters as \uXXXX, which every JSON reader supports.
+            // Write quotes, backslashes and control characters as \uXXXX, because every JSON reader supports this form.
             if (letter is '"' or '\\' or < ' ')
             {
                 _text.Append("\\u").Append(((int)letter).ToString("x4", CultureInfo.InvariantCulture));
@@ -272,7 +272,7 @@ internal sealed class SceneText
     /// <summary>Returns the shortest text that reads back as the same number, or 17 digits if a Unity runtime rounds the shortest one.</summary>
     private static string Digits(double value)
     {
-        // Use the shortest text if it reads back as the same number.
+        // Use the shortest text if it parses back to the same number.
         string brief = value.ToString("R", CultureInfo.InvariantCulture);
         return double.Parse(brief, CultureInfo.InvariantCulture).Equals(value) ? brief : value.ToString("G17", CultureInfo.InvariantCulture);
     }

@@ -13,7 +13,7 @@ internal static class Slerp
     {
         double cosine = (from.X * to.X) + (from.Y * to.Y) + (from.Z * to.Z) + (from.W * to.W);
 
-        // q and −q are the same rotation: use the sign that gives the shorter arc.
+        // q and −q represent the same rotation: use the sign with the shorter arc.
         double sign = cosine < 0 ? -1.0 : 1.0;
         double distance = (sign * cosine) - 1.0;
         double a = Weight(1.0 - fraction, distance);

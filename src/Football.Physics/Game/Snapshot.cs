@@ -34,7 +34,7 @@ public static class Snapshot
         ulong hash = 0;
         for (int i = 0; i < states.Length; i++)
         {
-            // Hash the hashes, with a multiplication between, so that the order of the balls matters.
+            // Multiply between the hashes, so that the order of the balls matters.
             ulong own = Hash(in states[i]);
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
@@ -92,7 +92,7 @@ public static class Snapshot
         StateFields.Read(in state, words);
         for (int i = 0; i < Fields; i++)
         {
-            // Byte i is byte i mod 8 of word i/8, lowest first, independent of the machine's byte order.
+            // Byte i is byte i mod 8 of word i/8, lowest byte first, regardless of the machine's byte order.
             destination[i] = (byte)(words[i >> 3] >> ((i & 7) << 3));
         }
 
@@ -124,7 +124,7 @@ public static class Snapshot
         words.Clear();
         for (int i = 0; i < Fields; i++)
         {
-            // Read byte by byte, independent of the machine's byte order and alignment.
+            // Read byte by byte, regardless of the machine's byte order and alignment.
             words[i >> 3] |= (ulong)bytes[i] << ((i & 7) << 3);
         }
 
@@ -156,7 +156,7 @@ public static class Snapshot
         {
             get
             {
-                // The finaliser of MurmurHash3: every input bit affects every output bit.
+                // Use MurmurHash3's finaliser: every input bit affects every output bit.
                 ulong h = Hash;
                 h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDUL;
                 h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53UL;
@@ -173,7 +173,7 @@ public static class Snapshot
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Bits(ref ulong value)
         {
-            // Skip a zero field, so that fields unused by a plain ball leave its hash unchanged. Mix the index in with any other field.
+            // Skip fields that are zero, so that fields which a plain ball does not use leave its hash unchanged. Mix every other field with its index.
             _place++;
             if (value != 0)
             {
@@ -183,7 +183,7 @@ public static class Snapshot
 
         private void Mix(ulong word)
         {
-            // Xor, multiply by an odd number, and fold the high half into the low one: each step is a bijection of the hash.
+            // Each step is a bijection of the hash: xor, multiply by an odd number, and fold the high half into the low half.
             ulong h = (Hash ^ word) * 0x9FB21C651E98DF25UL;
             Hash = h ^ (h >> 32);
         }

@@ -46,6 +46,6 @@ public readonly struct StateDifference
     private string Text(ulong bits) =>
         _isNumber ? BitConverter.Int64BitsToDouble((long)bits).ToString("R", CultureInfo.InvariantCulture) : bits.ToString(CultureInfo.InvariantCulture);
 
-    // Map the bits of a double to an integer, so that integers have the order of the values; negative values count downwards.
+    // Map the bits of a double to an integer with the same order as the values; negative values count downwards.
     private static ulong Ordered(ulong bits) => (bits & 0x8000000000000000UL) != 0 ? ~bits : bits | 0x8000000000000000UL;
 }

@@ -19,7 +19,7 @@ internal static class StateFields
     /// <summary>The number of scalars; a test compares it with the struct.</summary>
     public const int Count = 28;
 
-    // In the order of Visit. ClearUntil, AirDistance and the squeeze fields are numbers visited as bits, because they are 0 for a plain ball.
+    // The order of Visit. ClearUntil, AirDistance and the squeeze fields are numbers, but are visited as bits, because they are 0 for a plain ball.
     private static readonly (string Name, bool IsNumber)[] s_names =
     [
         ("time", true), ("position.x", true), ("position.y", true), ("position.z", true), ("velocity.x", true), ("velocity.y", true), ("velocity.z", true),
@@ -144,7 +144,7 @@ internal static class StateFields
 
         public void Member(ref int value)
         {
-            // No enum value is that large or negative: return −1, which StateCheck rejects.
+            // No enum value is that large or negative: return −1, because StateCheck rejects it.
             ulong word = *Next++;
             value = word <= int.MaxValue ? (int)word : -1;
         }

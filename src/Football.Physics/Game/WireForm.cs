@@ -2,8 +2,8 @@ namespace FootballPhysics;
 
 /// <summary>Encodes a state in 24 bytes, with numbers as integer multiples of a unit.</summary>
 /// <remarks>
-/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. To round a state, it is encoded and decoded until it
-/// no longer changes; it is then stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
+/// Derived numbers are omitted: the height of a ball on the ground, the spin of a rolling ball. To round a state, encode and decode it until it no
+/// longer changes; it can then be stored without loss. Bits, lowest first: motion 3, goals entered 2 and passed 2, steps of the clock 22; x 18,
 /// z 18, y 16 bits of 1/1024 m; velocity 3 × 16 bits of 1/512 m/s; spin 3 × 13 bits of 1/8 rad/s; rotation 23 bits: the index of the largest
 /// component, and the other three with 7 bits each.
 /// </remarks>
@@ -11,7 +11,7 @@ internal static class WireForm
 {
     public const int Size = 24;
 
-    // Units per m, m/s and rad/s: powers of two, so that decoding an integer is exact.
+    // Units per m, m/s and rad/s. They are powers of two, so that decoding an integer is exact.
     private const double PerMetre = 1024;
     private const double PerSpeed = 512;
     private const double PerSpin = 8;
@@ -36,7 +36,7 @@ internal static class WireForm
     {
         BallState[] states = runner.States;
 
-        // Round every clock, even that of a ball that is not quantised: bodies depend on it, and it must agree after a mispredicted kick.
+        // Round every clock, even if the ball is not quantised: bodies depend on the clock, and it must agree after a mispredicted kick.
         for (int i = 0; i < states.Length; i++)
         {
             double tick = Math.Round(states[i].Time / runner.TimeStep) * runner.TimeStep;
@@ -53,7 +53,7 @@ internal static class WireForm
             return;
         }
 
-        // Several balls share one clock: round all of them or none.
+        // Several balls share one clock, so round all of them or none.
         for (int i = 0; i < states.Length; i++)
         {
             if (!TryRound(runner.SimulatorOf(i), runner.TimeStep, in states[i], out _))
@@ -78,7 +78,7 @@ internal static class WireForm
 
         var bits = default(WireBits);
 
-        // Write only states that decode bit-identically: reject an unrounded ball, and one with state that the format cannot store.
+        // Write only states that decode bit-identically: reject a ball that is not rounded, and a ball whose state the format cannot store.
         if (!TryEncode(simulator, timeStep, in state, ref bits) || !TryDecode(simulator, timeStep, in bits, out BallState read) || !Snapshot.Same(in state, in read))
         {
             return false;
@@ -100,7 +100,7 @@ internal static class WireForm
         Span<byte> bytes = stackalloc byte[Size];
         source.Slice(0, Size).CopyTo(bytes);
 
-        // Each state has exactly one encoding: reject bytes that would be written differently.
+        // Each state has exactly one encoding: reject bytes that the encoder would write differently.
         var bits = WireBits.Read(bytes);
         var again = default(WireBits);
         if (!TryDecode(simulator, timeStep, in bits, out BallState state) || !TryEncode(simulator, timeStep, in state, ref again) || !again.Equals(in bits))
@@ -132,10 +132,10 @@ internal static class WireForm
                 return false;
             }
 
-            // A fixed point of encoding and decoding can be sent without loss.
+            // If encoding and decoding leave a state unchanged, it can be sent without loss.
             if (Snapshot.Same(in next, in rounded))
             {
-                // Rounding may move the ball through a goal mouth: update the goals entered. The format holds two goals.
+                // Rounding may move the ball through a goal mouth, so update the goals that contain it. The format stores two goals.
                 Passages.PassMouths(simulator.World, ref rounded, state.Position);
                 return rounded.GoalsEntered < 4;
             }
@@ -151,7 +151,7 @@ internal static class WireForm
     {
         bool flies = s.Motion == MotionState.Airborne;
 
-        // The format cannot store nets, contacts other than with level ground, an active knuckle force or a squeeze: do not round such balls.
+        // The format cannot store nets, contacts other than with level ground, an active knuckle force, or a squeeze: do not round such balls.
         bool holds = (flies || (s.Motion != MotionState.Pinned && s.Carrier == 0 && simulator.World.IsLevel && s.Position.Y == simulator.ContactHeight))
             && s.Nets == 0 && s.AirDistance == 0 && s.SqueezeUntil <= s.Time && (s.GoalsEntered | s.GoalsPassed) < 4;
         if (!holds)
@@ -159,13 +159,13 @@ internal static class WireForm
             return false;
         }
 
-        // Layout, 191 of 192 bits, lowest first: motion 3, goals 2 + 2, time 22, x 18, z 18, height 16, velocity 3 × 16, spin 3 × 13, rotation 2 + 3
-        // × 7.
+        // Layout, 191 of 192 bits, lowest bit first: motion 3, goals 2 + 2, time 22, x 18, z 18, height 16, velocity 3 × 16, spin 3 × 13, rotation 2
+        // + 3 × 7.
         bits.Put((ulong)s.Motion, 3);
         bits.Put(s.GoalsEntered, 2);
         bits.Put(s.GoalsPassed, 2);
 
-        // Store the time in whole steps. On the ground, the height is the contact height, and its bits are 0.
+        // Store the time in whole steps. On the ground, store 0 for the height, because the ball is at contact height.
         double steps = Math.Round(s.Time / timeStep);
         holds = PutWhole(steps, 22, ref bits)
             & PutSigned(s.Position.X * PerMetre, 18, ref bits)
@@ -174,7 +174,7 @@ internal static class WireForm
         Vector3d v = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Velocity;
         holds = holds & PutSigned(v.X * PerSpeed, 16, ref bits) & PutSigned(flies ? v.Y * PerSpeed : 0, 16, ref bits) & PutSigned(v.Z * PerSpeed, 16, ref bits);
 
-        // The spin of a rolling ball follows from its velocity, except about the vertical axis.
+        // A rolling ball's velocity determines its spin, except about the vertical axis.
         Vector3d w = s.Motion == MotionState.Rest ? Vector3d.Zero : s.Spin;
         bool rolls = s.Motion == MotionState.Rolling;
         long clock = steps >= 0 && steps < 1e9 ? (long)steps : 0;
@@ -194,7 +194,7 @@ internal static class WireForm
         s = default;
         ulong motion = bits.Take(3);
 
-        // Three bits can also encode a pinned ball, which the format does not support, or no motion at all.
+        // Three bits can also encode a pinned ball, which the format does not support, and values without a motion.
         if (motion > (ulong)MotionState.Rest)
         {
             return false;
@@ -202,7 +202,7 @@ internal static class WireForm
 
         s.Motion = (MotionState)motion;
 
-        // Decode in the order of encoding, with the inverse scales.
+        // Decode in the order of encoding, with inverse scales.
         s.GoalsEntered = bits.Take(2);
         s.GoalsPassed = bits.Take(2);
         s.Time = bits.Take(22) * timeStep;
@@ -229,7 +229,7 @@ internal static class WireForm
             return false;
         }
 
-        // A flight stores a spin axis and an angle about it; on the ground the spin is a vector.
+        // In flight, store a spin axis and an angle about it. On the ground, store the spin as a vector.
         s.Velocity = velocity;
         if (flies)
         {
@@ -244,7 +244,7 @@ internal static class WireForm
     /// <summary>Returns the height of an airborne ball in units; on level ground, it is above the contact height.</summary>
     private static double Height(Simulator simulator, double y)
     {
-        // Use at least one unit above the contact height: rounding down would start the next step inside the ground.
+        // Use at least one unit above the contact height, because rounding down would start the next step inside the ground.
         double least = Math.Floor((simulator.World.LevelContact - Lowest) * PerMetre) + 1;
         return Math.Max(Math.Round((y - Lowest) * PerMetre), least);
     }
@@ -258,7 +258,7 @@ internal static class WireForm
 
     private static bool PutWhole(double units, int count, ref WireBits bits)
     {
-        // NaN and values out of range fail the comparison, and write zeros.
+        // NaN and values out of range fail the comparison, so zeros are written.
         bool holds = units >= 0 && units < 1L << count;
         bits.Put(holds ? (ulong)units : 0, count);
         return holds;
@@ -266,7 +266,7 @@ internal static class WireForm
 
     private static void PutRotation(Quaterniond q, ref WireBits bits)
     {
-        // Store the smallest three components. The largest follows from the norm 1; the others are within ±√½.
+        // Store the three smallest components. The largest follows from the norm 1; the others are within ±√½.
         Span<double> parts = stackalloc double[] { q.X, q.Y, q.Z, q.W };
         int largest = 0;
         for (int i = 1; i < 4; i++)
@@ -274,7 +274,7 @@ internal static class WireForm
             largest = Math.Abs(parts[i]) > Math.Abs(parts[largest]) ? i : largest;
         }
 
-        // q and −q are the same rotation: make the largest component positive.
+        // q and −q represent the same rotation: make the largest component positive.
         double sign = parts[largest] < 0 ? -1 : 1;
 
         int truncated = Exceeding(parts, largest);
@@ -344,7 +344,7 @@ internal struct WireBits
     {
         for (int i = 0; i < count; i++, _at++)
         {
-            // Write without a branch: the bit goes to the one of three words that contains position _at.
+            // Write without a branch: the bit goes into the word, one of three, that contains position _at.
             ulong bit = (word >> i & 1) << (_at & 63);
             _low |= _at < 64 ? bit : 0;
             _middle |= _at is >= 64 and < 128 ? bit : 0;

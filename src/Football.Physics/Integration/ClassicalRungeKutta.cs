@@ -70,7 +70,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
             along = stage == 0 ? along : h;
         }
 
-        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4). The k of the position are the stages' velocities, which gives p + h (v + h/6 (a1 + a2 + a3)).
+        // y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4). For the position, each k is the velocity of a stage, which gives p + h (v + h/6 (a1 + a2 + a3)).
         double sixth = h / 6.0;
         double nextX = ux + (sixth * (sumX + sumX - step.StartAcceleration.X + ax));
         double nextY = uy + (sixth * (sumY + sumY - step.StartAcceleration.Y + ay));
@@ -90,7 +90,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
     {
         double half = 0.5 * h;
 
-        // Rates at the start, twice in the middle and at the end. For the position they are the stages' velocities.
+        // The rates at the start, twice in the middle, and at the end. For the position, they are the velocities of the stages.
         Motion second = from.After(half, in from.Velocity, in start);
         system.Rates(time + half, in second, out MotionRates k2);
         Motion third = from.After(half, in second.Velocity, in k2);
@@ -100,7 +100,7 @@ internal readonly struct ClassicalRungeKutta : IIntegrator
 
         step.End = End(in from, h, in start, in second, in k2, in third, in k3, in fourth, in k4);
 
-        // The axis may turn within the step: combine the spins at start, middle and end.
+        // The axis may turn within the step: combine the spins at the start, the middle and the end.
         step.Rotation = RotationVector.Of(in from.Spin, 0.5 * (second.Spin + third.Spin), in step.End.Spin, h);
         step.StartRates = start;
     }

@@ -51,7 +51,7 @@ internal static unsafe class EighthOrder
         Motion at = from;
         for (int i = 1; ; i++)
         {
-            // y + h Σ w k, with the velocities as the rates of the position.
+            // y + h Σ w k; the rates of the position are the velocities.
             double w = h * weights[next++];
             Vector3d velocity = w * stages[0].Velocity;
             Vector3d acceleration = w * stages[0].Rates.Acceleration;
@@ -76,7 +76,7 @@ internal static unsafe class EighthOrder
             stages[i] = new Stage(in at.Velocity, in rates);
         }
 
-        // The spin at the middle, from the cubic through both ends: the last stage is at the end.
+        // The spin at the middle, from the cubic through both ends, because the last stage is at the end.
         Vector3d middle = (0.5 * (from.Spin + at.Spin)) + (0.125 * h * (start.SpinAcceleration - stages[Stages - 1].Rates.SpinAcceleration));
         step.End = at;
         step.Rotation = RotationVector.Of(in from.Spin, in middle, in at.Spin, h);

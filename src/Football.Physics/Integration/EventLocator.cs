@@ -50,7 +50,7 @@ internal static class EventLocator
                 high = tau;
             }
 
-            // Use Newton or the secant while it stays in the bracket, otherwise bisect.
+            // Use Newton or the secant while the result stays in the bracket; otherwise, bisect.
             double next = tau + correction;
             tau = next > low && next < high ? next : 0.5 * (low + high);
             if (high - low <= 1e-15 * length)

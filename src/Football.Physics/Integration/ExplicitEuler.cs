@@ -31,7 +31,7 @@ internal readonly struct ExplicitEuler : IIntegrator
             ref air, in start, branch, upward, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
             out double ax, out double ay, out double az, out double b, out double s);
 
-        // y' = y + h k, with the position advanced by the velocity at the start.
+        // y' = y + h k; the velocity at the start advances the position.
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);

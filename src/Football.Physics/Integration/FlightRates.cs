@@ -53,7 +53,7 @@ internal static class FlightRates
         out double airSpeed)
         where TAir : struct, IFlightLaws
     {
-        // Add the variable wind to the steady one.
+        // Add the variable wind to the steady wind.
         if (air.HasField)
         {
             Vector3d wind = air.WindAt(start.Time + h, start.Position.X + px, start.Position.Y + py, start.Position.Z + pz);
@@ -75,7 +75,7 @@ internal static class FlightRates
         az = (lift * cz) - (drag * uz);
         airSpeed = 0;
 
-        // A side force depends on the distance flown through the air, which is integrated with the motion.
+        // A side force depends on the distance flown through the air, so integrate this distance with the motion.
         if (air.HasField && air.HasSide)
         {
             airSpeed = Math.Sqrt((ux * ux) + (uy * uy) + (uz * uz));
@@ -85,7 +85,7 @@ internal static class FlightRates
             az += side.Z;
         }
 
-        // A ball without spin does not start to spin.
+        // A ball without spin does not start to spin in flight.
         spinRate = spin != 0 ? -decay : 0;
     }
 

@@ -65,7 +65,7 @@ internal readonly struct MidpointRungeKutta : IIntegrator
     {
         double half = 0.5 * h;
 
-        // Half a step with the rates at the start, then the full step with the rates in the middle.
+        // Take half a step with the rates at the start, then the full step with the rates in the middle.
         step.StartRates = start;
         Motion middle = from.After(half, in from.Velocity, in step.StartRates);
         system.Rates(time + half, in middle, out MotionRates k2);

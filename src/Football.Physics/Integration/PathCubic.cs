@@ -25,7 +25,7 @@ internal readonly struct PathCubic
     {
         get
         {
-            // A velocity that is quadratic in time stays in the hull of its three control points.
+            // A velocity that is quadratic in time stays in the convex hull of its three control points.
             Vector3d middle = _c1 + (Length * _c2);
             return Math.Sqrt(Math.Max(_c1.LengthSquared, Math.Max(middle.LengthSquared, VelocityAt(Length).LengthSquared)));
         }
@@ -46,7 +46,7 @@ internal readonly struct PathCubic
     {
         get
         {
-            // A Bézier curve stays in the hull of its control points.
+            // A Bézier curve stays in the convex hull of its control points.
             Vector3d first = _c0 + (Length / 3.0 * _c1);
             Vector3d second = _c0 + (Length * ((2.0 / 3.0 * _c1) + (Length / 3.0 * _c2)));
             Vector3d end = At(Length);
@@ -61,7 +61,7 @@ internal readonly struct PathCubic
     {
         get
         {
-            // The path stays in the hull of its control points, so compare each with its counterpart on the line.
+            // The path stays in the convex hull of its control points: compare each with its counterpart on the line.
             double scale = Length * Length / 3.0;
             double first = (_c2 + (Length * _c3)).LengthSquared;
             double second = (_c2 + ((2.0 * Length) * _c3)).LengthSquared;
@@ -94,7 +94,7 @@ internal readonly struct PathCubic
             return Line(in position, in velocity, 0);
         }
 
-        // The deviation of the end from uniform motion.
+        // The deviation from uniform motion at the end.
         Vector3d bend = end - position - (h * velocity);
         double perLength = 1.0 / h;
         double perSquared = perLength * perLength;

@@ -244,7 +244,7 @@ public readonly struct PathSegment
         double end = 1;
         if (!(before < 0 != after < 0 || after == 0))
         {
-            // It may cross the plane and return: it then turns behind the plane.
+            // The path may cross the plane and return, in which case it turns behind the plane.
             var approach = new PlaneApproach(in this, in normal, before > 0);
             approach.Evaluate(0, out double atStart);
             approach.Evaluate(1, out double atEnd);
@@ -253,7 +253,7 @@ public readonly struct PathSegment
                 return false;
             }
 
-            // There is exactly one crossing before the turn.
+            // Before the turn, there is exactly one crossing.
             end = Roots.Illinois(ref approach, 0, atStart, 1, atEnd, Closeness, MostEvaluations);
             after = Vector3d.Dot(PositionAt(Time + (end * Length)) - point, in normal);
             if (before < 0 == after < 0)
@@ -283,7 +283,7 @@ public readonly struct PathSegment
             return false;
         }
 
-        // It turns behind the plane; from there it returns exactly once.
+        // The path turns behind the plane, and then returns exactly once.
         double low = (crossed - Time) / Length;
         var approach = new PlaneApproach(in this, in normal, before > 0);
         approach.Evaluate(low, out double atCrossing);
@@ -291,7 +291,7 @@ public readonly struct PathSegment
         double turn = atCrossing < 0 && atEnd > 0 ? Roots.Illinois(ref approach, low, atCrossing, 1, atEnd, Closeness, MostEvaluations) : low;
         var distance = new PlaneDistance(in this, in point, in normal, before < 0);
 
-        // First guess: the secant from the turn to the end.
+        // The first guess is the secant from the turn to the end.
         distance.Evaluate(turn, out double behind, out _);
         double start = behind > 0 ? turn + ((1 - turn) * behind / (behind + Math.Abs(after))) : turn;
         time = Time + (Roots.Newton(ref distance, turn, 1, start) * Length);

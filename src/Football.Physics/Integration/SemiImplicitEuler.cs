@@ -29,7 +29,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
             ref air, in start, branch, upward, 0, 0, 0, 0, 0, motion.Axis.X, motion.Axis.Y, motion.Axis.Z, ux, uy, uz, w,
             out double ax, out double ay, out double az, out double b, out double s);
 
-        // v' = v + h a(v), and the position with the new velocity, p' = p + h v'.
+        // v' = v + h a(v); the new velocity advances the position, p' = p + h v'.
         double ex = ux + (h * ax);
         double ey = uy + (h * ay);
         double ez = uz + (h * az);
@@ -50,7 +50,7 @@ internal readonly struct SemiImplicitEuler : IIntegrator
     {
         step.StartRates = start;
 
-        // Update the velocity first, then the position with it.
+        // Update the velocity first, then the position with the new velocity.
         Vector3d velocity = from.Velocity + (h * step.StartRates.Acceleration);
         step.End = from.After(h, in velocity, in step.StartRates);
         step.Rotation = h * step.End.Spin;

@@ -73,7 +73,7 @@ internal struct Substeps : IIntegrator
                 return;
             }
 
-            // Save a point well before the end to resume from.
+            // Save a resume point well before the end.
             done += part;
             part = system.LongestPart(in step.End);
             if (done + (Before * part) < h)

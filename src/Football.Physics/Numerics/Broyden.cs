@@ -13,7 +13,7 @@ internal static class Broyden
     /// <param name="dr">The change of the residual.</param>
     public static void Update(double[] j, int row, int count, double[] dx, double[] weight, double squared, double dr)
     {
-        // Ignore the column of an unknown that was held: it may be left over from another problem.
+        // Ignore the column of a held unknown, which may be left over from another problem.
         double error = dr;
         for (int k = 0; k < count; k++)
         {

@@ -103,7 +103,7 @@ internal static class Check
     /// <param name="time">The latest time to advance, in s.</param>
     public static void Advances(string field, double step, double time)
     {
-        // With a margin: even a quarter of the step must advance the clock.
+        // Include a margin, because even a quarter of the step must advance the clock.
         if (!(time + (0.25 * step) > time && time <= double.MaxValue))
         {
             throw Refusal(field, Text(step), $"more than the rounding error of the clock at {Text(time)} s");
@@ -146,7 +146,7 @@ internal static class Check
             throw Refusal(field, value.ToString(), "a finite vector other than zero");
         }
 
-        // Keep a vector that is a unit vector up to rounding.
+        // Keep a vector that is a unit vector to within rounding.
         Vector3d scaled = value / largest;
         return Math.Abs(value.LengthSquared - 1.0) <= 1e-15 ? value : scaled / scaled.Length;
     }

@@ -41,7 +41,7 @@ internal readonly struct DoubleDouble
 
     public static DoubleDouble operator *(in DoubleDouble a, in DoubleDouble b)
     {
-        // The rounding error of a product, from 26-bit halves whose products are exact (Dekker).
+        // Compute the rounding error of a product from 26-bit halves, whose products are exact (Dekker).
         Halves(a.High, out double a1, out double a2);
         Halves(b.High, out double b1, out double b2);
         double high = a.High * b.High;
@@ -51,7 +51,7 @@ internal readonly struct DoubleDouble
 
     public static DoubleDouble operator /(in DoubleDouble a, in DoubleDouble b)
     {
-        // Long division: three quotients, each of the previous remainder.
+        // Long division: three quotients, each of the remainder before it.
         double first = a.High / b.High;
         DoubleDouble rest = a - (b * first);
         double second = rest.High / b.High;
@@ -63,7 +63,7 @@ internal readonly struct DoubleDouble
     /// <param name="value">The fraction, with at most 15 digits.</param>
     public static DoubleDouble Of(decimal value)
     {
-        // An integer divided by a power of ten; both are exact below 16 digits.
+        // Divide an integer by a power of ten; both are exact below 16 digits.
         double scale = 1;
         while (value != decimal.Truncate(value))
         {
@@ -93,7 +93,7 @@ internal readonly struct DoubleDouble
     /// <summary>Returns the cosine for |x| ≤ π.</summary>
     public static DoubleDouble Cos(in DoubleDouble x)
     {
-        // The series up to x⁴⁸/48!; for |x| ≤ π the remainder is below 1e-39.
+        // Sum the series up to x⁴⁸/48!; for |x| ≤ π, the remainder is below 1e-39.
         DoubleDouble square = x * x;
         DoubleDouble sum = 1;
         for (int n = 48; n >= 2; n -= 2)
@@ -115,7 +115,7 @@ internal readonly struct DoubleDouble
     /// <summary>Splits a double into two halves with half the digits each.</summary>
     private static void Halves(double value, out double high, out double low)
     {
-        // Veltkamp's split: the upper 26 bits, rounded, and the remainder.
+        // Veltkamp's split: the rounded upper 26 bits, and the remainder.
         double shifted = 134217729.0 * value; // 2^27 + 1
         high = shifted - (shifted - value);
         low = value - high;

@@ -51,7 +51,7 @@ internal static class Elementary
     /// <remarks>The absolute error is below 1e-15 near 1, the relative error below 3e-16 elsewhere.</remarks>
     public static double Log(double x)
     {
-        // x = 2^e m with m from √½ to √2, so that no cancellation occurs near 1.
+        // x = 2^e m, with m from √½ to √2 so that no cancellation occurs near 1.
         long bits = BitConverter.DoubleToInt64Bits(x);
         double e = (bits >> 52) - 1023L;
         double m = BitConverter.Int64BitsToDouble((bits & 0x000FFFFFFFFFFFFFL) | 0x3FF0000000000000L);
@@ -76,7 +76,7 @@ internal static class Elementary
         p = (p * z) + (1.0 / 5.0);
         p = (p * z) + (1.0 / 3.0);
 
-        // Sum from the smallest part up.
+        // Add the parts from the smallest to the largest.
         double tail = 2.0 * s * z * p;
         return (e * Ln2High) + ((2.0 * s) + (tail + (e * Ln2Low)));
     }
@@ -90,7 +90,7 @@ internal static class Elementary
     /// <summary>Computes sine and cosine, with an absolute error below 2e-16 for |x| ≤ 1e5; finite for every finite x.</summary>
     public static void SinCos(double x, out double sin, out double cos)
     {
-        // For larger arguments, k times a part of π/2 would not be exact: remove full turns first.
+        // For larger arguments, k times a part of π/2 would be inexact: remove full turns first.
         if (!(x < 1e5 && x > -1e5))
         {
             x %= TwoPi;
@@ -101,7 +101,7 @@ internal static class Elementary
         double r = ((x - (k * HalfPi1)) - (k * HalfPi2)) - (k * HalfPi3);
         double z = r * r;
 
-        // Taylor series for |r| ≤ π/4, remainders below 1e-17.
+        // Taylor series for |r| ≤ π/4, with remainders below 1e-17.
         double s = -1.0 / 1307674368000.0;
         s = (s * z) + (1.0 / 6227020800.0);
         s = (s * z) - (1.0 / 39916800.0);
@@ -120,7 +120,7 @@ internal static class Elementary
         c = (c * z) + (1.0 / 24.0);
         c = 1.0 - ((0.5 * z) - (z * z * c));
 
-        // Each quarter turn swaps the two and changes one sign.
+        // Each quarter turn swaps sine and cosine, and changes one sign.
         switch ((long)k & 3L)
         {
             case 0:
@@ -153,7 +153,7 @@ internal static class Elementary
             return 0;
         }
 
-        // Reduce to 0 … 1 with atan q = π/2 − atan 1/q.
+        // Reduce the argument to 0 … 1 with atan q = π/2 − atan 1/q.
         double angle = ay <= ax ? AtanUnit(ay / ax) : (0.5 * Pi) - AtanUnit(ax / ay);
         angle = x < 0 ? Pi - angle : angle;
         return y < 0 ? -angle : angle;

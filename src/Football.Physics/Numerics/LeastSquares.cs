@@ -104,8 +104,8 @@ internal sealed class LeastSquares
     /// <returns>True if the solution is a hit.</returns>
     public bool Solve(double[] x, bool isMeasured = false)
     {
-        // 1. Compute the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Take a step, with more
-        // damping until it improves. 4. Give up after several slow steps: no solution is near.
+        // 1. Compute the residuals. 2. Measure the Jacobian, or apply Broyden's update while steps improve well. 3. Take a step; increase the damping
+        // until it improves. 4. Give up after several slow steps: no solution is near.
         if (!_problem.Evaluate(x, Residuals))
         {
             return false;
@@ -123,7 +123,7 @@ internal sealed class LeastSquares
                 return true;
             }
 
-            // Without residuals at a neighbouring point, there is no difference quotient.
+            // Without residuals at a neighbouring point, no difference quotient exists.
             if (measures && !Measure(x))
             {
                 return false;
@@ -133,13 +133,13 @@ internal sealed class LeastSquares
             double before = cost;
             bool improved = Improve(x, ref cost, ref damping);
 
-            // No improvement even with a freshly measured Jacobian: this is a local minimum.
+            // Even a freshly measured Jacobian gives no improvement: this is a local minimum.
             if (!improved && measures)
             {
                 return false;
             }
 
-            // Update while steps improve well; measure again after a poor one.
+            // Update the Jacobian while steps improve well; measure it again after a poor step.
             measures = !(cost < Quick * before);
             slow = cost > Slow * before ? slow + 1 : 0;
             if (slow == MostSlow)
@@ -186,12 +186,12 @@ internal sealed class LeastSquares
     /// <summary>Takes a step that reduces the squares, with as much damping as necessary.</summary>
     private bool Improve(double[] x, ref double cost, ref double damping)
     {
-        // More damping shortens a step and turns it downhill. A point without residuals counts as worse.
+        // More damping shortens the step and turns it downhill. A point without residuals counts as worse.
         for (int k = 0; k < MostTries; k++)
         {
             if (Step(x, damping) && _problem.Evaluate(_next, _nextResiduals))
             {
-                // Accept an improvement, and reduce the damping, which brings the next step closer to Newton's.
+                // Accept an improvement and reduce the damping, so that the next step is closer to a Newton step.
                 double next = Squares(_nextResiduals);
                 if (next < cost)
                 {
@@ -207,7 +207,7 @@ internal sealed class LeastSquares
             damping *= 10;
         }
 
-        // Restore the evaluation of the current point: the next measurement is relative to it.
+        // Restore the evaluation at the current point, because the next measurement is relative to it.
         _problem.Evaluate(x, Residuals);
         return false;
     }
@@ -229,7 +229,7 @@ internal sealed class LeastSquares
                 return false;
             }
 
-            // If any change is too large, shorten the whole step, so that its direction stays the same.
+            // If any change is too large, shorten the whole step, so that it keeps its direction.
             double share = 1;
             for (int k = 0; k < N; k++)
             {
@@ -259,7 +259,7 @@ internal sealed class LeastSquares
     /// <summary>Applies Broyden's update, with each unknown weighted by its effect: W = diag JᵀJ.</summary>
     private void Update(double[] x)
     {
-        // Use the change after clamping, not the one solved for. Then set closed-form columns again, because an update would degrade them.
+        // Use the change after clamping, not the computed one. Then set closed-form columns again, because an update would degrade them.
         double squared = 0;
         for (int k = 0; k < N; k++)
         {
@@ -278,7 +278,7 @@ internal sealed class LeastSquares
 
     private void Assemble(double damping)
     {
-        // A held unknown has the equation 1 Δx = 0, so the size of the system is constant.
+        // A held unknown has the equation 1 Δx = 0, so that the system keeps its size.
         for (int a = 0; a < N; a++)
         {
             int row = a * (N + 1);
@@ -287,7 +287,7 @@ internal sealed class LeastSquares
                 _system[row + b] = a == b && _held[a] ? 1 : _held[a] || _held[b] ? 0 : Product(a, b);
             }
 
-            // (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr: damping by each unknown's own scale.
+            // (JᵀJ + λ diag JᵀJ) Δx = −Jᵀr: each unknown is damped on its own scale.
             double sum = 0;
             for (int i = 0; i < _problem.Equations && !_held[a]; i++)
             {

@@ -51,14 +51,14 @@ internal static class Linear
         int width = n + 1;
         for (int i = 0; i < n; i++)
         {
-            // Choose the largest pivot of the column: a small one would amplify rounding errors.
+            // Use the largest pivot in the column, because a small one would amplify rounding errors.
             int pivot = i;
             for (int k = i + 1; k < n; k++)
             {
                 pivot = Math.Abs(a[(k * width) + i]) > Math.Abs(a[(pivot * width) + i]) ? k : pivot;
             }
 
-            // The pivot is 0 or NaN: the system is singular.
+            // The pivot is 0 or NaN, so the system is singular.
             if (!(Math.Abs(a[(pivot * width) + i]) > 1e-300))
             {
                 return false;

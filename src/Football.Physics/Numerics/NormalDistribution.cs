@@ -20,7 +20,7 @@ internal static class NormalDistribution
             return x > 0 ? 1 : 0;
         }
 
-        // Each term is the previous one times x²/n. All have one sign, so nothing cancels.
+        // Each term is the previous one times x²/n. All terms have the same sign, so there is no cancellation.
         double sum = x;
         double term = x;
         double square = x * x;
@@ -62,10 +62,10 @@ internal static class NormalDistribution
             return 0;
         }
 
-        // Replace a deviation of 0 by a tiny one: the probability is then 0 or 1.
+        // Replace a standard deviation of 0 by a tiny one: the probability is then 0 or 1.
         double spread = Math.Max(deviationX, 1e-12);
 
-        // Integrate only where the density is not negligible.
+        // Restrict the integral to the range in which the density is not negligible.
         double low = Math.Max((x0 - meanX) / spread, -Farthest);
         double high = Math.Min((x1 - meanX) / spread, Farthest);
         if (!(high > low))
@@ -73,7 +73,7 @@ internal static class NormalDistribution
             return 0;
         }
 
-        // For a given x, y is normal with mean μ_y + ρ σ_y x and deviation σ_y √(1 − ρ²).
+        // For a given x, y is normal with mean μ_y + ρ σ_y x and standard deviation σ_y √(1 − ρ²).
         double rest = Math.Max(1e-12, deviationY * Math.Sqrt(Math.Max(0, 1.0 - (correlation * correlation))));
         double width = (high - low) / Intervals;
         double sum = 0;

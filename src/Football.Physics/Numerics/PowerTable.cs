@@ -21,7 +21,7 @@ internal sealed class PowerTable
     {
         const double Ln2 = 0.69314718055994530942;
 
-        // (2^(e − 1023))^q for every possible exponent e.
+        // The table contains (2^(e − 1023))^q for every possible exponent e.
         for (int e = 0; e < _scale.Length; e++)
         {
             _scale[e] = Elementary.Exp(q * (e - 1023) * Ln2);

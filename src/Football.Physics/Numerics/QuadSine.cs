@@ -18,12 +18,12 @@ internal static class QuadSine
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void SinCos(Quad turns, out Quad sin, out Quad cos)
     {
-        // Evaluate at a quarter of the angle, |r| ≤ π/4.
+        // Evaluate at a quarter of the angle, with |r| ≤ π/4.
         Quad whole = (turns + Quad.Of(Rounder)) - Quad.Of(Rounder);
         Quad r = (turns - whole) * Quad.Of(HalfPi);
         Quad z = r * r;
 
-        // Polynomials through Chebyshev points, remainders below 2e-14. Pairing the terms shortens the dependency chain.
+        // Polynomials through Chebyshev points, with remainders below 2e-14. Pairing the terms shortens the dependency chain.
         Quad zz = z * z;
         Quad zzzz = zz * zz;
         Quad s = Quartet(-0.16666666666663885933, 0.0083333333310792230779, -0.00019841266916985965554, 2.7555990929565318647e-6, z, zz)

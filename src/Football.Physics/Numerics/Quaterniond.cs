@@ -90,7 +90,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     /// <param name="rotation">The rotation vector, in rad.</param>
     public static Quaterniond FromRotationVector(in Vector3d rotation)
     {
-        // So large an angle has no digits below one turn, so it defines no rotation.
+        // An angle this large has no digits below one turn, so it does not define a rotation.
         double angle = rotation.Length;
         return angle > 0 && angle < NoDigits ? FromAxisAngle(rotation / angle, angle) : Identity;
     }
@@ -101,18 +101,18 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     {
         double z = 0.25 * rotation.LengthSquared;
 
-        // z = (θ/2)². Above θ/2 = 2 the series would be too long: use sine and cosine.
+        // z = (θ/2)². Above θ/2 = 2, the series would be too long: use sine and cosine.
         if (!(z <= 4.0))
         {
             return (FromRotationVector(in rotation) * this).Normalized();
         }
 
-        // cos √z and sin √z / √z: Taylor series, remainders below 1e-18.
+        // cos √z and sin √z / √z: Taylor series with remainders below 1e-18.
         double c;
         double s;
         if (z <= 0.25)
         {
-            // Group the terms in pairs: half the dependency chain of Horner's scheme.
+            // Group the terms in pairs, which halves the dependency chain of Horner's scheme.
             double z2 = z * z;
             double z4 = z2 * z2;
             c = (1.0 + (z * C1)) + (z2 * (C2 + (z * C3))) + (z4 * ((C4 + (z * C5)) + (z2 * (C6 + (z * C7)))));
@@ -162,7 +162,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     {
         Check.Positive(nameof(duration), duration);
 
-        // next q⁻¹ has the vector part sin(θ/2) n; the same rotation has the opposite sign too.
+        // next q⁻¹ has the vector part sin(θ/2) n; the opposite sign represents the same rotation.
         Quaterniond turn = next * new Quaterniond(-X, -Y, -Z, W);
         var axis = new Vector3d(turn.X, turn.Y, turn.Z);
         double sine = axis.Length;

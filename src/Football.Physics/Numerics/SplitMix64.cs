@@ -15,7 +15,7 @@ internal static class SplitMix64
     {
         unchecked
         {
-            // The state after counter + 1 increments by the golden-ratio constant, mixed by SplitMix64's finalizer.
+            // Add the golden-ratio constant counter + 1 times, then mix with SplitMix64's finaliser.
             ulong z = (ulong)seed + (0x9E3779B97F4A7C15UL * ((ulong)counter + 1UL));
             z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9UL;
             z = (z ^ (z >> 27)) * 0x94D049BB133111EBUL;

@@ -65,7 +65,7 @@ public sealed class GroupLookAheadRun
 
         if (_paths[0].OnStep is { } move)
         {
-            // Move the bodies to the start time: the game may have set them to another time.
+            // Move the bodies to the start time, because the game may have set them to another time.
             _motions.Enter();
             try
             {
@@ -97,7 +97,7 @@ public sealed class GroupLookAheadRun
             throw new InvalidOperationException("No look-ahead is running. Call Start first.");
         }
 
-        // Until the last step, an exception leaves the run stopped.
+        // Until the last step, an exception leaves the run in its stopped state.
         IsRunning = false;
         for (int i = 0; i < _paths.Length; i++)
         {
@@ -122,7 +122,7 @@ public sealed class GroupLookAheadRun
         }
         finally
         {
-            // Even after an exception, end each path at its ball's position.
+            // End each path at its ball's position, even after an exception.
             _motions.Leave();
             _steps.End(isFinished);
         }

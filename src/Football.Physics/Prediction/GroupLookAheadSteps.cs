@@ -37,14 +37,14 @@ internal sealed class GroupLookAheadSteps
         _hasBegun = false;
         _hasEnded = false;
 
-        // All balls share one step; with custom forces, it is at most the longest step that is not divided.
+        // All balls share one step length. With custom forces, it is at most the longest step that is not divided.
         bool hasOwnForces = _group.SimulatorOf(0).Scene.HasOwnForces;
         _step = hasOwnForces ? Math.Min(request.TimeStep, SimulatorExtensions.LongestOwnStep) : request.TimeStep;
         _end = from[0].Time + request.Duration;
         _last = _end - (ContactTolerances.StepRounding * _step);
         for (int i = 0; i < _into.Length; i++)
         {
-            // Each path stores the segments and events of its own ball.
+            // Each path stores its own ball's segments and events.
             _into[i].Begin(_group.SimulatorOf(i), in from[i], request, endsWhenFull: false, goesOn: true);
         }
     }
@@ -53,7 +53,7 @@ internal sealed class GroupLookAheadSteps
     /// <returns>False if the look-ahead had already ended.</returns>
     public bool Take()
     {
-        // Take at least one step, because it validates the states.
+        // Take at least one step, because the step validates the states.
         if (HasEnded)
         {
             return false;

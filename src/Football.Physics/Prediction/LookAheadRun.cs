@@ -79,7 +79,7 @@ public sealed class LookAheadRun
             throw new InvalidOperationException("Another look-ahead has used the trajectory. Use a trajectory of its own for each run, and call Start again.");
         }
 
-        // Until the last step, an exception leaves the run stopped.
+        // Until the last step, an exception leaves the run in its stopped state.
         IsRunning = false;
         Path.GoOn();
         _motions.Enter();
@@ -151,7 +151,7 @@ public sealed class LookAheadRun
             }
         }
 
-        // The last step may have been the end, so that no further call is needed.
+        // The last step may have reached the end, so no further call is needed.
         return _steps.HasEnded && (!Path.Overflows || _endsWhenFull);
     }
 
@@ -165,7 +165,7 @@ public sealed class LookAheadRun
         Path.Pause(in _from);
         if (Path.OnStep is { } move)
         {
-            // Move the bodies to the start time: the game may have set them to another time.
+            // Move the bodies to the start time, because the game may have set them to another time.
             _motions.Enter();
             try
             {

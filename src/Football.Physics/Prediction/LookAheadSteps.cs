@@ -29,14 +29,14 @@ internal struct LookAheadSteps
         _request = request;
         _into = into;
 
-        // With moving bodies, the steps must be known in advance, so use short steps for custom forces. Otherwise stiff forces may divide a step.
+        // With moving bodies, the steps must be known in advance: use short steps for custom forces, because stiff forces may divide longer ones.
         bool isLong = simulator.Scene.HasOwnForces && request.TimeStep > SimulatorExtensions.LongestOwnStep;
         _isAdaptive = isLong && into.OnStep is null;
         double longest = isLong && !_isAdaptive ? SimulatorExtensions.LongestOwnStep : request.TimeStep;
         _step = _isAdaptive ? Math.Min(OwnForceSteps.FirstStep, longest) : longest;
         _end = from.Time + request.Duration;
 
-        // A remainder below a billionth of a step is only rounding of the clock.
+        // A remainder below a billionth of a step is only rounding error of the clock.
         _last = _end - (ContactTolerances.StepRounding * longest);
         State = from;
         into.Log.Halted = false;

@@ -34,7 +34,7 @@ internal static class OwnForceSteps
         double shortest = longest * Shortest;
         double length = Math.Min(step, left);
 
-        // Try the step on copies first, and make the real step only once it is short enough.
+        // Try the step on copies first, and take the real step only once it is short enough.
         double difference = Difference(simulator, in state, length, trial);
         if (difference > Tolerance && length > shortest)
         {
@@ -69,7 +69,7 @@ internal static class OwnForceSteps
         simulator.Step(ref halves, 0.5 * length, trial);
         double place = Vector3d.Distance(whole.Position, halves.Position);
 
-        // A velocity error soon becomes a position error.
+        // Convert the velocity error to a position error, because it soon becomes one.
         double velocity = VelocityTime * Vector3d.Distance(whole.Velocity, halves.Velocity);
         return place > velocity ? place : velocity;
     }

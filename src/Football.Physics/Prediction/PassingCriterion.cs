@@ -46,14 +46,14 @@ internal sealed class PassingCriterion
         _untilImpact = request.StopAt == StopAt.Impact;
         _hasGround = !scene.Ground.IsNone;
 
-        // Obstacles can throw a ball back, and the effects of custom forces and variable winds are unknown.
+        // Obstacles can throw the ball back, and custom forces and variable winds have unknown effects.
         _mayReturn = !simulator.World.IsLevelGroundAlone || scene.Ground.Pattern is not null || scene.HasOwnForces || SceneAir.HasFieldIn(scene);
     }
 
     /// <summary>True if the ball comes no closer after a segment.</summary>
     public bool HasPassed(in PathSegment piece)
     {
-        // Compare squared distances. The ball has not passed while it approaches, is at its closest, or is blown back by the wind.
+        // Compare squared distances. The ball has not passed while it approaches, is at its closest point, or may be blown back by the wind.
         _closest = Math.Min(_closest, piece.ClosestApproach(in _point, out _));
         Vector3d away = (piece.EndPosition - _point).Horizontal;
         Vector3d flat = piece.EndVelocity.Horizontal;
@@ -63,7 +63,7 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // The ground may turn back a ball with fast backspin: now if it slides, later if it bounces.
+        // The ground may turn back a ball with fast backspin: at once if the ball slides, or later if it bounces.
         double speed = flat.Length;
         bool flies = piece.Motion == MotionState.Airborne;
         double radius = _simulator!.Scene.Ball.Radius;
@@ -73,31 +73,31 @@ internal sealed class PassingCriterion
             return false;
         }
 
-        // The Magnus acceleration, lift · |u|, can turn the velocity while the ball flies.
+        // In flight, the Magnus acceleration, lift · |u|, can turn the velocity.
         double air = (piece.EndVelocity - _wind).Length;
         _simulator.AirFactors(air, _spinRate, out _, out double lift);
         double across = Math.Abs(lift) * air;
         double left = Math.Max(0, _end - piece.EndTime);
 
-        // The flight time is bounded only if the ball certainly falls to a ground, and bounces in still air.
+        // The flight time is bounded only if the ball certainly falls to a ground and bounces in still air.
         if (flies && _hasGround && -_upward > across && (_untilImpact || _wind == Vector3d.Zero))
         {
             left = Math.Min(left, FallMargin * TimeInAir(piece.EndPosition.Y - _simulator.ContactHeight, piece.EndVelocity.Y, -_upward - across));
         }
         else if (!flies && _wind == Vector3d.Zero)
         {
-            // In still air, rolling or sliding slows the ball and its spin long before it could turn round.
+            // In still air, rolling or sliding slows the ball and its spin long before the ball could turn back.
             return true;
         }
 
-        // The angle at which the velocity stops receding is at least its sine.
+        // Compare sines instead of angles: an angle is never smaller than its sine.
         return TurnMargin * across * left < receding / away.Length;
     }
 
     /// <summary>Returns the flight time, in s, up to the first impact or including all hops, each of which is lower by the restitution.</summary>
     private double TimeInAir(double height, double climb, double gravity)
     {
-        // v² = c² + 2 g h; hops of 2 v eⁿ/g each sum to 2 v e/((1 − e) g).
+        // v² = c² + 2 g h; the hops, of duration 2 v eⁿ/g each, add up to 2 v e/((1 − e) g).
         double impact = Math.Sqrt((climb * climb) + (2.0 * gravity * Math.Max(0, height)));
         double e = _untilImpact ? 0 : Math.Min(_restitution, MostElastic);
         return (climb + impact + (2.0 * impact * e / (1.0 - e))) / gravity;

@@ -68,7 +68,7 @@ public static class SimulatorExtensions
         }
         finally
         {
-            // Even after an exception, restore the bodies, and end each path at its ball's position.
+            // Restore the bodies, and end each path at its ball's position, even after an exception.
             EndMoving(group.SimulatorOf(0), into[0]);
             steps.End(isComplete: true);
         }
@@ -109,7 +109,7 @@ public static class SimulatorExtensions
             path.ClosestApproach(at.Position);
         }
 
-        // Contacts with several objects, pushes and nets only occur in scenes with objects.
+        // Contacts with several objects, pushes and nets occur only in scenes with objects.
         if (!simulator.World.IsBare)
         {
             WarmUpScenes.Press(simulator.Settings, log);
@@ -153,7 +153,7 @@ public static class SimulatorExtensions
             throw new ArgumentException($"from has {from.Length} states and into has {into.Length} trajectories, but the group has {group.Count} balls. Pass one of each for each ball.");
         }
 
-        // A single ball that reaches the plane would end all paths.
+        // If a single ball reached the plane, all paths would end.
         if (request.UntilPlane is not null || request.UntilPassing is not null)
         {
             string field = request.UntilPlane is null ? "lookAhead.untilPassing" : "lookAhead.untilPlane";
@@ -170,14 +170,14 @@ public static class SimulatorExtensions
     /// <summary>Starts the motion of the game's bodies and of movable obstacles for a look-ahead.</summary>
     private static void BeginMoving(Simulator simulator, Trajectory path, in BallState from)
     {
-        // Movable objects are pushed in the look-ahead too, and restored afterwards.
+        // The look-ahead also pushes movable objects, and restores them afterwards.
         World world = simulator.World;
         path.Log.Pushes = world.MayGiveWay;
         if (path.OnStep is not null || world.MayGiveWay)
         {
             world.KeepMotions();
 
-            // Move the bodies to the start time: the game may have set them to another time.
+            // Move the bodies to the start time, because the game may have set them to another time.
             path.OnStep?.Invoke(in from);
         }
     }
@@ -209,13 +209,13 @@ public static class SimulatorExtensions
         {
             while (state.Time < end && !path.Log.Halted && !simulator.StaysAtRest(in state))
             {
-                // Save the state: if the buffer fills up within the step, the step is undone.
+                // Save the state, so that the step can be undone if the buffer fills up within it.
                 BallState before = state;
                 StepLogMark mark = path.Log.Mark();
                 simulator.Advance(ref state, timeStep, path.Log);
                 if (!path.IsComplete && path.StartTime < before.Time)
                 {
-                    // The buffer filled up within this step: undo the step, so that the path can continue from its start later.
+                    // The buffer filled up within this step: undo the step, so that the path can later continue from its start.
                     path.Log.TakeBack(in mark);
                     path.Break(in before);
                     return;

@@ -46,7 +46,7 @@ public sealed partial class Trajectory
                 continue;
             }
 
-            // The first crossing in a segment leaves the side on which the segment starts; a second one returns to it.
+            // The first crossing in a segment leaves the side on which the segment starts; a second crossing returns to it.
             bool along = Vector3d.Dot(piece.StartPosition - plane.Point, plane.Normal) < 0;
             if (IsWanted(direction, along) && index-- == 0)
             {
@@ -106,11 +106,11 @@ public sealed partial class Trajectory
         {
             places[count++] = PositionAt(time);
 
-            // Multiply instead of summing, so that rounding errors do not accumulate.
+            // Multiply instead of adding, so that rounding errors do not accumulate.
             time = StartTime + (count * interval);
         }
 
-        // Add the end itself if there is room.
+        // Add the end itself if the buffer has room.
         if (count < places.Length)
         {
             places[count++] = Final.Position;
@@ -127,7 +127,7 @@ public sealed partial class Trajectory
     /// <summary>Golden-section search for the closest approach over a part of a segment.</summary>
     private static double Closest(in PathSegment piece, double a, double b, in Vector3d from, in Vector3d to)
     {
-        // (3 − √5)/2: each step reuses one of the two inner points, and needs one new distance.
+        // (3 − √5)/2: each iteration reuses one of the two inner points, and needs only one new distance.
         const double Golden = 0.38196601125010515;
         double x = a + (Golden * (b - a));
         double y = b - (Golden * (b - a));

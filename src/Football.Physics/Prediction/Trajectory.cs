@@ -81,7 +81,7 @@ public sealed partial class Trajectory
     {
         get
         {
-            // Each segment stores its own apex. If there are no segments, the ball does not move.
+            // Each segment stores its own apex. Without segments, the ball does not move.
             double apex = Count > 0 ? double.NegativeInfinity : _final.Position.Y;
             for (int i = 0; i < Count; i++)
             {
@@ -118,7 +118,7 @@ public sealed partial class Trajectory
     /// <returns>False if the ball does not come to rest within the look-ahead.</returns>
     public bool TryGetRest(out BallEvent rest)
     {
-        // No event follows rest, so it can only be the last event.
+        // No event follows rest, so only the last event can be a rest.
         rest = Events.Count > 0 ? Events[Events.Count - 1] : default;
         return Events.Count > 0 && rest.Kind == BallEventKind.Rest;
     }
@@ -136,7 +136,7 @@ public sealed partial class Trajectory
             return _final.Position;
         }
 
-        // At a boundary, use the end of the earlier segment: a body placed over the ball displaces the ball between steps.
+        // At a boundary, use the end of the earlier segment, because a body placed over the ball moves the ball between steps.
         bool isBetween = i > 0 && time == _pieces[i].Time && _pieces[i - 1].EndTime == time;
         return isBetween ? _pieces[i - 1].EndPosition : _pieces[i].PositionAt(Clamp(time, in _pieces[i]));
     }
@@ -177,7 +177,7 @@ public sealed partial class Trajectory
     /// <param name="point">The point, m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
-        // Compare squared distances, and take the square root of the best one only.
+        // Compare squared distances, and compute the square root of the smallest one only.
         var best = new PathPoint(_final.Time, _final.Position, _final.Velocity, Vector3d.Distance(_final.Position, in point));
         double bestSquared = best.Distance * best.Distance;
         for (int i = 0; i < Count; i++)
@@ -206,7 +206,7 @@ public sealed partial class Trajectory
         _recorder.EndsWhenFull = endsWhenFull;
         _recorder.GoesOn = goesOn;
 
-        // Reuse the delegate while the request contains the same one, so that a look-ahead does not allocate.
+        // Reuse the delegate while the request contains the same one, so that look-aheads do not allocate.
         if (_bodiesAt != request.MoveBodies)
         {
             Action<double>? bodiesAt = request.MoveBodies;
@@ -241,13 +241,13 @@ public sealed partial class Trajectory
     /// <param name="tolerance">The maximum distance, in m; for velocities it is multiplied by 100/s.</param>
     internal bool Has(in BallState ball, double tolerance)
     {
-        // No comparison is possible before the start of the path, or after its end if the ball is still moving there.
+        // There is no position to compare before the start of the path, nor after its end if the ball still moves there.
         if (!(ball.Time >= StartTime && (ball.Time <= EndTime || Final.Motion == MotionState.Rest)))
         {
             return false;
         }
 
-        // Compare the velocity too, so that a kick is detected at once.
+        // Also compare the velocity, so that a kick is detected at once.
         return Vector3d.Distance(PositionAt(ball.Time), ball.Position) <= tolerance
             && Vector3d.Distance(VelocityAt(ball.Time), ball.Velocity) <= tolerance * VelocityShare;
     }
@@ -277,7 +277,7 @@ public sealed partial class Trajectory
     /// <summary>Ends the path with the state before a failed step, and removes the segments of that step.</summary>
     internal void Break(in BallState final)
     {
-        // Segments that start at or after that state belong to the failed step.
+        // Segments that start at or after this state belong to the failed step.
         while (Count > 0 && _pieces[Count - 1].Time >= final.Time)
         {
             Count--;
@@ -298,7 +298,7 @@ public sealed partial class Trajectory
             gone++;
         }
 
-        // Move the rest to the front, and remove the earlier events.
+        // Move the remaining segments to the front, and remove the earlier events.
         if (gone > 0)
         {
             Array.Copy(_pieces, gone, _pieces, 0, Count - gone);
@@ -313,7 +313,7 @@ public sealed partial class Trajectory
     {
         for (int i = 0; i < Events.Count; i++)
         {
-            // The ground is collider 0.
+            // The ground has the collider index 0.
             ref readonly BallEvent e = ref Events[i];
             if (e.Kind == BallEventKind.Impact && (e.ColliderIndex == 0) == isTouchdown && index-- == 0)
             {
@@ -339,7 +339,7 @@ public sealed partial class Trajectory
     /// <summary>Returns the index of the segment that contains a time; at a boundary, that of the later one; −1 if there are no segments.</summary>
     private int Find(double time)
     {
-        // Binary search for the last segment that starts at or before the time; earlier times give the first.
+        // Binary search for the last segment that starts at or before the time. For earlier times, use the first segment.
         int low = 0;
         int high = Count - 1;
         while (low < high)

@@ -51,7 +51,7 @@ public sealed class TrajectoryCache
         _request.CheckClock(in real);
         bool keeps = _valid && Path.Has(in real, Tolerance);
 
-        // Mark the path invalid first, so that it is not reused if an exception interrupts the update.
+        // First mark the path as invalid, so that it is not reused if an exception interrupts the update.
         _valid = false;
         if (!keeps)
         {
@@ -61,10 +61,10 @@ public sealed class TrajectoryCache
             return true;
         }
 
-        // The ball follows the path: drop its past, and extend its end in whole steps.
+        // The ball follows the path: drop the past part, and extend the end by whole steps.
         Path.Forget(real.Time);
 
-        // A path that ended at an event, or in a full buffer within a step, cannot be extended.
+        // A path that ended at an event, or within a step because the buffer was full, cannot be extended.
         if (Path.EndsWhole)
         {
             _simulator.Extend(Path, real.Time + _request.Duration, _request.TimeStep, _request.StopAt);

@@ -28,7 +28,7 @@ internal static class WarmUpScenes
         Walk(corner, settings, PushedMass, 2, log);
         Walk(new Scene(), settings, double.PositiveInfinity, 2, log);
 
-        // Valleys of two and three slopes, in which the ball comes to rest.
+        // Valleys with two and three slopes, in which the ball comes to rest.
         Obstacle[] slopes =
         [
             new Obstacle { Name = "left", Shape = new PlaneShape(Vector3d.Zero, new Vector3d(1, 1, 0)) },
@@ -84,7 +84,7 @@ internal static class WarmUpScenes
             group.Step(balls, Frame, log);
         }
 
-        // Look ahead from the start state, with the player at his final position.
+        // Look ahead from the initial state, with the player at his final position.
         simulator.LookAhead(in start, look, path);
     }
 

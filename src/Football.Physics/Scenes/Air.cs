@@ -24,7 +24,7 @@ public sealed record Air
         SceneFields.Check(SceneFields.Air, this, "air.");
         Check.Size("air.wind", Wind, Limits.Speed, "m/s");
 
-        // A custom wind is code, so only its declared maximum can be checked. Flights rely on it.
+        // A custom wind is code, so only its declared maximum can be checked. Flights rely on this maximum.
         if (WindField is not null)
         {
             Check.Within("air.windField.maximumSpeed", WindField.MaximumSpeed, 0, Limits.Speed);

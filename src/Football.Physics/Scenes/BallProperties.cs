@@ -148,7 +148,7 @@ public sealed record BallProperties
     {
         SceneFields.Check(SceneFields.Ball, this, "ball.");
 
-        // Check the curve even if this scene's laws ignore it: another scene may use the same ball.
+        // Check the curve even if this scene's laws ignore it, because another scene may use the same ball.
         Check.Member("ball.dragCurve", DragCurve);
         DragCurve.Validate();
     }

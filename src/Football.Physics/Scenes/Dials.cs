@@ -61,7 +61,7 @@ public sealed record Dials
 
     private BallProperties Apply(BallProperties ball)
     {
-        // Δm = Δp V/(R T)
+        // The change in the mass of the air inside the ball: Δm = Δp V/(R T).
         double volume = 4.0 / 3.0 * Math.PI * ball.Radius * ball.Radius * ball.Radius;
         double air = (Pressure - UsualPressure) * Bar * volume / GasEnergy;
         DragCurve curve = ball.DragCurve;

@@ -144,7 +144,7 @@ public sealed class EngineCollider
     /// <summary>Changes the velocity in an impact.</summary>
     internal void Push(in Vector3d velocity, double time)
     {
-        // The engine reports positions at its own time, so move the position back as if the new velocity had applied since then.
+        // The engine reports positions at its own time: move the position back as if the new velocity had applied since then.
         ref RigidMotion motion = ref Placement.Motion;
         bool isFirst = _pushedAt != motion.Time;
         Vector3d change = velocity - motion.Velocity;
@@ -177,7 +177,7 @@ public sealed class EngineCollider
     /// <summary>Removes the effect of the last push.</summary>
     internal void ForgetPush()
     {
-        // Undo the push, unless the engine has placed the collider since: its position then excludes the push.
+        // Undo the push, unless the engine has placed the collider since: the new position excludes the push.
         if (_pushedAt == Placement.Motion.Time && !_isAsPlaced)
         {
             Placement.Motion.Origin -= _gone;
@@ -194,7 +194,7 @@ public sealed class EngineCollider
         ref RigidMotion motion = ref Placement.Motion;
         motion.Time = time;
 
-        // The engine placed the collider again at the same time, so its position lacks the push: add it.
+        // The engine placed the collider again at the same time, so the position lacks the push: add the push.
         if (_isAsPlaced && _pushedAt == time)
         {
             motion.Origin += _gone;
@@ -207,7 +207,7 @@ public sealed class EngineCollider
 
     private static int NumberOf(string name)
     {
-        // FNV-1a, folded to the bits below FirstNumber.
+        // FNV-1a, folded into the bits below FirstNumber.
         uint hash = 2166136261;
         foreach (char character in name)
         {

@@ -20,7 +20,7 @@ public sealed class EngineHits
     {
         Check.Given(nameof(collider), collider);
 
-        // An engine may report a collider twice, or one that the ball ignores.
+        // An engine may report a collider twice, or report one that the ball ignores.
         if (Layers.Contains(_ignores, collider.Layer) || Array.IndexOf(_found, collider, 0, Count) >= 0)
         {
             return;

@@ -59,7 +59,7 @@ public sealed record ForceSet
         SceneFields.Check(SceneFields.Forces, this, "forces.");
         Check.Member("forces.customForces", CustomForces);
 
-        // Check here, so that a null fails where the list is set and not in the first step.
+        // Check this now, so that a null fails where the list is set and not in the first step.
         foreach (IForce force in CustomForces)
         {
             if (force is null)

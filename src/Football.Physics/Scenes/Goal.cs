@@ -45,7 +45,7 @@ public sealed record Goal
         SurfaceMaterial surface = Surface ?? (laws.Coefficients == AerodynamicModel.Measured ? SurfaceMaterial.GoalFrame : SurfaceMaterial.PublishedGoalFrame);
         double side = (0.5 * Width) + PostRadius;
 
-        // Width and height are measured between inner edges, so each axis lies one radius outside.
+        // Width and height are measured between the inner edges, so each bar's axis lies one radius outside.
         var up = new Vector3d(0, Height + PostRadius, 0);
         Vector3d left = Center - (side * Right);
         Vector3d right = Center + (side * Right);
@@ -69,7 +69,7 @@ public sealed record Goal
         double side = (0.5 * Width) + PostRadius;
         double top = Height + PostRadius;
 
-        // The back net slopes from its depth at the crossbar to its depth on the ground.
+        // The back net slopes from its depth at the crossbar to its depth at the ground.
         Vector3d back = -Out;
         Vector3d highest = Center + (DepthAtBar * back) + new Vector3d(0, top, 0);
         Vector3d lowest = Center + (DepthOnGround * back);
@@ -93,7 +93,7 @@ public sealed record Goal
             HalfWidth = 0.5 * DepthAtBar,
         };
 
-        // The side nets are rectangles as deep as the net is on the ground.
+        // The side nets are rectangles as deep as the net is at the ground.
         Vector3d middle = Center + (0.5 * DepthOnGround * back) + new Vector3d(0, 0.5 * top, 0);
         yield return Side("left net", middle - (side * Right), in back, top);
         yield return Side("right net", middle + (side * Right), in back, top);

@@ -50,7 +50,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         Check.Within(nameof(mass), mass, 0, double.PositiveInfinity, exclusiveLow: true);
         Layers.Validate(nameof(layer), layer);
 
-        // Simulators and snapshots have fixed the number of bodies.
+        // The number of bodies is fixed once simulators or snapshots use it.
         if (_inUse)
         {
             throw new InvalidOperationException(
@@ -97,7 +97,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     {
         double free = way.Duration;
 
-        // Broad phase by bounding spheres, then a slab test against each candidate's box.
+        // The broad phase tests bounding spheres; then a slab test checks each candidate's box.
         double half = 0.5 * way.Duration;
         double time = way.Time + half;
         Vector3d middle = way.Middle;
@@ -131,7 +131,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <exception cref="ArgumentOutOfRangeException">A body was moved since the last step for a time more than <see cref="Foresight"/> from it.</exception>
     internal void CheckTimes(double time)
     {
-        // Networked positions can be a quarter of a second old. A body that the game did not move continues as before.
+        // Networked positions can be a quarter of a second old. A body that the game did not move continues its motion.
         if (_earliest < time - Foresight || _latest > time + Foresight)
         {
             RefuseTime(time);
@@ -163,7 +163,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
         _latest = double.NegativeInfinity;
         for (int i = 0; i < Count; i++)
         {
-            // The game may have moved a body for the time after the jump already.
+            // The game may already have moved a body for the time after the jump.
             KinematicBody body = _bodies[i];
             bool isTold = IsTold(i);
             if (isTold ? Math.Abs(body.Time - from) < Math.Abs(body.Time - to) : isNew)
@@ -262,7 +262,7 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <param name="again">True if the body was moved before at this time, so that both jumps may add up.</param>
     internal void Moved(double jump, double time, bool again)
     {
-        // If several bodies moved at one time, use only the largest jump.
+        // If several bodies moved at the same time, use only the largest jump.
         bool sameTick = time == _tick;
         _before += sameTick ? 0 : _inTick;
         _inTick = !sameTick ? jump : again ? _inTick + jump : Math.Max(_inTick, jump);

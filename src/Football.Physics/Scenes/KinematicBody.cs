@@ -103,7 +103,7 @@ public sealed class KinematicBody
         Check.Size("spin", spin, Limits.Spin, "rad/s");
         Check.Within("time", time, -Limits.Time, Limits.Time);
 
-        // jump: a bound on how far any point of the body may be from its expected position.
+        // jump bounds the distance of any point of the body from its expected position.
         ref RigidMotion motion = ref Placement.Motion;
         RigidMotion before = motion;
         double jump = motion.IsWithdrawn ? Anywhere : (position - motion.GoneBy(time)).Length + (KinematicBodies.Foresight * (velocity - motion.Velocity).Length);
@@ -113,7 +113,7 @@ public sealed class KinematicBody
             expected = expected.Turned((time - motion.Time) * motion.Spin);
         }
 
-        // Normalizing the same orientation again might change its last bit, so keep it.
+        // Normalising the same orientation again might change its last bit, so keep the old value.
         Quaterniond turned = orientation == motion.Orientation ? orientation : orientation.Normalized();
         if (turned != expected)
         {
@@ -139,7 +139,7 @@ public sealed class KinematicBody
         motion.Rotate(Shape);
         if ((rotated || motion.Rotates) && change != Vector3d.Zero)
         {
-            // With another spin, points leave their expected paths, but stay on spheres around the position.
+            // With a different spin, points leave their expected paths, but stay on spheres around the body's position.
             jump += Math.Min(KinematicBodies.Foresight * change.Length, 2.0) * Placement.Reach;
         }
 
@@ -164,7 +164,7 @@ public sealed class KinematicBody
         get => Placement.Motion;
         set
         {
-            // As in MoveTo, but with the largest jump that a rotation can cause.
+            // Compute the jump as in MoveTo, but with the largest jump that a rotation can cause.
             double jump = (value.GoneBy(value.Time) - Placement.Motion.GoneBy(value.Time)).Length + (KinematicBodies.Foresight * (value.Velocity - Velocity).Length);
             ref RigidMotion motion = ref Placement.Motion;
             RigidMotion before = motion;

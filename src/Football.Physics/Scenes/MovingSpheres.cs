@@ -8,7 +8,7 @@ internal sealed class MovingSpheres
     private const int Lanes = 4;
     private const int Fields = 8;
 
-    // Groups of four: centres, velocities, radii and speeds, each as four consecutive numbers. Unused lanes are infinitely far away.
+    // Each group contains four objects: centres, velocities, radii and speeds, each as four consecutive numbers. Unused lanes are infinitely far away.
     private double[] _fours = [];
     private int _count;
 
@@ -47,7 +47,7 @@ internal sealed class MovingSpheres
         _fours[i + (5 * Lanes)] = velocity.Z;
         _fours[i + (6 * Lanes)] = 0.5 * (box.Max - box.Min).Length;
 
-        // |v_x| + |v_y| + |v_z| ≥ |v|: a bound without a square root.
+        // |v_x| + |v_y| + |v_z| ≥ |v| is a bound without a square root.
         _fours[i + (7 * Lanes)] = Math.Abs(velocity.X) + Math.Abs(velocity.Y) + Math.Abs(velocity.Z);
     }
 
@@ -71,7 +71,7 @@ internal sealed class MovingSpheres
     /// <returns>False if no candidate is left.</returns>
     public bool Next(in Vector3d middle, double reach, double time, double half, ref int index)
     {
-        // Skip groups of four that are all far away; test the objects of the other groups one by one.
+        // Skip groups whose four objects are all far away; test the objects of other groups one by one.
         for (; index < _count; index++)
         {
             if (index % Lanes == 0 && AreFar(index, in middle, reach, time, half))
@@ -98,7 +98,7 @@ internal sealed class MovingSpheres
         Quad y = Quad.From(_fours, i + Lanes) + (t * Quad.From(_fours, i + (4 * Lanes))) - Quad.Of(middle.Y);
         Quad z = Quad.From(_fours, i + (2 * Lanes)) + (t * Quad.From(_fours, i + (5 * Lanes))) - Quad.Of(middle.Z);
 
-        // The distance that both can cover from the middle of the path in half its duration.
+        // The distance that ball and object can cover from the middle of the path in half its duration.
         Quad near = Quad.Of(reach) + Quad.From(_fours, i + (6 * Lanes)) + (Quad.Of(half) * Quad.From(_fours, i + (7 * Lanes)));
         return ((x * x) + (y * y) + (z * z)).IsAbove(near * near);
     }
@@ -175,7 +175,7 @@ internal readonly struct StraightWay
         double enter = 0;
         double leave = double.PositiveInfinity;
 
-        // Enlarge the box by the margin, and treat the ball as a point. It is inside while it is between all three pairs of planes.
+        // Enlarge the box by the margin, and treat the ball as a point. The ball is inside while it is between all three pairs of planes.
         Slab(box.Min.X - Around - From.X, box.Max.X + Around - From.X, Inverse(Velocity.X), ref enter, ref leave);
         Slab(box.Min.Y - Around - From.Y, box.Max.Y + Around - From.Y, Inverse(Velocity.Y), ref enter, ref leave);
         Slab(box.Min.Z - Around - From.Z, box.Max.Z + Around - From.Z, Inverse(Velocity.Z), ref enter, ref leave);
@@ -184,7 +184,7 @@ internal readonly struct StraightWay
 
     private static void Slab(double low, double high, double inverse, ref double enter, ref double leave)
     {
-        // The sign of the velocity decides which plane comes first.
+        // The sign of the velocity determines which plane comes first.
         double first = inverse < 0 ? high * inverse : low * inverse;
         double last = inverse < 0 ? low * inverse : high * inverse;
         enter = first > enter ? first : enter;

@@ -45,7 +45,7 @@ public sealed record Net
         _ = Name ?? throw Check.Refusal(field + ".name", "null", "a name");
         Check.Place(field + ".center", Center);
 
-        // Normal and along must be perpendicular: their cross product gives the second edge.
+        // The normal and the along direction must be perpendicular, because their cross product gives the second edge.
         Vector3d normal = Check.Direction(field + ".normal", Normal);
         Vector3d along = Check.Direction(field + ".along", Along);
         if (Math.Abs(Vector3d.Dot(in normal, in along)) > 1e-6)

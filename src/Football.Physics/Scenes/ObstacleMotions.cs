@@ -16,7 +16,7 @@ internal sealed class ObstacleMotions
         var movable = new List<int>();
         for (int i = 0; i < _placements.Length; i++)
         {
-            // Impacts move only obstacles with a finite mass; all others stay as the scene defines them.
+            // Impacts move only obstacles with a finite mass; all others keep the position that the scene defines.
             Obstacle obstacle = obstacles[i];
             if (obstacle.Mass < double.PositiveInfinity)
             {
@@ -33,7 +33,7 @@ internal sealed class ObstacleMotions
         _start = new RigidMotion[_movable.Length];
         _kept = new RigidMotion[_movable.Length];
 
-        // Store the motions at time 0 for Reset.
+        // Store the motions at time 0 for a later Reset.
         Read(_start);
     }
 
@@ -82,7 +82,7 @@ internal sealed class ObstacleMotions
     {
         for (int i = 0; i < _movable.Length; i++)
         {
-            // Both scenes hold the same instance, but possibly at different indices.
+            // Both scenes contain the same instance, but possibly at different indices.
             int its = Array.FindIndex(other._movable, movable => ReferenceEquals(other._obstacles[movable], _obstacles[_movable[i]]));
             if (its >= 0)
             {

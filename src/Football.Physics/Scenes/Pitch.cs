@@ -64,12 +64,12 @@ public sealed record Pitch
                 return [];
             }
 
-            // Positions of the boards' middle planes.
+            // The positions of the boards' middle planes.
             double x = (0.5 * Width) + BoardDistance + BoardHalfThickness;
             double z = (0.5 * Length) + BoardDistance + BoardHalfThickness;
             double reach = x + BoardHalfThickness;
 
-            // If the net reaches the boards, leave a gap as wide as the goal with its posts.
+            // If the net reaches the boards, leave a gap as wide as the goal including its posts.
             double mouth = BoardDistance > Goal.DepthOnGround ? 0 : (0.5 * Goal.Width) + (2.0 * Goal.PostRadius);
             var boards = new List<Obstacle> { Board("left board", -x, -z, -x, z), Board("right board", x, -z, x, z) };
             foreach ((string name, double end) in new[] { ("far board", -z), ("near board", z) })

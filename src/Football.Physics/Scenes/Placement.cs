@@ -29,7 +29,7 @@ internal sealed class Placement
         Motion.Orientation = orientation;
         Motion.IsTurned = orientation != Quaterniond.Identity;
 
-        // Turn the box once here; queries then only translate it.
+        // Rotate the box here once; queries then only translate it.
         _turned = Motion.Turned(in _own);
     }
 
@@ -65,7 +65,7 @@ internal sealed class Placement
 
     private Bounds3d Swept(double time, double duration)
     {
-        // A point moves at most Swing × time, and never farther from the pivot than it already is.
+        // A point moves at most Swing × time, and keeps its distance from the pivot.
         double longest = Math.Max(Math.Abs(time - Motion.Time), Math.Abs(time + duration - Motion.Time));
         double swept = Motion.Swing * longest;
         double reach = Reach + (Motion.Origin - Motion.Pivot).Length;

@@ -61,7 +61,7 @@ internal struct RigidMotion
         Vector3d gone = (time - Time) * Velocity;
         if (Rotates)
         {
-            // o + R (origin − o), where R is the rotation by Ω t.
+            // o + R (origin − o), where R is the rotation by the angle vector Ω t.
             Vector3d turn = (time - Time) * Spin;
             Vector3d arm = Origin - Pivot;
             Origin = arm == Vector3d.Zero ? Origin : Pivot + Quaterniond.Identity.Turned(in turn).Rotate(in arm);
@@ -120,7 +120,7 @@ internal struct RigidMotion
     /// <summary>Returns a bounding box, along the world axes, of a rotated box of the shape.</summary>
     public readonly Bounds3d Turned(in Bounds3d own)
     {
-        // A rotated box extends Σ |R_ik| h_k along each axis; a rotated unbounded box is unbounded on all sides.
+        // A rotated box extends Σ |R_ik| h_k along each axis; a rotated unbounded box is unbounded in all directions.
         Vector3d half = 0.5 * (own.Max - own.Min);
         if (!IsTurned || !half.IsFinite)
         {
@@ -139,6 +139,6 @@ internal struct RigidMotion
 
     private static bool Same(in Vector3d a, in Vector3d b) => Same(a.X, b.X) && Same(a.Y, b.Y) && Same(a.Z, b.Z);
 
-    // Unlike ==, this distinguishes 0 from −0: a ball at rest on the object takes over the sign of its velocity.
+    // Unlike ==, this comparison distinguishes 0 from −0, because a ball at rest on the object takes on the sign of its velocity.
     private static bool Same(double a, double b) => BitConverter.DoubleToInt64Bits(a) == BitConverter.DoubleToInt64Bits(b);
 }

@@ -10,12 +10,12 @@ public sealed record Scene
     /// <summary>The maximum number of zones in a scene.</summary>
     private const int MostZones = 10_000;
 
-    // Created on first use: most games need none of these scenes.
+    // Create these on first use, because most games need none of them.
     private static Scene? s_published;
     private static Scene? s_vacuum;
     private static Scene? s_highAltitude;
 
-    // Each scene gets its own instances, because a serializer may write into the defaults of a new scene.
+    // Each scene gets its own instances, because a serialiser may write into the defaults of a new scene.
 
     /// <summary>The ball. Default <see cref="BallProperties.Modern"/>.</summary>
     public BallProperties Ball { get; init; } = new();
@@ -102,7 +102,7 @@ public sealed record Scene
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()
     {
-        // Check for null first, so that the message names the missing part before anything reads it.
+        // Check for null first, so that the message names the missing part before anything reads the part.
         Check.Member("ball", Ball);
         Check.Member("air", Air);
         Check.Member("forces", Forces);
@@ -112,7 +112,7 @@ public sealed record Scene
         Check.Member("goals", Goals);
         Check.Member("zones", Zones);
 
-        // Check each part alone, then the limits that depend on several parts: minimum mass (air), damping and hollows (ball).
+        // Check each part alone, then the limits that involve several parts: minimum mass (air), damping and hollows (ball).
         Ball.Validate();
         Air.Validate();
         Check.Within("gravity", Gravity, 0, 1000);
@@ -128,7 +128,7 @@ public sealed record Scene
     /// <summary>Throws if the ball is too light for the air that it displaces, or its spin decays too fast.</summary>
     private void ValidateLightness()
     {
-        // With less mass, buoyancy alone would exceed twenty times the weight.
+        // With a smaller mass, buoyancy alone would exceed twenty times the weight.
         double displaced = Buoyancy.DisplacedMass(Ball, Air);
         if (!(Ball.Mass >= 0.05 * displaced))
         {
@@ -149,7 +149,7 @@ public sealed record Scene
             Check.Within("ground.tangentialRestitution[1]", tangential, -1, 1);
         }
 
-        // A scene without ground has the height −∞.
+        // A scene without a ground has the height −∞.
         if (!Ground.IsNone)
         {
             Check.Within("ground.height", Ground.Height, -Limits.Length, Limits.Length);
@@ -168,7 +168,7 @@ public sealed record Scene
 
     private void ValidateShape(in Vector3d normal)
     {
-        // x and z are not axes of a slope, so a slope has one value for all directions.
+        // x and z are not axes of a slope, so a slope has a single value for all directions.
         if (!Ground.IsLevel && Ground.TangentialRestitutionZ is { } z && z != Ground.Material.TangentialRestitution)
         {
             throw Check.Refusal(
@@ -177,7 +177,7 @@ public sealed record Scene
                 "two equal numbers, because the ground is not level");
         }
 
-        // A step looks these materials up by index, so check them all here.
+        // A step looks up these materials by index, so check all of them here.
         if (Ground.Pattern is { } pattern)
         {
             Check.Within("ground.pattern.minimumWidth", pattern.MinimumWidth, 0, double.PositiveInfinity, exclusiveLow: true);
@@ -189,7 +189,7 @@ public sealed record Scene
             }
         }
 
-        // The ball must fit into every hollow: slope at most 1, curvature at most half the ball's own.
+        // The ball must fit into every hollow: the slope is at most 1, the curvature at most half of the ball's own.
         if (Ground.Heights is { } heights)
         {
             Check.Within("ground.heights (its steepest slope)", heights.SteepestSlope, 0, 1);
@@ -213,7 +213,7 @@ public sealed record Scene
 
         Bodies?.Validate(Ball);
 
-        // Include the nets of goals: all nets share the 64 bits of a state.
+        // Include the nets of goals, because all nets share the 64 bits of a state.
         int nets = Nets.Count;
         for (int i = 0; i < Nets.Count; i++)
         {

@@ -8,7 +8,7 @@ public readonly struct SphereCast
         From = from;
         Vector3d way = to - from;
 
-        // Engines require a unit direction even if the length is 0.
+        // Engines require a unit direction, even if the length is 0.
         Distance = way.Length;
         Direction = Distance > 0 ? way / Distance : Vector3d.Up;
         Radius = radius;

@@ -70,7 +70,7 @@ public sealed partial record SurfaceMaterial
             Check.Within(field + ".minimumExitSpeed", MinimumExitSpeed, 0, 0);
         }
 
-        // The moment of inertia of the ball limits the damping further.
+        // The ball's moment of inertia limits the damping further.
         Check.Within(field + ".spinDamping", SpinDamping, 0, mostDamping);
     }
 }

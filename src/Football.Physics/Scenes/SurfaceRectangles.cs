@@ -28,7 +28,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
             _rectangles[i] = new Rectangle(min.X, min.Z, max.X, max.Z);
             surfaces[i] = surface;
 
-            // The narrowest side of all: no step on the ground may skip over it.
+            // The shortest side of all rectangles: no step on the ground may skip over it.
             MinimumWidth = Math.Min(MinimumWidth, Math.Min(max.X - min.X, max.Z - min.Z));
         }
 
@@ -44,7 +44,7 @@ public sealed class SurfaceRectangles : ISurfacePattern
     /// <inheritdoc/>
     public int At(double x, double z)
     {
-        // The last rectangle is on top; −1, the ground's own material, if none contains the point.
+        // The last rectangle that contains the point is on top. If none does, return −1, the ground's own material.
         int i = _rectangles.Length - 1;
         while (i >= 0 && !_rectangles[i].Holds(x, z))
         {

@@ -42,7 +42,7 @@ public sealed record Weather
         Check.Within("air.weather.humidity", Humidity, 0, 1);
         Check.Within("air.weather.pressure", Pressure, 10_000, 120_000);
 
-        // e_w = min(h · 611.2 exp(17.62 t/(243.12 + t)), p), the pressure of the vapour (Magnus)
+        // e_w = min(h · 611.2 exp(17.62 t/(243.12 + t)), p), the vapour pressure (Magnus formula).
         double saturated = 611.2 * Elementary.Exp(17.62 * Temperature / (243.12 + Temperature));
         double vapour = Math.Min(Humidity * saturated, Pressure);
 

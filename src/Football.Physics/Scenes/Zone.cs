@@ -37,7 +37,7 @@ public sealed record Zone
         Check.Defined(field + ".of", Of, (int)Of, 2);
         Layers.Validate(field + ".layer", Layer);
 
-        // The search for crossings needs hollows that curve at most half as much as the ball.
+        // The search for crossings requires hollows to curve at most half as much as the ball.
         Check.Within(field + ".shape.maximumConcaveCurvature", Shape.MaximumConcaveCurvature, 0, 0.5 / ball.Radius);
     }
 }

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Finds the time of impact with level ground by the thesis' bisection (2.4.4).</summary>
 internal static class Bisection
 {
-    /// <summary>Shortens a step that ends below contact height: halves forwards or backwards until the halved length is within the
+    /// <summary>Shortens a step that ends below contact height: bisects the length until the bracket is within the
     /// tolerance.</summary>
     public static void End<TSweep>(ref TSweep sweep, double tolerance, double contact)
         where TSweep : struct, ISweep

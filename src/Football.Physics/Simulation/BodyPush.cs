@@ -32,12 +32,12 @@ internal sealed class BodyPush
             return;
         }
 
-        // Check the carrier first: the game may have moved it away from the ball.
+        // Check the carrier first, because the game may have moved it away from the ball.
         LetGo(ref s, ref run);
         CrossSeam(ref s, ref run);
         int deepest = NearThings.Deepest(_world, in s, out bool overlapsBody);
 
-        // An overlap with stationary objects only is not caused by the game. It is handled as an impact.
+        // The game does not cause overlaps with stationary objects: handle such an overlap as an impact.
         Vector3d from = s.Position;
         int pressing = Math.Max(deepest, 0);
         for (int i = 0; overlapsBody && i < MostPushes && deepest >= 0; i++)
@@ -53,12 +53,12 @@ internal sealed class BodyPush
             _contact.BeginSqueeze(ref s, pressing, ref run);
         }
 
-        // The ball may pass through nets and goals while it is pushed out.
+        // While the ball is pushed out, it may pass through nets and goals.
         _displacement.Follow(ref s, in from, ref run);
     }
 
     /// <summary>Hands the ball over to a flush body if a step starts just beyond a seam.</summary>
-    /// <remarks>A minimal height difference then causes no push.</remarks>
+    /// <remarks>A tiny height difference therefore causes no push.</remarks>
     private void CrossSeam(ref BallState s, ref StepRun run)
     {
         if (s.Motion is not (MotionState.Rolling or MotionState.Sliding))
@@ -143,11 +143,11 @@ internal sealed class BodyPush
 
         Vector3d up = _world.CarrierOf(in s).At(s.Position, s.Time).Normal;
 
-        // n_t/|n_t|²: the displacement along the carrier that closes a unit gap.
+        // n_t/|n_t|²: the displacement along the carrier that closes a gap of length 1.
         Vector3d along = normal - (Vector3d.Dot(in normal, in up) * up);
         double share = along.LengthSquared;
 
-        // A body exactly above the ball gives no direction, so push the ball forward, which is an arbitrary choice.
+        // If a body is exactly above the ball, no direction is preferred: push the ball forward.
         return share > ContactTolerances.AlongNormal ? along / Math.Max(share, 0.01) : Vector3d.Cross(in up, Math.Abs(up.X) < 0.9 ? new Vector3d(1, 0, 0) : Vector3d.Up);
     }
 

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>A straight tube along the ball's path that contains no body for some time.</summary>
+/// <summary>A straight tube along the ball's path that stays free of bodies for some time.</summary>
 /// <remarks>
 /// No query is needed until the ball leaves the tube, or bodies stray by its width from their expected positions. The tube is stored with
 /// the bodies, not with the ball: it only saves queries.
@@ -47,14 +47,14 @@ internal sealed class BodyTube
             return false;
         }
 
-        // The offset at the start, plus the drift of the velocity until the end. The tube's radius includes the bend within the step.
+        // The offset is the initial one plus the drift of the velocity until the end; the tube's radius covers the bend within the step.
         double x = Math.Abs(s.Position.X - _from.X - (gone * _velocity.X)) + (dt * Math.Abs(s.Velocity.X - _velocity.X));
         double y = Math.Abs(s.Position.Y - _from.Y - (gone * _velocity.Y)) + (dt * Math.Abs(s.Velocity.Y - _velocity.Y));
         double z = Math.Abs(s.Position.Z - _from.Z - (gone * _velocity.Z)) + (dt * Math.Abs(s.Velocity.Z - _velocity.Z));
         return x + y + z + (_bodies.Strayed - _strayed) <= _width;
     }
 
-    /// <summary>Searches for a new tube.</summary>
+    /// <summary>Searches for a new tube for the ball.</summary>
     /// <param name="s">The ball.</param>
     /// <param name="spinRate">Its spin, rad/s.</param>
     /// <param name="dt">Length of its step, s.</param>
@@ -79,7 +79,7 @@ internal sealed class BodyTube
         _strayed = _bodies.Strayed;
         double free = _bodies.FreeFor(in way);
 
-        // Without a spare margin the result is valid for this step only, so keep no tube.
+        // Without a spare margin, the result holds for this step only: store no tube.
         _duration = spare > 0 ? free : -1;
         return dt <= free;
     }

@@ -16,7 +16,7 @@ internal sealed class ClearFlight
     /// <summary>Number of steps to look ahead for bodies, whose motion may change.</summary>
     private const double AheadOfBodies = 24;
 
-    /// <summary>Display steps vary in length. A result for bodies is valid for steps up to this many times as long.</summary>
+    /// <summary>The steps of a display vary in length: a result for bodies is valid for steps up to this many times as long.</summary>
     private const double LongestStep = 2;
 
     /// <summary>If the air changes the motion by less than this per step, no integrator speeds the ball up by more than a tenth over all
@@ -26,7 +26,7 @@ internal sealed class ClearFlight
     /// <summary>Maximum position error of a flight in single precision, m.</summary>
     private const double Rounding = 0.01;
 
-    /// <summary>The validated path is narrower and shorter by this share, to allow for rounding.</summary>
+    /// <summary>The share by which the validated path is narrower and shorter than the searched one, to allow for rounding.</summary>
     private const double Narrower = 1e-3;
 
     private readonly World _world;
@@ -37,7 +37,7 @@ internal sealed class ClearFlight
     private readonly double _friction;
     private readonly BodyTube? _tube;
 
-    /// <summary>Prepares the queries.</summary>
+    /// <summary>Prepares the queries of a scene.</summary>
     /// <param name="world">The world.</param>
     /// <param name="limit">Bounds how fast the air can change the motion.</param>
     /// <param name="ordinary">The same bound up to <see cref="AirLaws.OrdinarySpeed"/>.</param>
@@ -54,14 +54,14 @@ internal sealed class ClearFlight
         _friction = world.Ground is { } ground ? ground.Materials.Max(material => Math.Max(material.SlidingFriction, material.RollingFriction)) : 0;
         _tube = world.Bodies is { } bodies ? new BodyTube(bodies, world.Ball.Radius) : null;
 
-        // Hash all inputs of the result: a state moved to another scene must not keep its clear time.
+        // Hash all inputs of the result, so that a state moved to another scene does not keep its clear time.
         var key = new ClearKey();
         key.Add(limit.Bound.PerSpeed);
         key.Add(limit.Bound.PerSpin);
         key.Add(limit.Bound.Constant);
         key.Add(ordinary.PerSpeed);
 
-        // Keep the negative sign: the keys in states of earlier versions include it.
+        // Keep the negative sign, because keys stored by earlier versions include it.
         key.Add(-weight);
         key.Add(_shareInPath);
         key.Add(in wind);
@@ -102,7 +102,7 @@ internal sealed class ClearFlight
 
     private bool Holds(ref BallState s, double dt, in Push push)
     {
-        // An engine may move its colliders between steps, so query it in every step.
+        // An engine may move its colliders between steps: query it in every step.
         if (_world.Engine is { } engine)
         {
             double bend = Bend(in push, dt, dt);
@@ -112,14 +112,14 @@ internal sealed class ClearFlight
             }
         }
 
-        // Use the clear time stored in the state. Bodies may change their motion, so the tube holds a separate result for them.
+        // Use the clear time stored in the state. It excludes bodies, which may change their motion; the tube covers them.
         bool isKnown = s.Time + dt <= s.ClearUntil && s.ClearIn == Key;
         if (isKnown && (_tube is null || _tube.Holds(in s, dt, push.AirSpeedSquared, push.SpinRate)))
         {
             return true;
         }
 
-        // Nets and the mouth of a goal have no bounding box, so a ball inside one is never clear.
+        // Nets and goal mouths have no bounding box, so a ball inside one is never clear.
         if (s.Nets != 0 || s.GoalsEntered != 0)
         {
             return false;
@@ -165,7 +165,7 @@ internal sealed class ClearFlight
     {
         double ahead = steps * dt;
 
-        // The radius of the query is the ball's radius plus the deviation of the path from a straight line.
+        // The query radius is the ball's radius plus the deviation of the path from a straight line.
         double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
         double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
@@ -217,7 +217,7 @@ internal sealed class ClearFlight
     private double RateAtMost(double speed, double spinRate) =>
         speed <= AirLaws.OrdinarySpeed ? _ordinary.At(speed, spinRate) : _limit.RateAtMost(speed, spinRate);
 
-    /// <summary>Upper bound of the air speed after a time, m/s.</summary>
+    /// <summary>Upper bound of the airspeed after a time, m/s.</summary>
     private double SpeedLater(in Push push, double ahead) => 1.1 * (push.AirSpeed + (ahead * push.Friction * _weight));
 
     /// <summary>Bounds of the forces that bend a path.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Computes the load of a ball on a surface: whether it stays after an impact, whether friction holds it, whether the surface
+/// <summary>Computes a ball's load on a surface: whether the ball stays after an impact, whether friction holds it, and whether the surface
 /// supports it.</summary>
 internal sealed class ContactLoad
 {
@@ -29,8 +29,7 @@ internal sealed class ContactLoad
     /// <param name="at">Distance, normal and curvature of the surface below the ball.</param>
     public bool StaysAfter(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. For other forces the ball must be back within a
-        // millisecond.
+        // a_b·n ≤ −|a_b|/2: the weight presses the ball onto surfaces of up to 60°. Other forces must bring the ball back within a millisecond.
         bool byWeight = -2.0 * Vector3d.Dot(in _around.Weight, at.Normal) >= _weight && _weight > 0;
         double hop = byWeight ? ContactTolerances.ShortestHop : ContactTolerances.ShortestPressedHop;
         if (!byWeight && IsCarriedElsewhere(in s, collider) && off < 0.5 * hop * CarriedLoad(in s, in velocity, in spin, collider, in at))
@@ -40,7 +39,7 @@ internal sealed class ContactLoad
 
         if (!(byWeight && off < _world.MinimumBounceSpeed) && !_around.Air.Varies)
         {
-            // Most impacts are rejected here: bounds on the forces show, without evaluating the air, that the ball flies.
+            // Most impacts return here: bounds on the forces show that the ball flies, without evaluating the air.
             Vector3d along = velocity - collider.ShapeVelocity(s.Position, s.Time);
             double airSpeed = (velocity - _around.Wind).Length;
             double most = _weight + Math.Abs(Vector3d.Dot(in along, at.Curvature * along)) + (airSpeed * _ofAir.At(airSpeed, spin.Length))
@@ -51,7 +50,7 @@ internal sealed class ContactLoad
             }
         }
 
-        // A hop lasts 2 w/(N/m). Below the shortest hop the ball stays.
+        // A hop lasts 2 w/(N/m). If that is less than the shortest hop, the ball stays on the surface.
         double load = Load(in s, in velocity, in spin, collider, in at);
         return load > ContactTolerances.LeastLoad && (off < 0.5 * hop * load || (byWeight && off < _world.MinimumBounceSpeed));
     }
@@ -67,7 +66,7 @@ internal sealed class ContactLoad
     /// <param name="h">Length of a step, s.</param>
     public double GainOfHop(in BallState s, double off, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at, double h)
     {
-        // A hop lasts 2 w/a and gains a h.
+        // A hop lasts 2 w/a, and gains the speed a h with steps of length h.
         double load = Load(in s, in velocity, in spin, collider, in at);
         double pieces = StabilityLimit.PiecesOfHop(collider.MaterialAt(s.Position).LargestRestitutionAt(0));
         return load > ContactTolerances.LeastLoad && 2.0 * off < pieces * h * load ? h * load : 0;
@@ -130,7 +129,7 @@ internal sealed class ContactLoad
     /// <summary>Returns the load N/m that the ball would have if it followed the surface, m/s².</summary>
     public double Load(in BallState s, in Vector3d velocity, in Vector3d spin, Collider collider, in ShapePoint at)
     {
-        // If the air does not add to the load, the load due to weight suffices.
+        // If the air does not add to the load, the load due to the weight is sufficient.
         Vector3d along = velocity - collider.Velocity;
         double byWeight = _world.AirLoads || collider.Rotates ? 0 : -Vector3d.Dot(in _around.Weight, at.Normal) - Vector3d.Dot(in along, at.Curvature * along);
         return byWeight > ContactTolerances.LeastLoad ? byWeight : System(in s, collider).ForcesOn(s.Time, new Motion(s.Position, in velocity, in spin, s.AirDistance)).FreeLoad;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Steps a ball that moving objects squeeze: they leave it no room, and each part of a step moves it as far as possible.</summary>
+/// <summary>Steps a ball that moving objects squeeze: they leave the ball no room, so each part of a step moves it as far as possible.</summary>
 internal sealed partial class ContactSetParts
 {
     /// <summary>Number of solver iterations for a ball that may have no room.</summary>
@@ -38,16 +38,15 @@ internal sealed partial class ContactSetParts
             Vector3d w = from.Spin + (h * free.SpinAcceleration);
             run.Log.Evaluations++;
 
-            // The allowed speed is the ball's own speed plus the work of the forces, or the speed of the objects that push it.
+            // The maximum speed is the ball's own speed plus the work of the forces, or the speed of the objects that push it.
             double came = from.Velocity.Length;
             s.SqueezeSpeed = came;
 
-            // The search radius covers the ball's own path, the path of a mover or a struck ball at twice its speed, and the resolved
-            // overlap.
+            // The search radius covers the ball's own path, the path of a mover (or of a struck ball at twice its speed), and the resolved overlap.
             double reach = ContactTolerances.Touching + (h * (v.Length + (3.0 * _world.FastestMover) + OutOfTheWay));
             Span<Contact> set = ContactSet.Near(_world, in s, reach, room, _more);
 
-            // Approximate the contact impulses in a few iterations: without room there may be no exact solution.
+            // Approximate the contact impulses in a few iterations, because without room there may be no exact solution.
             ContactSolver.Try(set, _world.Ball, h, ref v, ref w);
             LeaveOut(ref set, run.Log);
 
@@ -61,7 +60,7 @@ internal sealed partial class ContactSetParts
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
             double fastest = Math.Max(s.SqueezeSpeed, worked + Math.Sqrt((worked * worked) + (came * came)));
 
-            // Limit the speed to that. Process stationary objects last, so that the ball does not enter them.
+            // Limit the speed to this value. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
             KeepOff(set, h, movers: false, ref v);
@@ -75,8 +74,7 @@ internal sealed partial class ContactSetParts
                 _guard.Meet(ref s, in passed, ref run);
             }
 
-            // Resolve overlaps with moving objects at a bounded speed, and with stationary ones at once. That motion may enter nets and
-            // goals.
+            // Resolve overlaps with moving objects at a limited speed, and with stationary ones at once. This displacement may enter nets and goals.
             Vector3d moved = s.Position;
             PushOut(ref s, set, OutOfTheWay * h, before.Position);
             _displacement.Follow(ref s, in moved, ref run);
@@ -85,15 +83,14 @@ internal sealed partial class ContactSetParts
             _shown.ShowStraight(in before, in s, set, ref run);
         }
 
-        // End the squeeze if no mover pushed the ball in the last part, or if it has room. In a group, a step calls this method several
-        // times.
+        // End the squeeze if no mover pushed the ball in the last part, or if the ball has room. In a group, a step calls this method several times.
         if (run.Squeezes <= MostSqueezes && (isFree || HasRoom(in s)) && !run.Log.Halted)
         {
             _contact.EndSqueeze(ref s, ref run);
         }
     }
 
-    /// <summary>Stops a ball that stationary contacts hold in place: it loses any speed that the forces of one part explain.</summary>
+    /// <summary>Stops a ball that stationary contacts hold in place: removes any speed that the forces of a single part can cause.</summary>
     private void Halt(ref BallState s, scoped Span<Contact> set, Vector3d from, double gained)
     {
         if ((s.Position - from).Length > ContactTolerances.Standstill || s.Velocity.Length + (_around.Radius * s.SpinAxis.Length) > gained)
@@ -225,7 +222,7 @@ internal sealed partial class ContactSetParts
             s.Position += contact.Moves && gap < 0 ? Math.Min(most, -gap) * at.Normal : Vector3d.Zero;
         }
 
-        // Limit the total displacement by all movers: beyond this distance the set does not contain all stationary surfaces.
+        // Limit the total displacement by all movers: the set may not contain stationary surfaces beyond this distance.
         Vector3d pushed = s.Position - from;
         double length = pushed.Length;
         s.Position = length > most ? from + (most / length * pushed) : s.Position;

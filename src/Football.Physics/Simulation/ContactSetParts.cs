@@ -68,7 +68,7 @@ internal sealed partial class ContactSetParts
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);
 
-            // Predict v + h a from the forces at the start. These impulses only locate the evaluation at the end.
+            // Predict v + h a from the forces at the start. These impulses only determine the state in which the forces at the end are evaluated.
             var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
             MotionRates start = Free(in s, s.Time, in from, h);
             Vector3d v = from.Velocity + (h * start.Acceleration);
@@ -77,13 +77,13 @@ internal sealed partial class ContactSetParts
             run.Log.Evaluations++;
             LeaveOut(ref set, run.Log);
 
-            // At most one contact has a load and none of the loaded surfaces moves: leave the ball to the phase of a single surface.
+            // At most one contact has a load, and no loaded surface moves: leave the ball to the single-surface phase.
             if (Bearers(set, h, out int bearer) < 2 && (bearer < 0 || !ContactSet.HasMover(set)))
             {
                 return taken | (bearer >= 0 && HandOver(ref s, set[bearer].Collider, ref run));
             }
 
-            // The ball has no room if no impulses satisfy all contacts, or if the result is too fast. Only moving objects squeeze.
+            // The ball has no room if no impulses satisfy all contacts, or if the resulting speed is too high. Only moving objects squeeze the ball.
             if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
@@ -99,12 +99,12 @@ internal sealed partial class ContactSetParts
             bool stays = v.Length + (_around.Radius * w.Length) <= ContactTolerances.Standstill && from.Velocity.Length + (_around.Radius * from.Spin.Length) <= ContactTolerances.Standstill;
             if (stays)
             {
-                // The ball is at a standstill and no force moves it: take the rest of the step at once.
+                // The ball stands still and no force moves it: take the rest of the step at once.
                 h = run.Left;
             }
             else
             {
-                // Correct with the mean of the forces at both ends.
+                // Correct the prediction with the mean of the forces at both ends.
                 var end = new Motion(from.Position + ((0.5 * h) * (from.Velocity + v)), in v, in w, s.AirDistance);
                 MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
@@ -125,12 +125,12 @@ internal sealed partial class ContactSetParts
             bool meets = at <= h;
             double length = meets ? at : h;
 
-            // A part cut short by an impact or a turning normal does not count as a part: the other parts must cover the rest.
+            // Do not count a part that an impact or a turning normal cut short: the remaining parts must cover the rest.
             run.Parts += meets || turns ? 0 : 1;
             run.Turns += turns ? 1 : 0;
             double share = length / h;
 
-            // v and ω are linear in time within a part, so a shortened part is interpolated.
+            // Within a part, v and ω are linear in time: interpolate a shortened part.
             BallState at0 = s;
             v = from.Velocity + (share * (v - from.Velocity));
             w = from.Spin + (share * (w - from.Spin));
@@ -142,8 +142,7 @@ internal sealed partial class ContactSetParts
                 _guard.Meet(ref s, in met, ref run);
             }
 
-            // Project the ball back onto its contacts, because a straight path leaves a curved surface. That motion may also enter nets and
-            // goals.
+            // A straight path leaves a curved surface, so project the ball back onto its contacts. The projection may also enter nets and goals.
             Vector3d moved = s.Position;
             Hold(ref s, set);
             _displacement.Follow(ref s, in moved, ref run);
@@ -181,14 +180,14 @@ internal sealed partial class ContactSetParts
     /// <summary>Computes the forces on the ball without contact forces, for one part of a step.</summary>
     private MotionRates Free(in BallState s, double time, in Motion at, double h)
     {
-        // Lock the drag law to the branch at the start of the part: its jump is not located here.
+        // Lock the drag law to its branch at the start of the part, because its jump is not located here.
         DragBranch branch = _around.BranchAt(in at);
         MotionRates rates = new FlightSystem { Around = _around }.On(branch, time, in at);
         Vector3d acceleration = rates.Acceleration;
         Vector3d spinAcceleration = rates.SpinAcceleration;
         if (!_world.SharesAir)
         {
-            // Include only the share of the air that acts on one surface: none, or the part along the carrier.
+            // Include only the share of the air that acts on a single surface: none, or the part along the carrier.
             Collider carrier = _world.CarrierOf(in s);
             var surface = new SurfaceSystem { Around = _around, World = _world, Carrier = carrier, Material = carrier.MaterialAt(in at.Position), Branch = branch };
             SurfaceForces on = surface.ForcesOn(time, in at);
@@ -203,7 +202,7 @@ internal sealed partial class ContactSetParts
     /// <remarks>The Magnus force turns with the velocity and does no work, however fast the velocity turns.</remarks>
     private Vector3d Working(in MotionRates free, in Motion at)
     {
-        // a − (a·m) m/|m|² with m = ω × u. If all of the air counts, the projection excludes the weight.
+        // a − (a·m) m/|m|² with m = ω × u. If the full air force acts, the projection excludes the weight.
         Vector3d weight = _world.SharesAir ? _around.Weight : Vector3d.Zero;
         Vector3d other = free.Acceleration - weight;
         Vector3d magnus = Vector3d.Cross(in at.Spin, at.Velocity - _around.Wind);
@@ -293,7 +292,7 @@ internal sealed partial class ContactSetParts
             return;
         }
 
-        // Hysteresis: a slip starts above a higher threshold than it ends, because a small slip may end in the next part.
+        // Hysteresis: a slip starts at a higher threshold than it ends, so that a small slip does not toggle from part to part.
         if (slip < ContactTolerances.Rolling && s.Motion != MotionState.Rolling)
         {
             told++;

@@ -103,7 +103,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return _parts.Take(ref s, ref run);
         }
 
-        // At most one contact has a load: leave the ball to the phase of a single surface.
+        // At most one contact has a load: leave the ball to the single-surface phase.
         int bearing = 0;
         int last = -1;
         for (int i = 0; i < system.Count; i++)
@@ -190,7 +190,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                 ref readonly SetContact contact = ref system.Contacts[i];
                 if (!contact.Bears)
                 {
-                    // Changes for the other contacts must not push the ball into a stationary surface.
+                    // The corrections for the other contacts must not push the ball into a stationary surface.
                     double closing = Vector3d.Dot(in v, contact.Normal);
                     bool enters = closing < -ContactTolerances.Approaching && !_world.Colliders[contact.Collider].Moves;
                     v -= enters ? closing * contact.Normal : Vector3d.Zero;
@@ -216,7 +216,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         }
 
-        // Among moving objects, no velocity may satisfy all contacts. In that case, only keep the ball out of stationary objects.
+        // With moving objects, no velocity may satisfy all contacts. If so, only keep the ball out of stationary objects.
         for (int i = 0; i < system.Count && change > ContactTolerances.SlipRemoval; i++)
         {
             ref readonly SetContact contact = ref system.Contacts[i];
@@ -301,7 +301,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         run.SetPieces++;
         run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
 
-        // Move the ball, then project it onto its contacts: it drifts off curved surfaces.
+        // Move the ball, then project it onto its contacts, because it drifts off curved surfaces.
         BallState before = s;
         before.Branch = system.Branch;
         sweep.MoveTo(ref s);

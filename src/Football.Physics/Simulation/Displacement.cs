@@ -39,7 +39,7 @@ internal sealed class Displacement
                 break;
             }
 
-            // Report the position of the passage, at the time of the displacement.
+            // The event contains the position of the passage, and the time of the displacement.
             s.Position = path.At(at);
             left -= at;
             _guard.Meet(ref s, in met, ref run);

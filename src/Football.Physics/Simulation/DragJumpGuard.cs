@@ -10,10 +10,10 @@ internal sealed class DragJumpGuard
     /// <summary>Relative rounding error of a rate across a surface, as a share of its summands.</summary>
     private const double Rounding = 1e-14;
 
-    /// <summary>A ball counts as on a surface if the surface's function is below this, m²/s².</summary>
+    /// <summary>A ball is on a surface if the surface's function is below this, m²/s².</summary>
     private const double OnIt = 1e-6;
 
-    /// <summary>A crossing within this share of a piece is the crossing at its start.</summary>
+    /// <summary>A crossing within this share of a piece is identified with the crossing at the start of the piece.</summary>
     private const double AtStart = 1e-6;
 
     private readonly FlightSystem _flight;
@@ -43,7 +43,7 @@ internal sealed class DragJumpGuard
         DragJump startRate = sweep.StartJumpRate;
         DragJump end = sweep.EndJump;
 
-        // No crossing is possible, or the step chatters between the branches and has used all its splits.
+        // No crossing is possible, or the step alternates between the branches and has used up its splits.
         if (run.Splits >= StepRun.MaximumSplits || !DragJump.MayCross(branch, in start, in startRate, in end, h))
         {
             return true;
@@ -52,7 +52,7 @@ internal sealed class DragJumpGuard
         run.Splits++;
         if (start.Branch != branch)
         {
-            // The state is on the jump of the drag law, to within rounding. Keep the branch only if the motion leads away from the jump.
+            // The state is on the jump of the drag law, to within rounding: keep the branch only if the motion leads away from the jump.
             next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), in s, ref run);
             if (next != branch)
             {
@@ -60,7 +60,7 @@ internal sealed class DragJumpGuard
             }
         }
 
-        // If the interpolant crosses no surface after all, keep the whole piece.
+        // The interpolant crosses no surface after all: keep the entire piece.
         TSweep whole = sweep;
         if (!JumpLocator.Locate(ref sweep, branch, in start, in startRate, h))
         {
@@ -69,7 +69,7 @@ internal sealed class DragJumpGuard
             return true;
         }
 
-        // After the crossing, use the other branch, or a sliding mode along the surface.
+        // After the crossing, use the other branch, or slide along the surface.
         next = Resolve(s.Time + sweep.Length, sweep.EndMotion, in s, ref run);
         return true;
     }
@@ -87,7 +87,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
-        // The sliding mode ends at the other surface, when its function reaches zero: use the secant.
+        // The sliding mode ends at the other surface, where that surface's function is zero: find it by the secant method.
         DragJump end = sweep.EndJump;
         double other = along == DragBranch.AlongCriticalSpeed ? end.Spin : end.Speed;
         if (other <= 0)
@@ -98,7 +98,7 @@ internal sealed class DragJumpGuard
             return DragBranch.NoSpin;
         }
 
-        // The sliding mode lasts while the share of the spinning branch is between 0 and 1.
+        // The sliding mode lasts while the spinning branch's share is between 0 and 1.
         double share = sweep.System.SpinningShare(time + h, in sweep.Taken.End, out _, out _);
         run.Log.Evaluations += 2;
         if (share is >= 0 and <= 1)
@@ -106,7 +106,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
-        // Beyond that range one branch leads off the surface. Find the time when the share reaches its limit by the secant.
+        // Outside this range, one branch leads off the surface: find the time when the share reaches its limit by the secant method.
         double startShare = sweep.System.SpinningShare(time, in from, out _, out _);
         run.Log.Evaluations += 2;
         run.Splits++;
@@ -137,8 +137,8 @@ internal sealed class DragJumpGuard
             return;
         }
 
-        // On the ground no sliding mode is followed: from the crossing on, use the other branch.
-        // A piece that starts on a surface has already passed that crossing, and may reach the other surface.
+        // On the ground there is no sliding mode: from the crossing on, use the other branch. A piece that starts on a surface has already passed
+        // that crossing, and may reach the other surface.
         run.Splits++;
         TSweep whole = sweep;
         if (JumpLocator.Locate(ref sweep, branch, in start, in startRate, h) && (start.Branch == branch || sweep.Length > AtStart * h))
@@ -161,7 +161,7 @@ internal sealed class DragJumpGuard
             return last;
         }
 
-        // Use the previous branch only on the jump: elsewhere a change of spin, such as the start of a roll, may have outdated it.
+        // Use the previous branch only on the jump. Elsewhere, a change of spin, such as the start of a roll, may have invalidated it.
         DragJump here = DragJump.At(in from, in _flight.Around.Wind, _flight.Around.Radius);
         bool known = Acts && (last is DragBranch.NoSpin or DragBranch.Spinning) && Math.Abs(here.Least) < OnIt;
         return known ? last : here.Branch;
@@ -178,7 +178,7 @@ internal sealed class DragJumpGuard
         system.Nets = s.Nets;
         system.NetSides = s.NetSides;
 
-        // Take the nearer of the two surfaces.
+        // Use the nearer of the two surfaces.
         DragJump here = system.JumpAt(in at);
         DragBranch along = here.NearerToSpeed ? DragBranch.AlongCriticalSpeed : DragBranch.AlongCriticalSpin;
         system.Branch = along;
@@ -189,11 +189,11 @@ internal sealed class DragJumpGuard
         double a = here.NearerToSpeed ? inside.Speed : inside.Spin;
         double b = here.NearerToSpeed ? outside.Speed : outside.Spin;
 
-        // a and b: rates across the surface under the spinning and the non-spinning branch. If no force changes the speed (lift alone),
-        // both are only rounding, which must not start a sliding mode.
+        // a and b: rates across the surface with the spinning and the non-spinning branch. If no force changes the speed (lift alone), both are pure
+        // rounding, which must not start a sliding mode.
         double rounding = Rounding * system.JumpRateScale(in at, in spinning);
 
-        // Filippov: slide if both branches lead back to the surface; if both lead to one side, take that branch; otherwise switch branches.
+        // Filippov: slide if both branches lead back to the surface. If both lead to the same side, use the branch of that side; otherwise switch branches.
         return a < -rounding && b > rounding && share > 0 && share < 1 ? along
             : a > 0 && b > 0 ? DragBranch.Spinning
             : a < 0 && b < 0 ? DragBranch.NoSpin

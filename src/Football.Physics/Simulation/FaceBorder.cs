@@ -20,7 +20,7 @@ internal static class FaceBorder
             return;
         }
 
-        // The margin is almost linear along the piece.
+        // Along the piece, the margin is almost linear.
         double length = sweep.Length;
         var margin = new Margin<TSweep>(in sweep, carrier, s.Time);
         double x = start > ContactTolerances.LeastBeyondEdge ? Roots.Illinois(ref margin, 0, start, length, end, ContactTolerances.EventWidth * length, MostSteps) : 0;

@@ -4,8 +4,8 @@ namespace FootballPhysics;
 
 /// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.</summary>
 /// <remarks>
-/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no
-/// search is made. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
+/// The motion has two velocity components along the plane and three of spin, in the plane's axes. The load needs no curvature, and no contact
+/// search is needed. <see cref="TryWhole"/> takes the step, checks it for events, and moves the ball. If an event is possible, it changes
 /// nothing, and <see cref="SurfacePhase{TIntegrator}"/> takes the step in pieces with the same equations on any surface.
 /// Symbols: a_b gravity and buoyancy, a_air the acceleration by the air, T its torque per moment of inertia, N the load per mass.
 /// Sliding: a = a_b + a_air − μ_s N ŝ, ω̇ = (μ_s N/(α r)) n × ŝ + T.
@@ -88,7 +88,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         Tableau tableau = method.Tableau;
         (_offsets, _weights, _movesWithEnd, _order) = (tableau.Offsets, tableau.Weights, tableau.MovesWithEnd, method.Order);
 
-        // Axes of the plane. On a level pitch they are the world axes.
+        // The axes of the plane; on a level pitch, they are the world axes.
         _isLevel = scene.Ground.IsLevel;
         _normal = scene.Ground.Normal.Normalized();
         Vector3d along = Math.Abs(_normal.X) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
@@ -103,7 +103,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         _bodyZ = Vector3d.Dot(in body, in _axisZ);
         _weight = -Vector3d.Dot(in body, in _normal);
 
-        // Constants of the equations in the remarks: the shares of weight and air in the load, a slide, a roll and its traction.
+        // Constants of the equations in the remarks: the shares of weight and air in the load, in a slide, in a roll and in its traction.
         BallProperties ball = scene.Ball;
         double alpha = ball.InertiaFactor;
         _radius = ball.Radius;
@@ -149,8 +149,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     {
         bool rolls = default(TMotion).Rolls;
 
-        // Copy the motion to the plane's axes by components, as the last step wrote them: one wide load would stall.
-        // For a rolling ball, only the spin about the normal is needed.
+        // Copy the motion to the plane's axes component by component, as the last step wrote it: a wide load would stall. A rolling ball needs only
+        // its spin about the normal.
         ref FlightMotion motion = ref s.Flight;
         PlaneMotion start;
         if (_isLevel)
@@ -166,7 +166,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             start = InPlane(in motion);
         }
 
-        // Accept a whole step only if the direction of the roll or the slip is defined, the step is stable, and no object is near.
+        // Accept a whole step only if the slip or roll has a direction, the step is stable, and no object is near.
         double x = rolls ? start.VX : start.VX + (_radius * start.WZ);
         double z = rolls ? start.VZ : start.VZ - (_radius * start.WX);
         double size = Math.Sqrt((x * x) + (z * z));
@@ -201,7 +201,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         bool known = _locatesJump && s.Branch is DragBranch.NoSpin or DragBranch.Spinning;
         on.Branch = known ? s.Branch : DragJump.Choose(_around.Air.Jumps, locates: false, s.Branch, airSpeedSquared, _radiusSquared * spinSquared);
 
-        // Use the first stage to reject a step in which the direction of the slip or the roll turns too much.
+        // Use the first stage to reject a step in which the slip or the roll turns too much.
         RatesOf<TMotion>(in on, in material, in start, 0, 0, 0, out PlaneRates first);
         double rateX = rolls ? first.AX : first.AX + (_radius * first.BZ);
         double rateZ = rolls ? first.AZ : first.AZ - (_radius * first.BX);
@@ -212,7 +212,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        // Take the stages of the integrator, each from the start with the rates of the previous stage.
+        // Evaluate the integrator's stages; each starts from the initial state, with the rates of the previous stage.
         double weight = _weights[0];
         double sumVX = weight * start.VX;
         double sumVZ = weight * start.VZ;
@@ -260,7 +260,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             }
         }
 
-        // A rolling ball has the spin of its velocity: ω_t = n × v / r.
+        // The velocity of a rolling ball determines its spin: ω_t = n × v / r.
         PlaneMotion last;
         last.VX = start.VX + (dt * sumAX);
         last.VZ = start.VZ + (dt * sumAZ);
@@ -268,8 +268,8 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         last.WY = start.WY + (dt * sumBY);
         last.WZ = rolls ? -last.VX * _perRadius : start.WZ + (dt * sumBZ);
 
-        // Reject the step if the slip, roll, load, grip or spin about the normal may end, the surface changes, or the drag law jumps.
-        // The load at the end is extrapolated from the stages.
+        // Reject the step if the slip, roll, load, grip or spin about the normal may end, the surface changes, or the drag law jumps. Extrapolate the
+        // load at the end from the stages.
         double endX = rolls ? last.VX : last.VX + (_radius * last.WZ);
         double endZ = rolls ? last.VZ : last.VZ - (_radius * last.WX);
         double endLoad = rates.Load + Math.Min(0, rates.Load - first.Load);
@@ -292,11 +292,11 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             return false;
         }
 
-        // No event: move the ball.
+        // There is no event: move the ball.
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the Magnus series to fourth order; to sixth order if it turns much.
+        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series; if it turns much, use the sixth order.
         sumWX = rolls ? sumVZ * _perRadius : sumWX;
         sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
         var mean = new Vector3d(_movesWithEnd ? last.WX : sumWX, _movesWithEnd ? last.WY : sumWY, _movesWithEnd ? last.WZ : sumWZ);
@@ -389,14 +389,14 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         double wy = at.WY;
         double wz = at.WZ;
 
-        // The air-relative velocity u, and ω × u.
+        // The velocity relative to the air, u, and ω × u.
         double ux = vx - _windX;
         double uy = -_windUp;
         double uz = vz - _windZ;
         DragBranch branch = on.Branch;
         if (_air.HasField)
         {
-            // Custom forces are excluded here and the knuckle force acts only in flight, so only the wind varies.
+            // Only the wind varies here: custom forces are excluded, and the knuckle force acts only in flight.
             Vector3d wind = WindAt(in on, after, wayX, wayZ);
             ux -= wind.X;
             uy -= wind.Y;
@@ -419,7 +419,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             out double lift,
             out double decay);
 
-        // a_air = L (ω × u) − D u; N/m = −a_b·n, and − a_air·n if the air adds to the load.
+        // a_air = L (ω × u) − D u; N/m = −a_b·n, minus a_air·n if the air adds to the load.
         double upByLift = _airInLoad * crossUp;
         double upByDrag = _airInLoad * uy;
         double load = _weight - ((lift * upByLift) - (drag * upByDrag));
@@ -435,7 +435,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             double fx = friction * (goesOn ? vx * perSpeed : on.X);
             double fz = friction * (goesOn ? vz * perSpeed : on.Z);
 
-            // The torque of the air, T = −decay ω, accelerates a rolling ball by r T × n, which equals −decay v.
+            // The air's torque T = −decay ω accelerates a rolling ball by r T × n, which equals −decay v.
             double ax = (_bodyXInRoll - (_weight * fx)) + (lift * ((_airInRoll * crossX) + (upByLift * fx)))
                 - ((drag * ((_airInRoll * ux) + (upByDrag * fx))) + (decay * (_decayInRoll * vx)));
             double az = (_bodyZInRoll - (_weight * fz)) + (lift * ((_airInRoll * crossZ) + (upByLift * fz)))
@@ -463,7 +463,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
             rates.AX = (_bodyX - (_weight * fx)) + ((lift * ((_airInSlide * crossX) + (upByLift * fx))) - (drag * ((_airInSlide * ux) + (upByDrag * fx))));
             rates.AZ = (_bodyZ - (_weight * fz)) + ((lift * ((_airInSlide * crossZ) + (upByLift * fz))) - (drag * ((_airInSlide * uz) + (upByDrag * fz))));
 
-            // n × ŝ. For a ball without spin, the air's torque reduces the torque of friction, but never reverses it.
+            // n × ŝ. If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
             double turning = material.SlidingTorque * load;
             turning = spins ? turning : Math.Max(0, turning - decay);
             rates.BX = (turning * sz) - (slowing * wx);

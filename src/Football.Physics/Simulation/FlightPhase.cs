@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics;
 
-/// <summary>Flight, piece by piece.</summary>
+/// <summary>Steps a flying ball piece by piece.</summary>
 /// <remarks>
 /// A piece has the maximum stable length. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
 /// contact.
@@ -48,7 +48,7 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>Takes the next piece of a flight.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // Handle contacts at the current position first: an immediate hit, or a ball at rest in a net.
+        // First handle contacts at the current position: an immediate impact, or a ball at rest in a net.
         if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
         {
             return;
@@ -63,18 +63,18 @@ internal sealed class FlightPhase<TIntegrator>
         // full vector.
         bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
 
-        // Take the longest piece that stability allows. If it is shorter than requested, later parts use the same length.
+        // Take the longest stable piece. If it is shorter than requested, use this length for later parts too.
         double asked = run.Next;
         double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
         run.Keep(h, asked);
         if (s.Nets != 0)
         {
-            // A net responds within less than one step, so use RK4 substeps.
+            // A net reacts within less than a step: use RK4 substeps.
             TakeWithoutAxis<Substeps>(ref s, ref run, h);
         }
         else if (run.Spirals)
         {
-            // RK4 does not increase a velocity that turns by up to 2.8 rad.
+            // RK4 does not speed up a velocity that turns by up to 2.8 rad.
             Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
         }
         else
@@ -88,7 +88,7 @@ internal sealed class FlightPhase<TIntegrator>
     {
         if (IsHeld(in s))
         {
-            // The ball touches the ground: let the next piece handle that contact first.
+            // The ball touches the ground: the next piece handles this contact first.
             return;
         }
 
@@ -111,7 +111,7 @@ internal sealed class FlightPhase<TIntegrator>
             return false;
         }
 
-        // A slow ball may only be at a turning point, so also check that all forces balance, including those of the nets.
+        // A slow ball may only be turning around, so also require that all forces balance, including those of nets.
         bool rests = _contact.Load.HangsStill(in s);
         run.Log.Evaluations++;
         if (rests)
@@ -172,7 +172,7 @@ internal sealed class FlightPhase<TIntegrator>
         DragBranch next = s.Branch;
         bool goes = true;
 
-        // Jump of the drag law: follow its surface to the end of the sliding mode, or stop at the first crossing.
+        // At the jump of the drag law, slide along its surface until the sliding mode ends, or stop at the first crossing.
         if (_jump.Acts)
         {
             if (s.Branch >= DragBranch.AlongCriticalSpeed)
@@ -186,7 +186,7 @@ internal sealed class FlightPhase<TIntegrator>
             }
         }
 
-        // Stop at the kink of a net's force, where the integrator would lose its order. Before the jump, the branch does not change.
+        // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
         if (goes && s.Nets != 0)
         {
             double length = sweep.Length;
@@ -204,18 +204,18 @@ internal sealed class FlightPhase<TIntegrator>
     {
         if (!goes)
         {
-            // The ball is on the jump to within rounding: repeat the piece on the branch that leads away from it.
+            // To within rounding, the ball is on the jump: repeat the piece on the branch that leads away from it.
             run.Log.Evaluations += sweep.Evaluations;
             s.Branch = next;
             return;
         }
 
-        // The first contact, if any, shortens the piece further.
+        // If the ball touches an object, end the piece at the first contact.
         double length = sweep.Length;
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
         if (!meets)
         {
-            // The search halved the piece because forces turn the ball back. Keep this length for the rest of the step.
+            // Forces turn the ball back, so the search halved the piece: keep this length for the rest of the step.
             run.Keep(sweep.Length, length);
         }
 
@@ -226,7 +226,7 @@ internal sealed class FlightPhase<TIntegrator>
             before = s;
         }
 
-        // Move the ball to the end. If the piece ends before the jump, the branch does not change.
+        // Move the ball to the end. If the piece ends before the jump, keep the branch.
         sweep.MoveTo(ref s);
         s.Branch = sweep.Length < length ? s.Branch : next;
         run.Advance(ref s, sweep.Length);
@@ -236,7 +236,7 @@ internal sealed class FlightPhase<TIntegrator>
         }
         else
         {
-            // The ball may have entered a surface that it touched at the start without load.
+            // The ball may have entered a surface that it touched without load at the start.
             ContactSet.Separate(_world, ref s);
         }
 
@@ -255,7 +255,7 @@ internal sealed class FlightPhase<TIntegrator>
     private static void EndSpin<TMethod>(ref FlightSweep<TMethod> sweep, double spinRate)
         where TMethod : struct, IIntegrator
     {
-        // Start from the secant, then repeat the step until the spin at its end is zero.
+        // Start with a secant estimate, then repeat the step until the spin at its end is zero.
         double tau = sweep.Length * spinRate / (spinRate - sweep.Taken.SpinRate);
         EventLocator.Locate(ref sweep, new SpinLeft<TMethod>(spinRate), tau);
         sweep.EndSpin();
@@ -271,7 +271,7 @@ internal sealed class FlightPhase<TIntegrator>
             double spin = s.Spin.Length;
             double most = Math.Sqrt(speedSquared) + _fastestWind;
 
-            // Try the cheap bound first. If it fails, use a tighter one; in a wind field, take the ball's actual air speed.
+            // Try the cheap bound first. If it fails, use a tighter one; in a wind field, use the ball's actual airspeed.
             h = asked * _limit.RateAtMost(most, spin) <= StabilityLimit.LargestChange
                 ? asked
                 : _limit.PartOf(ref _around.Air, asked, _fastestWind > 0 ? AirSpeed(in s, in u) : most, spin, s.Branch, ref spirals);
@@ -282,7 +282,7 @@ internal sealed class FlightPhase<TIntegrator>
             h = _limit.PartOf(ref _around.Air, asked, Math.Sqrt(speedSquared), s.SpinRate, s.Branch, ref spirals);
         }
 
-        // With some integrators, a ball would return from a hop faster than it left, and bounces would grow: divide the fall.
+        // With some integrators, a ball would return from a hop faster than it left, and its bounces would grow: divide the fall.
         return _integrator.GainsByHops ? _limit.WithinHop(h, s.Position.Y - _world.LevelContact, s.Velocity.Y) : h;
     }
 
@@ -310,7 +310,7 @@ internal readonly struct SpinLeft<TIntegrator> : IEventFunction<FlightSweep<TInt
     {
         value = sweep.Taken.SpinRate;
 
-        // Secant from the start of the step: the spin falls almost linearly.
+        // Use the secant from the start of the step, because the spin falls almost linearly.
         correction = value * tau / (_start - value);
         return Math.Abs(value) <= (1e-14 * _start) + Vanishing || !(tau > 0);
     }

@@ -67,20 +67,20 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double y = position.Y;
         DragBranch branch = s.Branch;
 
-        // Leave sliding along the jump, and a descent at contact height, to the pieces.
+        // Leave a slide along the jump, and a descent at contact height, to the piecewise method.
         if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
             return WholeFlight.NotTaken;
         }
 
-        // Choose the branch of the drag law and check that the step is short enough for the forces.
+        // Choose the branch of the drag law, and check that the step is short enough for these forces.
         double ux = vx - _wind.X;
         double uy = vy - _wind.Y;
         double uz = vz - _wind.Z;
         double speedSquared = (ux * ux) + (uy * uy) + (uz * uz);
         double mostSquared = speedSquared;
 
-        // In a wind field, the air speed may be higher by the fastest wind.
+        // In a wind field, add the maximum wind speed to the airspeed.
         if (_air.HasField)
         {
             double most = Math.Sqrt(speedSquared) + _fastestWind;
@@ -93,7 +93,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             s.Branch = branch;
         }
 
-        // Stability, the hop limit or the broad phase may require pieces.
+        // Use pieces if stability, the hop limit or the broad phase requires them.
         bool covered = _air.Covers(speedSquared, spin, dt);
         if ((_air.Acts && !_limit.AllowsWhole(dt, mostSquared, spin, covered))
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
@@ -107,7 +107,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return Fall(ref s, dt, end, log);
         }
 
-        // Take the step: use the fast form of the laws if it covers this range, otherwise the full form.
+        // Take the step with the fast form of the laws if it covers this range, otherwise with the full form.
         if (covered)
         {
             _integrator.Fly(ref _air, in s, ref s.Flight, in _wind, branch, _upward, dt, out step);
@@ -119,7 +119,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
         log.Evaluations += _integrator.Stages;
 
-        // Conservative checks: ground contact, a dip below the ground, the end of the spin, the jump of the drag law.
+        // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump of the drag law.
         double height = y + (step.Path.Y + (dt * _wind.Y));
         double climb = step.AirVelocity.Y + _wind.Y;
         if (height < _contactHeight || (vy < 0 && climb > 0)
@@ -131,7 +131,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return WholeFlight.Ends;
         }
 
-        // No event: move the ball.
+        // There is no event: move the ball.
         s.Position = new Vector3d(position.X + (step.Path.X + (dt * _wind.X)), height, position.Z + (step.Path.Z + (dt * _wind.Z)));
         s.Angle += step.Turn;
         if (_air.HasField)
@@ -164,7 +164,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
     public override void EndAcceleration(in BallState s, double h, out Vector3d acceleration)
     {
-        // Use the form of the laws that the next step uses at its start: the results are bit-identical.
+        // Use the same form of the laws as the start of the next step, so that results are bit-identical.
         Vector3d u = s.Flight.Velocity - _wind;
         if (_air.Covers(u.LengthSquared, s.Flight.SpinRate, h))
         {
@@ -201,7 +201,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         double climb = vy + gained;
         double height = s.Position.Y + (h * (vy + (_integrator.ShareInPath * gained)));
 
-        // The same conservative checks as in air.
+        // The same conservative checks as with air.
         if (height < _contactHeight || (vy < 0 && climb > 0))
         {
             return WholeFlight.NotTaken;
@@ -226,7 +226,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void ShowFall(StepLog log, ref BallState s, double h, double end, double climb, double height)
     {
-        // A look-ahead needs no states: leave out their copies.
+        // A look-ahead does not need the states: do not copy them.
         bool isPath = log.WantsPathOnly;
         Unsafe.SkipInit(out BallState before);
         if (isPath)

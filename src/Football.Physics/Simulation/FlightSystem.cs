@@ -19,7 +19,7 @@ internal struct FlightSystem : IMotionSystem
             return;
         }
 
-        // Filippov: on the surface of the jump, the motion is the weighted mean of both branches that keeps the ball on it.
+        // Filippov: on the surface of the jump, the weighted mean of both branches keeps the ball on the surface.
         double share = SpinningShare(time, in at, out MotionRates spinning, out MotionRates noSpin);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         rates = new MotionRates(
@@ -37,7 +37,7 @@ internal struct FlightSystem : IMotionSystem
         s.BaseOrientation = (Quaterniond.FromRotationVector(in step.Rotation) * s.Orientation).Normalized();
         s.Angle = 0;
 
-        // Decay never reverses a spin, but a custom force may.
+        // Decay never reverses a spin, but a custom force can.
         bool keeps = Around.Air.TurnsAxis || Nets != 0 || Vector3d.Dot(in step.End.Spin, in from.Spin) > 0;
         s.SetFlightSpin(keeps ? step.End.Spin : Vector3d.Zero);
     }
@@ -71,7 +71,7 @@ internal struct FlightSystem : IMotionSystem
         double a = speed ? inside.Speed : inside.Spin;
         double b = speed ? outside.Speed : outside.Spin;
 
-        // s a + (1 − s) b = 0 at s = b/(b − a). It is between 0 and 1 if both branches lead towards the surface.
+        // s a + (1 − s) b = 0 at s = b/(b − a), which is between 0 and 1 if both branches lead towards the surface.
         return b > a ? b / (b - a) : a > 0 ? 2.0 : -1.0;
     }
 

@@ -67,7 +67,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // Take the stages of the integrator, each from the start with the rates of the previous stage.
+        // Evaluate the integrator's stages; each starts from the initial state, with the rates of the previous stage.
         LineRates first = line.Rates;
         LineRates rates = first;
         double speed;
@@ -103,8 +103,8 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             endAbout = line.About + (dt * second.About);
         }
 
-        // Reject the step if a load, friction cone, slip, roll or spin may end, the ball may rest, or the carrier or material may change.
-        // The last stage is at the end (RK4) or in the middle (RK2) of the step.
+        // Reject the step if a load, friction cone, slip, roll or spin may end, the ball may rest, or the carrier or material may change. The last
+        // stage is at the end (RK4) or in the middle (RK2) of the step.
         double share = _order == 4 ? Clear : 0.5 * (1.0 + Clear);
         if (!rates.Keeps(in first, share) || !line.Keeps(in forces, speed, about, share) || !(Math.Abs(way) <= room) || !IsCarried(in line, in rates)
             || (line.ComparesLoads && !(HeavierBy(in rates) > share * HeavierBy(in first)))
@@ -122,7 +122,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             }
         }
 
-        // No event: move the ball.
+        // There is no event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
         Vector3d middleSpin = SpinOf(in forces, secondSpeed, secondAbout);
@@ -190,7 +190,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return false;
         }
 
-        // The motion must follow the line, without slip at the bearer.
+        // The ball must move along the line, without slip at the bearer.
         double speed = Vector3d.Dot(s.Velocity, in forces.Along);
         if (!((s.Velocity - (speed * forces.Along)).Length + (_radius * (spin - SpinOf(in forces, speed, about)).Length) <= ContactTolerances.OffLine))
         {
@@ -217,7 +217,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
         else
         {
-            // At a standstill, rolling resistance must hold the ball.
+            // At a standstill, rolling resistance must hold the ball in its position.
             forces.Pinned = stands;
             speed = stands ? 0 : speed;
             about = forces.HoldsSpin ? 0 : about;
@@ -228,7 +228,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             }
         }
 
-        // On a fixed spot, an unloaded surface stays unloaded, and the normal of a curved surface does not change.
+        // If the ball stays in one spot, an unloaded surface stays unloaded, and the normal of a curved surface is constant.
         line.HasThird = forces.Modes == LineModes.Spot;
         bool areFixed = first.IsFixed && second.IsFixed && idle < 0;
         line.Speed = speed;
@@ -254,7 +254,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
             return PushProjection.Surround(normals) && free.Second >= 0 && free.Bears(bearer);
         }
 
-        // A ball that spins on its spot slips at both other surfaces. The sign of their loads does not depend on rolling resistance.
+        // A ball that spins in one spot slips at both other surfaces. The sign of their loads does not depend on rolling resistance.
         double sign = about < 0 ? -1.0 : 1.0;
         forces.SpinSign = sign;
         if (!forces.Prepare(in set[bearer], in set[other], _ball) || !forces.Close(in set[third], sign) || !(forces.ThirdSlip(about) >= ContactTolerances.Sticking))

@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Bounds the forces in a part of a step with velocity-level impulses, so that a part of any length does not overshoot.</summary>
 internal static class PartForces
 {
-    /// <summary>Maximum change of the velocity per part, m/s: far more than in any flight.</summary>
+    /// <summary>Maximum change of the velocity per part, m/s; no flight comes close to it.</summary>
     private const double MostSpeed = 100.0;
 
     /// <summary>Maximum change of the spin per part, in addition to the current spin, rad/s.</summary>
@@ -22,7 +22,7 @@ internal static class PartForces
         Vector3d spinAcceleration = NoMore(in rates.SpinAcceleration, (at.Spin.Length + MostSpin) / h);
         if (s.Nets != 0)
         {
-            // A net settles at the rate λ. As in an implicit step, take the share 1/(1 + h λ) of its push.
+            // A net settles at the rate λ. Apply the share 1/(1 + h λ) of its push, as an implicit step would.
             MotionRates nets = world.PushOfNets(s.Nets, s.NetSides, in at);
             double share = 1.0 / (1.0 + (h * guard.FastestRate(in s, in at.Position)));
             acceleration += share * nets.Acceleration;

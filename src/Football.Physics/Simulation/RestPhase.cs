@@ -8,7 +8,7 @@ namespace FootballPhysics;
 /// </summary>
 internal sealed unsafe class RestPhase
 {
-    /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The path then follows from its ends.</summary>
+    /// <summary>Maximum rotation of the ball by its carrier per piece, rad. The ends of the piece then determine the path.</summary>
     private const double LargestTurn = 0.25;
 
     private readonly Surroundings _around;
@@ -42,7 +42,7 @@ internal sealed unsafe class RestPhase
     /// <summary>Advances to the end of the step, or to the event that wakes the ball.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // The ground alone holds the ball in any wind, and no object moves: only the time advances.
+        // The ground alone holds the ball in any wind, and no object moves: only advance the time.
         if (_world.Engine is null && !_airMayWake && s.Carrier == 0 && IsHeldByGround(in s) && !(_world.FastestMover > 0))
         {
             run.Advance(ref s, run.Left);
@@ -55,7 +55,7 @@ internal sealed unsafe class RestPhase
             return;
         }
 
-        // Objects or wind may have changed since the last step, so check again that the ball is held. The group checks balls in a pile.
+        // Objects or the wind may have changed since the last step: check again that the ball is held. For a ball in a pile, the group checks this.
         if (run.Left == run.Length && MayWake && !BallRests.RestsInPile(in s))
         {
             int evaluations = 0;
@@ -68,7 +68,7 @@ internal sealed unsafe class RestPhase
             }
         }
 
-        // Move the ball along with its carrier, up to the first hit.
+        // Move the ball along with its carrier until the first impact.
         double h = run.Left;
         PathCubic path = Way(in s, ref h, out Vector3d turn);
         double at = new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out Separation met);
@@ -86,7 +86,7 @@ internal sealed unsafe class RestPhase
             s.Velocity = _world.CarrierOf(in s).MaterialVelocity(s.Position, s.Time);
         }
 
-        // The time at rest is not counted as an integrated piece.
+        // Do not count the time at rest as an integrated piece.
         run.Log.Steps--;
         if (meets)
         {
@@ -94,7 +94,7 @@ internal sealed unsafe class RestPhase
         }
     }
 
-    /// <summary>True if rolling friction holds a ball anywhere on a plane ground. Computed once per scene.</summary>
+    /// <summary>True if rolling friction holds a ball anywhere on a plane ground. The result is computed once per scene.</summary>
     private bool IsHeldByGround(in BallState s)
     {
         if (_isHeldByGround is null && s.Nets == 0)
@@ -116,7 +116,7 @@ internal sealed unsafe class RestPhase
             return true;
         }
 
-        // The ball may have been moved to a net other than the one in which it came to rest.
+        // The game may have moved the ball to another net since the ball came to rest.
         if (_world.HangsInNet(in s))
         {
             return _contact.Load.HangsStill(in s);
@@ -147,7 +147,7 @@ internal sealed unsafe class RestPhase
             return false;
         }
 
-        // Velocity jumps of the carrier divided by the step: V̇ at the ball's centre, and Ω̇.
+        // V̇ at the ball's centre, and Ω̇: the carrier's velocity jumps divided by the step.
         Vector3d velocity = carrier.MaterialVelocity(s.Position, s.Time);
         Vector3d gained = perStep * (velocity - s.Velocity);
         Vector3d turned = perStep * (carrier.Spin - s.Spin);
@@ -238,7 +238,7 @@ internal sealed unsafe class RestPhase
             return PathCubic.Line(s.Position, in velocity, h);
         }
 
-        // Rotate about the pivot: p' = o + V h + R(Ω h) (p − o).
+        // Rotate the position about the pivot: p' = o + V h + R(Ω h) (p − o).
         double rate = carrier.Spin.Length;
         h = Math.Min(h, LargestTurn / rate);
         turn = h * carrier.Spin;

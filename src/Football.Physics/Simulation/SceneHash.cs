@@ -27,7 +27,7 @@ internal static class SceneHash
             key.Add(net.HalfWidth);
             key.Add(net.InFrame(new Vector3d(1, 2, 3)));
 
-            // Hash the response of a net to a ball moving further into its centre, where the tension is positive.
+            // Hash the net's response to a ball that moves further into its centre, where the tension is positive.
             MotionRates push = net.Push(new Motion(0.5 * (net.Bounds.Min + net.Bounds.Max), new Vector3d(1, 2, 3) - (5 * net.Normal), new Vector3d(3, 2, 1)), 1);
             key.Add(push.Acceleration);
             key.Add(push.SpinAcceleration);
@@ -41,7 +41,7 @@ internal static class SceneHash
 
         key.Add(world.Engine is null ? 0 : 1);
 
-        // Zones change no path, but two machines must report the same events.
+        // Zones do not affect paths, but two machines must report the same events.
         foreach (Zone zone in scene.Zones)
         {
             AddZone(ref key, zone);
@@ -77,7 +77,7 @@ internal static class SceneHash
         }
     }
 
-    /// <summary>Hashes the layers. They have no effect for a ball that ignores none.</summary>
+    /// <summary>Hashes the layers, which have no effect on a ball that ignores none.</summary>
     private static void AddLayers(ref SceneKey key, Scene scene)
     {
         key.Add((double)scene.Ball.Ignores);
@@ -98,7 +98,7 @@ internal static class SceneHash
             key.Add(scene.Air.WindField.At(0.7 * i, Place(i)));
         }
 
-        // Hash the air laws by their factors at typical speeds and spins of a match.
+        // Hash the air laws by their factors at speeds and spins that are typical of a match.
         for (int i = 0; i < Places; i++)
         {
             simulator.AirFactors(2 + (2.5 * i), 6.0 * ((7 * i) % Places), out double drag, out double lift, out double decay);
@@ -107,11 +107,11 @@ internal static class SceneHash
             key.Add(decay);
         }
 
-        // −0.5 means no seed, because every seed is an integer.
+        // Hash −0.5 for "no seed", because every seed is an integer.
         key.Add(scene.Forces.KnuckleSeed is { } seed ? seed : -0.5);
         foreach (IForce force in scene.Forces.CustomForces)
         {
-            // A custom force may be stateful, so do not call it; hash the name of its type.
+            // A custom force may have state, so do not call it; hash its type name.
             foreach (char letter in force.GetType().FullName ?? "")
             {
                 key.Add(letter);
@@ -129,7 +129,7 @@ internal static class SceneHash
 
     private static void AddColliders(ref SceneKey key, World world)
     {
-        // Engine colliders come and go, and are not part of the scene.
+        // Engine colliders come and go, so they are not part of the scene.
         foreach (Collider collider in world.Colliders.Where(collider => world.Engine is null || !world.Engine.Colliders.Contains(collider)))
         {
             key.Add(collider.Mass);
@@ -139,7 +139,7 @@ internal static class SceneHash
             key.Add(in collider.Bounds);
             for (int i = 0; i < Places; i++)
             {
-                // Sample the shape in its own frame, both near it and far from it.
+                // Sample the shape in its own frame, near it and far from it.
                 Vector3d place = (i % 2 == 0 ? 0.02 : 1.0) * Place(i);
                 ShapePoint at = collider.At(in place);
                 key.Add(at.Distance);
@@ -179,7 +179,7 @@ internal static class SceneHash
     private static Vector3d Place(int i) => new(-52 + (7 * i), 0.11 + (0.9 * ((5 * i) % Places)), -33 + (4.3 * ((3 * i) % Places)));
 }
 
-/// <summary>A hash of numbers in which every input bit affects every bit of the value.</summary>
+/// <summary>A hash of numbers; every input bit affects every bit of the hash.</summary>
 internal struct SceneKey
 {
     private ulong _hash;

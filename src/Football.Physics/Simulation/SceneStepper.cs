@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>
 /// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the current phase of the ball.
-/// A whole step of flight without events, the most common case, is taken by <see cref="FlightStepper{TAir, TIntegrator}"/>.
+/// <see cref="FlightStepper{TAir, TIntegrator}"/> takes a whole step of flight without events, the most common case.
 /// <list type="number">
 /// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump of the drag law, the end of the spin or a contact;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of sliding or rolling on flat ground without events;</item>
@@ -48,21 +48,21 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         _upward = around.Upward;
         Limit = StabilityLimit.Of(scene, in _air, 0, _upward, _integrator.Order);
 
-        // A step across the jump is of first order. For a first-order integrator, locating the jump gains nothing.
+        // A step across the jump is of first order, so a first-order integrator gains nothing from locating the jump.
         var jump = new DragJumpGuard(around, settings.LocateJump && _integrator.Order > 1);
         LocatesJump = jump.Acts;
         World world = around.World;
         double weight = around.Weight.Length;
         _clear = world.IsLevelGroundAlone ? null : new ClearFlight(world, Limit, StabilityLimit.WithFall(_air.OrdinaryBound, weight), in _wind, weight, _integrator.ShareInPath);
 
-        // With bodies, a result of the broad phase is valid for one step only.
+        // If there are bodies, a broad-phase result is valid for one step only.
         _clearKey = _clear is { LooksForBodies: false } ? _clear.Key : 0;
         _contact = new WorldContact(around, _integrator.GainsByHops);
         var guard = new WorldGuard(world, _contact, settings);
         _displacement = new Displacement(world, guard);
         _bodies = world is { Bodies: not null } or { Engine: not null } ? new BodyPush(world, _displacement, _contact) : null;
 
-        // Friction may accelerate a ball more than gravity does.
+        // Friction may accelerate the ball more than gravity does.
         double pull = weight * Math.Max(1.0, world.LargestFriction);
         _pulled = StabilityLimit.Of(scene, in _air, 0, pull, _integrator.Order);
         _parts = new ContactSetParts(around, jump, guard, _displacement, _contact);
@@ -98,8 +98,8 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     public override void Step(ref BallState s, double dt, StepLog log)
     {
-        // Try a whole step on flat ground or on several surfaces; otherwise go piece by piece. An engine collider has its index only within
-        // a step.
+        // Try a whole step on flat ground or on several surfaces; otherwise take the step in pieces. The index of an engine collider is valid only
+        // within a step.
         if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
             && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
         {
@@ -167,7 +167,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     {
         if (log.WantsPathOnly)
         {
-            // A look-ahead needs no states: leave out their copies.
+            // A look-ahead does not need the states: do not copy them.
             log.ShowFlight(this, in s, time, in position, in velocity, spin, in step.StartAcceleration, _integrator.Order);
             return;
         }
@@ -245,7 +245,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     /// <summary>Steps a ball at rest.</summary>
     /// <remarks>
-    /// Only its time advances if an earlier step found that nothing changes and no object has moved since.
+    /// If an earlier step found that nothing changes, and no object has moved since, only the time advances.
     /// </remarks>
     private void TakeRest(ref BallState s, double dt, StepLog log)
     {
@@ -271,13 +271,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         World.Enter(ref s);
         var run = new StepRun(dt, s.Time, log);
 
-        // Shorten a step that was already taken as flight to the first event within it.
+        // The step was already taken as flight: shorten it to the first event.
         if (whole == WholeFlight.Ends)
         {
             _flight.Finish(ref s, ref run, in taken, dt);
         }
 
-        // Depenetration: move the ball out of the ground and out of bodies that the game has moved into it.
+        // Depenetration: move the ball out of the ground, and out of bodies that the game has moved into it.
         if (!log.Halted)
         {
             s.ClearUntil = 0;
@@ -291,13 +291,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             log.Zones?.Moved(log, in s);
         }
 
-        // If the whole step was tried without success, do not try it again for the first piece.
+        // The whole step has already been tried without success: do not try it again as the first piece.
         bool isTried = whole == WholeFlight.NotTaken;
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {
             if (!run.Begin())
             {
-                // The budget is used up: the ball stays at its position for the rest of the step, so that every step ends.
+                // The budget is used up: to end the step, keep the ball at its position for the rest of it.
                 log.StalledSteps++;
                 break;
             }
@@ -323,13 +323,13 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             isTried = false;
         }
 
-        // Set the exact end time: the lengths of the pieces add up to it only to within rounding.
+        // Set the exact end time, because the sum of the pieces equals it only to within rounding.
         if (!log.Halted)
         {
             s.Time = run.End;
         }
 
-        // Report a slip that the carrier's jump started and that outlasts the step.
+        // Report a slip that the carrier's velocity jump started and that outlasts the step.
         if (run.Jumped && s.Motion == MotionState.Sliding)
         {
             _contact.StartSliding(ref s, ref run);
@@ -337,7 +337,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         run.Close();
 
-        // If the buffer dropped events, the indices of this step's events have shifted.
+        // If the buffer dropped events, this step's events have moved to other indices.
         Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
     }
 
@@ -360,7 +360,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     {
         FlightStep taken = default;
 
-        // Do not try it in a divided step, or if the ball touches level ground and does not leave it.
+        // Do not try this in a divided step, or while the ball stays on level ground.
         WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
         switch (whole)
         {
@@ -396,10 +396,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 /// <summary>Result of trying a whole step of flight.</summary>
 internal enum WholeFlight
 {
-    /// <summary>Not taken: it may have to be divided, or an object is near.</summary>
+    /// <summary>Not taken, because the step may have to be divided, or an object is near.</summary>
     NotTaken,
 
-    /// <summary>Taken, but an event is within it. The ball has not moved.</summary>
+    /// <summary>Taken, but the step contains an event. The ball has not moved.</summary>
     Ends,
 
     /// <summary>Taken without an event. The ball has moved.</summary>

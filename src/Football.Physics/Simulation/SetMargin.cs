@@ -10,7 +10,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
 {
     private const int MostSteps = 40;
 
-    /// <summary>After this many evaluations per piece, no further event is located: the next piece then starts after the event.</summary>
+    /// <summary>After this many evaluations per piece, the search stops locating events: the next piece then starts after the event.</summary>
     private const int MostEvaluations = 2048;
 
     /// <summary>A margin above this share of its value at the start is far from zero.</summary>
@@ -75,7 +75,7 @@ internal unsafe struct SetMargin<TIntegrator> : IFunction
         double length = sweep.Length;
         bool shortened = false;
 
-        // The last stage is near the end, so a margin that is far from zero there needs no search.
+        // The last stage is near the end: a margin that is far from zero there needs no search.
         if (default(TIntegrator).LastStageAtEnd && IsClear(ref sweep, in s, starts))
         {
             return false;

@@ -43,7 +43,7 @@ internal sealed class ShownPath(World world)
         Vector3d v = (after.Position - before.Position) / h;
         Vector3d w = v;
 
-        // Tangents of a Hermite path: the first must not lead into a stationary surface, the last must not come out of one.
+        // Tangents of a Hermite path: the first must not lead into a stationary surface, and the last must not come out of one.
         foreach (ref readonly Contact contact in set)
         {
             if (!contact.Moves)
@@ -72,7 +72,7 @@ internal sealed class ShownPath(World world)
         var path = PathCubic.Between(start.Position, start.Velocity, end.Position, end.Velocity, h);
         if (halves == 0 || !(half > 0) || !Enters(in path, set, start.Time))
         {
-            // With the accelerations of the cubic, the interpolant of the observer is the cubic that was checked.
+            // With the accelerations of the cubic, the observer's interpolant equals the cubic that was checked.
             log.Show(in start, in end, path.AccelerationAt(0), path.AccelerationAt(h), 4);
             return;
         }
@@ -87,7 +87,7 @@ internal sealed class ShownPath(World world)
         ContactSet.KeepOut(world, ref middle, set);
         foreach (ref readonly Contact contact in set)
         {
-            // On a surface, keep only the velocity along it.
+            // On a surface, keep only the tangential velocity.
             ShapePoint at = world.Colliders[contact.Collider].At(middle.Position, middle.Time);
             bool touches = !contact.Moves && at.Distance - world.Ball.Radius <= ContactTolerances.Touching;
             middle.Velocity -= touches ? Vector3d.Dot(middle.Velocity, at.Normal) * at.Normal : Vector3d.Zero;

@@ -92,7 +92,7 @@ public sealed class Simulator
         BallState state = Flying(in position, in velocity, in spin, in orientation, time);
         Passages.PutInNets(_world, ref state);
 
-        // A surface supports the ball if the ball touches it slowly enough. A ball behind the mouth of a goal counts as inside that goal.
+        // A surface supports the ball if the ball touches it at a low enough speed. A ball behind the mouth of a goal is inside that goal.
         _stepper.Settle(ref state);
         state.GoalsEntered = Passages.GoalsEnteredAt(_world, state.Position);
         return state;
@@ -145,7 +145,7 @@ public sealed class Simulator
     /// range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
     {
-        // The position is not validated: the ball may have moved beyond the range of a launch.
+        // Do not validate the position, because the ball may have left the range of a launch.
         Check.Size("launch.velocity", velocity, Limits.Speed, "m/s");
         Check.Size("launch.spin", spin, Limits.Spin, "rad/s");
         BallState kicked = Flying(state.Position, in velocity, in spin, state.Orientation, state.Time);
@@ -160,7 +160,7 @@ public sealed class Simulator
     /// <param name="state">The ball in the other scene.</param>
     internal BallState Continue(Simulator old, in BallState state)
     {
-        // This scene determines the motion state, and raises the ball if this scene's ground is higher.
+        // This scene determines the motion state, and raises the ball if its ground is higher.
         BallState next = Flying(state.Position, state.Velocity, state.Spin, state.Orientation, state.Time);
         Passages.Carry(old._world, _world, in state, ref next);
         next.AirDistance = Scene.Forces.KnuckleSeed is null ? 0 : state.AirDistance;
@@ -225,7 +225,7 @@ public sealed class Simulator
     /// <summary>Takes a step. If a custom force throws, the ball is unchanged.</summary>
     private void Take(ref BallState state, double dt, StepLog log)
     {
-        // A resting ball that cannot wake: only its time advances.
+        // A resting ball that cannot wake: only advance its time.
         if (state.Motion == MotionState.Rest && !_mayWake)
         {
             state.Time += dt;
@@ -362,7 +362,7 @@ public sealed class Simulator
         log.StopAt = stopAt;
         double end = state.Time + duration;
 
-        // A remainder below a billionth of a step is only rounding of the clock.
+        // A remainder below a billionth of a step is only rounding error of the clock.
         double last = end - (ContactTolerances.StepRounding * timeStep);
         while (state.Time < last)
         {
@@ -427,6 +427,6 @@ public sealed class Simulator
     /// <summary>Receives the state after every step of a run.</summary>
     internal delegate void StepCallback(in BallState state);
 
-    // Keep this in its own method: a lambda in Run would allocate its closure even without a callback.
+    // Keep this in its own method: a lambda in Run would allocate a closure even without a callback.
     private static StepCallback Shown(Action<BallState> afterStep) => (in BallState at) => afterStep(at);
 }

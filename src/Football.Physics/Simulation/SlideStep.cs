@@ -41,7 +41,7 @@ internal sealed class SlideStep<TAir>
             return false;
         }
 
-        // Take the stages of the integrator, each from the start with the rates of the previous stage.
+        // Evaluate the integrator's stages; each starts from the initial state, with the rates of the previous stage.
         double half = 0.5 * dt;
         Slide second = from.After(half, in first);
         RatesAt(in s, in forces, half, half * from.Speed, in second, out SlideRates rates);
@@ -79,7 +79,7 @@ internal sealed class SlideStep<TAir>
             return false;
         }
 
-        // No event: move the ball.
+        // There is no event: move the ball.
         log.Evaluations += _order;
         log.Steps++;
         Vector3d turn = _order == 4 ? RotationVector.Of(in from.Spin, in middle.Spin, in final.Spin, dt) : dt * middle.Spin;
@@ -123,7 +123,7 @@ internal sealed class SlideStep<TAir>
         _air.At(s.Time, s.Position, s.Velocity, in from.Spin, out Vector3d push, out Vector3d torque);
         forces.Load(in push, in forces.FirstDirection, in forces.SecondDirection, out rates.First, out rates.Second);
 
-        // The loads do not depend on the choice of the bearer, so choose it by load.
+        // The loads do not depend on the choice of bearer, so choose the bearer by load.
         bool isSecond = rates.Second > rates.First * (1.0 + ContactTolerances.SameLoad);
         forces.Bear(isSecond, isSecond ? two : one, ref from.Spin);
         forces.Evaluate(in push, in torque, from.Speed, in from.Spin, out rates);

@@ -15,7 +15,7 @@ internal readonly struct StabilityLimit
     /// <summary>Below this number of pieces the cheap bound is good enough.</summary>
     private const double FewPieces = 16;
 
-    /// <summary>Below this air speed, spin decays as at this speed, m/s.</summary>
+    /// <summary>Below this airspeed, spin decays as at this speed, m/s.</summary>
     private const double SlowestAir = 3.2e-9;
 
     /// <summary>Its square, m²/s².</summary>
@@ -60,10 +60,10 @@ internal readonly struct StabilityLimit
         RateBound ofAir = air.Bound;
         RateBound bound = WithFall(in ofAir, upward);
 
-        // Use the largest restitution, which the slowest and most oblique impacts have. Without weight there are no hops.
+        // Use the largest restitution, which applies to the slowest and most oblique impacts. Without weight there are no hops.
         double pieces = -upward > ContactTolerances.LeastLoad ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
-        // Without drag, a low-order integrator adds speed whenever it turns the velocity.
+        // Without drag, a low-order integrator gains speed whenever it turns the velocity.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, pieces, spirals, order);
     }
@@ -81,7 +81,7 @@ internal readonly struct StabilityLimit
     public static RateBound WithFall(in RateBound ofAir, double upward) =>
         new(ofAir.PerSpeed, ofAir.PerSpin, ofAir.Constant + (Math.Sqrt(ofAir.PerSpeed) * Math.Sqrt(Math.Abs(upward))));
 
-    /// <summary>True if a step may be taken whole. A fast, conservative test.</summary>
+    /// <summary>True if a step can be taken whole, by a fast, conservative test.</summary>
     /// <param name="h">Length of the step, s.</param>
     /// <param name="speedSquared">|u|², m²/s².</param>
     /// <param name="spinRate">|ω|, rad/s.</param>
@@ -120,11 +120,11 @@ internal readonly struct StabilityLimit
         speed = Math.Max(speed, SlowestAir);
         double fastest = speed + gain;
 
-        // The number of times the forces could completely change the motion in this time.
+        // The number of times that the forces could change the motion completely in this time.
         double pieces = left * (RateAtMost(fastest, spinRate) + damping);
         if (pieces > FewPieces && branch < DragBranch.AlongCriticalSpeed)
         {
-            // That bound sums the worst case of each law. Twice the actual rates suffice, at the present speed and at the speed after
+            // This bound sums the worst case of each law. Twice the actual rates are sufficient, at the present speed and at the speed after
             // friction.
             double here = RateAt(ref air, speed, spinRate, branch);
             here = gain > 0 ? Math.Max(here, RateAt(ref air, fastest, spinRate, branch)) : here;
@@ -137,7 +137,7 @@ internal readonly struct StabilityLimit
             return left;
         }
 
-        // Use equal parts, so that none exceeds the limit and no sliver remains at the end.
+        // Use equal parts: none exceeds the limit, and no sliver remains at the end.
         double part = left / Math.Ceiling(pieces / LargestChange);
         spirals = _spirals || SpiralsIn(ref air, part, speed, spinRate, branch);
         return part;
@@ -189,7 +189,7 @@ internal readonly struct StabilityLimit
     [MethodImpl(MethodImplOptions.NoInlining)]
     private double PartOfHop(double h, double least, double up)
     {
-        // A hop shorter than the shortest counts as staying down and needs no pieces.
+        // A hop shorter than the shortest leaves the ball on the ground, so it needs no pieces.
         double hop = Math.Max(2.0 * Math.Sqrt(up), ContactTolerances.ShortestHop * -_upward);
         return least > hop ? h / Math.Ceiling(least / hop) : h;
     }
@@ -218,7 +218,7 @@ internal static class TurnLimit
     private const double LeastShareOfLong = 0.4;
     private const double LargestShare = 0.75;
 
-    /// <summary>Typical share of the squared rate across the direction. Below it, pieces may be longer.</summary>
+    /// <summary>Typical share of the squared rate across the direction; if the share is smaller, pieces may be longer.</summary>
     private const double OftenTurns = 0.01;
 
     /// <summary>If friction changes a slip or a roll by more than this multiple, its direction turns faster than the integrator can
@@ -281,12 +281,12 @@ internal static class TurnLimit
     /// <param name="isFlat">Whether the surface is flat: on a curved one the rate itself changes along the path.</param>
     public static double Shorten(double h, double step, in Vector3d direction, double size, in Vector3d rate, bool isFlat)
     {
-        // Split the rate into the part along the direction and the part across it, which turns the direction.
+        // Split the rate into components along and across the direction; the component across turns the direction.
         double along = Vector3d.Dot(in rate, in direction);
         double acrossSquared = Math.Max(0, rate.LengthSquared - (along * along));
         double closing = Math.Sqrt(acrossSquared + (along < 0 ? along * along : 0));
 
-        // The smaller the part across, the longer the piece, by the fourth root.
+        // The smaller the component across, the longer the piece: its length grows with the fourth root.
         double straight = isFlat && acrossSquared < closing * closing * OftenTurns ? Math.Sqrt(Math.Sqrt(OftenTurns * closing * closing / Math.Max(acrossSquared, 1e-300))) : 1.0;
         double least = Math.Min(LeastShareOfLong, LeastShare * Math.Sqrt(Coarseness(step)));
         double share = Math.Min(LargestShare, least * straight);

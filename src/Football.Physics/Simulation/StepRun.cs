@@ -180,7 +180,7 @@ internal ref struct StepRun
     /// <summary>Stores the length of a part if it is shorter than requested, s.</summary>
     public void Keep(double part, double asked) => Part = part < asked ? part : Part;
 
-    /// <summary>Counts an impact. The rest of the step is divided from scratch.</summary>
+    /// <summary>Counts an impact, and divides the rest of the step from scratch.</summary>
     /// <returns>True if the ball may bounce.</returns>
     public bool Hit()
     {
@@ -194,7 +194,7 @@ internal ref struct StepRun
     {
         double since = time - _lastHit;
 
-        // After a pause, start a new series. Simultaneous hits count as one.
+        // After a pause, start a new series. Simultaneous hits count as one hit.
         _hits = since > CrowdedFor ? 1 : since > ContactTolerances.AtOnce ? _hits + 1 : _hits;
         _lastHit = time;
         return _hits > MostHits;
@@ -241,7 +241,7 @@ internal ref struct StepRun
                 end = sweep.EndAcceleration();
                 Log.Evaluations++;
 
-                // Do not charge this evaluation to the step: an observer must not change the result.
+                // Do not charge this evaluation to the step, because an observer must not change the result.
                 _lastEvaluation++;
             }
 

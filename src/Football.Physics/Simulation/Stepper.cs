@@ -10,7 +10,7 @@ internal abstract class Stepper
     /// <summary>The colliders, nets and goals of the scene.</summary>
     public abstract World World { get; }
 
-    /// <summary>True if a ball at rest may wake without a kick: each of its steps then checks that it is still held.</summary>
+    /// <summary>True if a ball at rest may wake without a kick, so that each of its steps must check that it is still held.</summary>
     public abstract bool MayWake { get; }
 
     /// <summary>True if a ball with zero relative velocity stays at its position.</summary>

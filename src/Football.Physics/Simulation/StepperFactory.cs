@@ -24,13 +24,13 @@ internal static class StepperFactory
     {
         var air = SceneAir.Of(scene);
 
-        // Custom forces may turn the spin axis, so steps along a constant axis do not apply.
+        // Custom forces may turn the spin axis, so do not use steps with a constant axis.
         if (air.TurnsAxis)
         {
             return new SceneStepper<TIntegrator>(scene, settings, in air);
         }
 
-        // Tables contain every mixture of the measured laws, and absent forces of the others. All other mixtures are evaluated law by law.
+        // Tables cover every mixture of the measured laws and, for the other laws, absent forces. Evaluate all other mixtures law by law.
         bool isMeasured = scene.Forces.Coefficients == AerodynamicModel.Measured;
         if (!AirLaws.HasTables(scene.Forces))
         {

@@ -6,7 +6,7 @@ internal static class SurfaceBorder
     /// <summary>Maximum number of halvings of a piece: down to the last bits of its length.</summary>
     private const int MostHalvings = 60;
 
-    /// <summary>Limits a piece to half the width of the narrowest patch, so that it steps over none, s.</summary>
+    /// <summary>Limits a piece to half the width of the narrowest patch, so that it cannot step over a patch, s.</summary>
     public static double LongestPiece(Collider carrier, double speed, double h)
     {
         double most = 0.5 * carrier.LeastWidth;
@@ -28,7 +28,7 @@ internal static class SurfaceBorder
             return;
         }
 
-        // Bisect the length of the piece: the patch index has no slope to follow.
+        // Bisect the length of the piece, because the patch index has no slope.
         double low = 0;
         double high = sweep.Length;
         var beyond = new Beyond<TSweep>(in sweep, carrier, patch);

@@ -11,7 +11,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     private readonly double _time;
     private readonly double _length;
 
-    // The bracket of the sign change. A value above the third number in a narrow bracket is a jump.
+    // The bracket of the sign change. In a narrow bracket, a value above the third number indicates a jump.
     private double _last;
     private double _first;
     private double _jump;
@@ -32,7 +32,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         Sweep.Step(x);
         value = Of(in Sweep.Taken.End, x);
 
-        // Track the bracket: a value that stays large in a narrow bracket has jumped.
+        // Track the bracket: if a value stays large in a narrow bracket, the margin has jumped.
         _last = value > 0 ? x : _last;
         _first = value > 0 ? _first : x;
         return Math.Abs(value) > _jump && _first - _last < ContactTolerances.JumpWidth * _length;
@@ -57,7 +57,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
         switch (_what)
         {
             case SurfaceLimit.Spin:
-                // Without drilling friction, a spin of zero has no effect.
+                // Without drilling friction, the end of the spin has no effect.
                 return system.Material.DrillingLength > 0 && system.SpinSign != 0
                     ? system.SpinSign * system.AboutCarrier(in at.Spin, system.NormalAt(in at.Position, _time + after))
                     : 0;
@@ -68,7 +68,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             default:
                 bool held = system.Rests(in on);
 
-                // Use the square root of the energy, which falls almost linearly.
+                // Use the square root of the energy, because it falls almost linearly.
                 return held ? Math.Sqrt(system.World.Energy(in at, system.Carrier, _time + after)) - Math.Sqrt(system.World.RestEnergy) : 1;
         }
     }
@@ -83,7 +83,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
     /// <returns>True if the piece ends beyond a jump of a margin, as at an edge.</returns>
     public static bool EndPiece(ref MotionSweep<SurfaceSystem, TIntegrator> sweep, in BallState s, bool rolls, bool keepsGrip)
     {
-        // Use the same overshoot for all margins, or a later one would shorten the piece to before the edge.
+        // Use the same overshoot for all margins; otherwise, a later one would end the piece before the edge.
         double beyond = ContactTolerances.BeyondJump * sweep.Length;
         bool jumps = false;
 
@@ -107,7 +107,7 @@ internal struct SurfaceMargin<TIntegrator> : IFunction
             double start = margin.Of(new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), 0);
             if (start > 0)
             {
-                // Find the first zero on the step itself by the Illinois method. A value that is not small there has jumped.
+                // Find the first zero on the step itself by the Illinois method. If a value is not small there, the margin has jumped.
                 margin._jump = ContactTolerances.MarginJump * start;
                 double x = Roots.Illinois(ref margin, 0, start, sweep.Length, end, ContactTolerances.EventWidth * sweep.Length, 60);
                 jumps = Math.Abs(margin.Of(in margin.Sweep.Taken.End, x)) > margin._jump;

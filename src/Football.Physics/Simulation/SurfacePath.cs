@@ -30,7 +30,7 @@ internal static class SurfacePath
         double farthest = Farthest * radius;
         for (int i = 0; i < MostTries; i++)
         {
-            // Deviation of the path from its surface, at the middle and at the end.
+            // The deviation of the path from its surface, at the middle and at the end.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             double half = 0.5 * path.Length;
             double off = Math.Max(
@@ -41,7 +41,7 @@ internal static class SurfacePath
                 return;
             }
 
-            // The deviation grows at least with the square of the length, so this shorter length suffices, except at an edge.
+            // The deviation grows at least with the square of the length, so this shorter length is sufficient, except at an edge.
             double share = Math.Sqrt(farthest / off);
             sweep.Step(Math.Max(0.1, Math.Min(0.8, share)) * path.Length);
         }

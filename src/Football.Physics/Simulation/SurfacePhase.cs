@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Sliding and rolling on any surface, piece by piece.</summary>
+/// <summary>Steps a ball that slides or rolls on any surface, piece by piece.</summary>
 /// <remarks>
 /// A piece ends at the first of these events: a jump of the drag law, a contact, the end of the slip, the loss of grip, the end of the
 /// load, or rest.
@@ -77,7 +77,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Takes the next piece of a slide or a roll.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // Handle an immediate hit first, then a contact set, which has its own phase.
+        // First handle an immediate impact, then a contact set, which has its own phase.
         if (!_world.IsPlaneAlone)
         {
             if (_guard.HitsAtOnce(ref s, ref run))
@@ -85,7 +85,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 return;
             }
 
-            // Another flush surface may become the carrier: only the material and the surface velocity change.
+            // Another flush surface may become the carrier: update only the material and the surface velocity.
             _contact.HandOver(ref s, Flush.CarrierOf(_world, in s), ref run);
             if (_set.Take(ref s, ref run))
             {
@@ -148,7 +148,7 @@ internal sealed class SurfacePhase<TIntegrator>
                 run.Log.Evaluations++;
             }
 
-            // Friction aligns a creeping ball's velocity with the push long before the step ends.
+            // Friction aligns a creeping ball's velocity with the push long before the end of the step.
             bool creeps = !held && run.Next * system.RollingFriction(in on, 0) > Creeping * size;
             if (creeps && size >= ContactTolerances.Rolling)
             {
@@ -166,13 +166,13 @@ internal sealed class SurfacePhase<TIntegrator>
             moving = size < ContactTolerances.Rolling ? traction : moving;
         }
 
-        // Direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
+        // The direction of the slip or the roll. Friction keeps this direction if a stage of the integrator passes zero.
         double length = moving.Length;
         system.Direction = length > 0 ? moving / length : Vector3d.Zero;
 
         system.LocksDirection = size < ContactTolerances.Rolling;
 
-        // Limit the piece by stability, nets, borders and the turning normal, then by the rate at which the direction turns.
+        // Limit the piece by stability, nets, borders and the turning normal, then by the turning rate of the direction.
         double h = LongestPiece(in s, in from, in on, ref run);
         MotionRates rates = system.RatesUnder(in on, s.Time, in from);
         if (size >= ContactTolerances.Rolling)
@@ -180,7 +180,7 @@ internal sealed class SurfacePhase<TIntegrator>
             double most = rolls ? system.RollingFriction(in on, size) : sliding;
             Vector3d rate = rolls ? rates.Acceleration + (on.Centripetal * on.Normal) - on.MaterialRate : SlipRate(in on, in rates, in from.Spin);
 
-            // Near its end the direction of a slip turns ever faster, so use the closed form there.
+            // Near the end of a slip, its direction turns ever faster: use the closed form there.
             if (!rolls && _endsSlipExactly && sliding > 0 && EndSlip(ref s, ref run, ref system, in from, in on, in moving, h))
             {
                 return;
@@ -193,14 +193,14 @@ internal sealed class SurfacePhase<TIntegrator>
             rates = system.LocksDirection ? system.RatesUnder(in on, s.Time, in from) : rates;
         }
 
-        // Take the piece. A net reacts faster than a step is long, so use RK4 substeps in a net.
+        // Take the piece. A net reacts within less than a step, so use RK4 substeps in a net.
         if (s.Nets != 0)
         {
             TakePiece<Substeps>(ref s, ref run, ref system, in from, in rates, h);
         }
         else if (run.Spirals)
         {
-            // RK4 does not increase a velocity that turns by up to 2.8 rad.
+            // RK4 does not speed up a velocity that turns by up to 2.8 rad.
             TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, in from, in rates, h);
         }
         else
@@ -255,7 +255,7 @@ internal sealed class SurfacePhase<TIntegrator>
         var sweep = new MotionSweep<SurfaceSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
         sweep.Step(h);
 
-        // Shorten the piece to the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.
+        // End the piece at the first event: edge of a surface, jump, load, grip, rest or spin, border, kink of a net, contact.
         if (system.IsFace)
         {
             FaceBorder.EndBeyond(ref sweep, in s, system.Carrier);
@@ -267,7 +267,7 @@ internal sealed class SurfacePhase<TIntegrator>
 
         if (_jump.Acts)
         {
-            // After a launch or an impact, the branch was read from the flow: locate the crossing from that branch.
+            // After a launch or an impact, the flow determined the branch: locate the crossing from that branch.
             s.Branch = system.Branch;
             _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
         }
@@ -279,7 +279,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _nets.EndWhereBent(ref sweep, in s, (int)s.Carrier - _world.FirstCollider);
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
 
-        // If the piece ends before the jump, the ball is still on the old branch.
+        // The piece ends before the jump: keep the old branch.
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
 
@@ -291,7 +291,7 @@ internal sealed class SurfacePhase<TIntegrator>
         Hold(ref s, in system, meets && met.What == SeparationKind.Contact ? met.Index : -1);
         if (overEdge && run.Log.IsWatched)
         {
-            // Beyond the edge the forces differ, so extrapolate the acceleration at the end instead of evaluating it there.
+            // Beyond the edge the forces differ: extrapolate the acceleration at the end instead of evaluating it there.
             Vector3d end = Extrapolate.Rate(before.Velocity, s.Velocity, sweep.StartAcceleration, sweep.Length);
             run.Log.Show(in before, in s, sweep.StartAcceleration, in end, order);
         }
@@ -306,18 +306,18 @@ internal sealed class SurfacePhase<TIntegrator>
         }
     }
 
-    /// <summary>Ends a slide in closed form, which holds however the slip turns.</summary>
+    /// <summary>Ends a slide in closed form, which is valid however the slip turns.</summary>
     /// <remarks>Near the end the push and the load are almost constant, so it uses their means.</remarks>
     /// <returns>False if the end is not near, or if friction cannot hold the ball afterwards.</returns>
     private bool EndSlip(
         ref BallState s, ref StepRun run, ref SurfaceSystem system, in Motion from, in SurfaceForces on, in Vector3d slip, double longest)
     {
-        // First estimate, with the push and the friction at the start.
+        // First estimate: use the push and the friction at the start.
         double perLoad = (1.0 + (1.0 / _alpha)) * system.Material.SlidingFriction;
         Vector3d push = system.SlipPush(in on, in from.Spin);
         double friction = perLoad * on.Load;
 
-        // In a net or on a curved surface the push changes with the position, so allow only a very short end.
+        // In a net or on a curved surface, the push changes with the position: allow only a very short end.
         double most = s.Nets == 0 && on.Turning == Vector3d.Zero ? longest : Math.Min(longest, ContactTolerances.CurvedSlideEnd);
 
         // |s| < k t: the slide may end in this piece. |c|² < k²: friction outweighs the push, so it does end.
@@ -332,7 +332,7 @@ internal sealed class SurfacePhase<TIntegrator>
         var decay = new SlipDecay(in slip, in push, friction);
         Motion end = SlipEnd(in system, s.Time, in from, in decay, system.SlidingFriction(in on), in start, in start, about + (decay.Time * turning), in on.Normal);
 
-        // Second estimate, with the means of both ends. The means leave only an error of higher order in the end time.
+        // Second estimate: use the means of both ends, which leave only a higher-order error in the end time.
         SurfaceForces there = system.ForcesOn(s.Time + decay.Time, in end);
         run.Log.Evaluations++;
         Vector3d endPush = system.SlipPush(in there, in end.Spin);
@@ -359,20 +359,20 @@ internal sealed class SurfacePhase<TIntegrator>
         about += 0.5 * t * (turning + lastTurning);
         end = SlipEnd(in system, s.Time, in from, in decay, sliding, in start, in last, about, in on.Normal);
 
-        // Reject it if the spin about the normal ends, or if the ball reaches another surface, before the slip ends.
+        // Reject the result if the spin about the normal ends, or the ball reaches another surface, before the slip ends.
         if (system.SpinSign * (about - Vector3d.Dot(system.Carrier.Spin, in on.Normal)) < 0 || system.Carrier.PatchAt(s.Position) != system.Carrier.PatchAt(in end.Position)
             || (system.IsFace && system.Carrier.FaceMargin(in end.Position, s.Time + t) < 0))
         {
             return false;
         }
 
-        // Reject it if the drag law jumps first: a piece must end there.
+        // Reject the result if the drag law jumps first, because a piece must end at the jump.
         if (_jump.Acts && _around.BranchAt(in end) != system.Branch)
         {
             return false;
         }
 
-        // Reject it if the ball hits another object on its path.
+        // Reject the result if the ball hits another object on its path.
         var path = PathCubic.Line(s.Position, (end.Position - s.Position) / t, t);
         if (new ContactSearch(_world, in path, s.Time).First(in s, (int)s.Carrier - _world.FirstCollider, out _) <= t)
         {
@@ -386,7 +386,7 @@ internal sealed class SurfacePhase<TIntegrator>
             + ((sliding / (_alpha * _around.Radius)) * Vector3d.Cross(on.Normal, decay.Twice))
             + ((t * t / 12.0) * Vector3d.Cross(end.Spin, from.Spin));
 
-        // Move the ball to the end of the slip.
+        // Move the ball to its state at the end of the slip.
         BallState before = s;
         s.BaseOrientation = s.BaseOrientation.Turned(in turn);
         s.Position = end.Position;
@@ -401,7 +401,7 @@ internal sealed class SurfacePhase<TIntegrator>
             run.Log.Show(in before, in s, in acceleration, in atEnd, _integrator.Order);
         }
 
-        // The slip has ended: the ball rolls if friction holds it.
+        // The slip has ended: the ball rolls if friction can hold it.
         if (!run.Log.Halted && (system.Grips(in there) || KeepsGrip(in s, in run)))
         {
             _contact.StartRolling(ref s, ref run);
@@ -440,7 +440,7 @@ internal sealed class SurfacePhase<TIntegrator>
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, material.SpinDamping / _inertia, gain);
 
-        // |ṅ| h bounds the rotation of the normal. A net and the narrowest material border limit the piece as well.
+        // |ṅ| h bounds the rotation of the normal. Nets and the narrowest material border also limit the piece.
         double turning = on.Turning.Length;
         h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
@@ -452,7 +452,7 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>Projects the ball onto all surfaces that it touches, to remove the integrator's error.</summary>
     private void Hold(ref BallState s, in SurfaceSystem system, int met)
     {
-        // Just beyond the edge of a flat face, the ball is still on the plane of the face.
+        // Just beyond the edge of a flat face, the ball is still on the plane of that face.
         bool beyond = system.IsFace && system.Carrier.FaceMargin(s.Position, s.Time) <= 0;
         Vector3d n = beyond ? system.FaceNormal : _world.Hold(ref s, system.Carrier);
         if (met < 0 && !_world.IsPlaneAlone)
@@ -487,7 +487,7 @@ internal sealed class SurfacePhase<TIntegrator>
     {
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
 
-        // Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
+        // Use Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
         for (int i = 0; i < MostPuts; i++)
         {
             ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);

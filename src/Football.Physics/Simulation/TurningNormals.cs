@@ -41,7 +41,7 @@ internal static class TurningNormals
             }
         }
 
-        // If the remaining parts cannot cover the rest of the step at this rotation, allow longer ones.
+        // At this rotation per part, the remaining parts cannot cover the rest of the step: allow longer parts.
         double longest = Math.Max(LargestTurn, turning * (run.Left / (MostTurns - run.Turns)));
         bool shortens = turning * h > longest;
         h = shortens ? longest / turning : h;

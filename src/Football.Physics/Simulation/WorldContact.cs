@@ -9,7 +9,7 @@ internal sealed class WorldContact
     /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>If a step resolves all contacts together more often than this, the ball counts as having no room.</summary>
+    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
     private const int MostUntold = 3;
 
     private readonly Surroundings _around;
@@ -33,7 +33,7 @@ internal sealed class WorldContact
     /// <summary>Resolves an impact with a collider that the ball touches, and sets the new motion state.</summary>
     public void Impact(ref BallState s, int collider, ref StepRun run)
     {
-        // Resolve all contacts together after too many impacts at one instant, or in a crowded step shortly after contact with a mover.
+        // After too many impacts at one instant, or in a crowded step shortly after contact with a mover, resolve all contacts together.
         if (run.Impacts++ >= MostAtOnce || (run.IsCrowded && s.Time < s.SqueezeUntil))
         {
             ImpactAtOnce(ref s, collider, ref run);
@@ -44,7 +44,7 @@ internal sealed class WorldContact
         bool carried = s.Motion != MotionState.Airborne && !_world.HangsInNet(in s);
         if (!carried && hit.IsLevelGround)
         {
-            // Height and vertical velocity are known exactly here. The difference is rounding, the contact tolerance or that of a
+            // Height and vertical velocity are known exactly here. The difference is due to rounding, or to the tolerance of a contact or a
             // bisection.
             s.Position = hit.Snap(s.Position);
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
@@ -75,12 +75,12 @@ internal sealed class WorldContact
             }
         }
 
-        // The separation speed, w = (v' − V')·n, determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
+        // The separation speed w = (v' − V')·n determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
         bool may = run.Hit();
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
         if (_gainsByHops && off > 0 && !hit.IsLevelGround)
         {
-            // Subtract in advance the speed that the integrator adds in the hop. On level ground the pieces of a hop are short enough.
+            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough.
             double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
             off -= gain;
             velocity -= gain / (1.0 + way.Ratio) * n;
@@ -89,7 +89,7 @@ internal sealed class WorldContact
         bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
         if (!bounces && hit.GivesWay)
         {
-            // A ball that stays on an object with a mass has an impact with e = 0, so that momentum is conserved.
+            // A ball that stays on an object with a mass has an impact with e = 0, which conserves momentum.
             ContactMaterial dead = material.WithoutRestitution();
             CoulombImpact.Apply(_world.Ball, in dead, in way, in n, in surface, in v, in w, out velocity, out spin);
             off = 0;
@@ -97,11 +97,11 @@ internal sealed class WorldContact
 
         double added = bounces ? CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (way.Ratio * (velocity - v)), in n)) : 0;
 
-        // The event reports the velocity given by the impulse. A ball that stays then loses the remaining speed off the surface.
+        // The event reports the velocity due to the impulse. A ball that stays then loses its remaining separation speed.
         Vector3d reported = velocity;
         velocity = bounces && off > 0 ? velocity : velocity - (off * n);
 
-        // An object with a mass gets the opposite impulse, m (v − v').
+        // Apply the opposite impulse, m (v − v'), to an object with a mass.
         if (hit.GivesWay && run.Log.Pushes)
         {
             run.Log.Motions?.Read();
@@ -110,7 +110,7 @@ internal sealed class WorldContact
             run.Log.Halted |= run.Log.HaltsAtPush;
         }
 
-        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would cause many events.
+        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would raise many events.
         if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
         {
             run.Log.UnreportedImpacts++;
@@ -122,10 +122,10 @@ internal sealed class WorldContact
 
         run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
 
-        // The velocity has jumped, so determine the branch of the drag law again.
+        // The velocity has jumped, so choose the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
 
-        // Movers hit the ball too often in a short time: it has no room.
+        // Movers hit the ball too often in a short time, so it has no room.
         if (hit.Moves && run.IsCrowdedAt(s.Time))
         {
             s.Velocity = velocity;
@@ -158,7 +158,7 @@ internal sealed class WorldContact
     {
         run.Log.UnreportedImpacts++;
 
-        // Solve all contacts as one set, over zero time and with zero restitution.
+        // Solve all contacts as one set, over zero time and without restitution.
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
@@ -166,7 +166,7 @@ internal sealed class WorldContact
         double most = v.Length;
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Untold++ < MostUntold;
 
-        // If no impulses can stop all contacts from closing, or if this recurs, the ball is squeezed. Only moving objects can squeeze it.
+        // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
         if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
         {
             BeginSqueeze(ref s, collider, ref run);
@@ -181,7 +181,7 @@ internal sealed class WorldContact
         s.Velocity = v;
         s.SetGroundSpin(in w);
 
-        // The contact with the greatest load becomes the carrier if the forces press the ball on it. Otherwise the ball flies.
+        // The contact with the greatest load becomes the carrier if the forces press the ball onto it. Otherwise, the ball flies.
         int bearer = ContactSet.Heaviest(set);
         if (bearer >= 0 && _load.IsPressed(in s, set[bearer].Collider))
         {
@@ -220,7 +220,7 @@ internal sealed class WorldContact
     /// <param name="velocity">The resulting velocity, m/s.</param>
     public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
     {
-        // (1 + e) |V| of the fastest mover that pushes the ball; −1 if none does.
+        // (1 + e) |V| of the fastest mover that pushes the ball, or −1 if there is no such mover.
         double fastest = -1.0;
         foreach (ref readonly Contact contact in set)
         {
@@ -329,7 +329,7 @@ internal sealed class WorldContact
         run.Report(new BallEvent(BallEventKind.Slide, (int)s.Carrier, in n, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
     }
 
-    /// <summary>Releases the ball from its carrier. The rest of the step is divided from scratch.</summary>
+    /// <summary>Releases the ball from its carrier, and divides the rest of the step from scratch.</summary>
     public void Leave(ref BallState s, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
         run.Report(new BallEvent(BallEventKind.ContactEnd, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, in velocity, in spin));
@@ -369,7 +369,7 @@ internal sealed class WorldContact
     /// air.</summary>
     public void Settle(ref BallState s)
     {
-        // If several surfaces could support the ball, take the first one of the scene.
+        // If several surfaces could support the ball, use the first one in scene order.
         int first = int.MaxValue;
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
@@ -386,7 +386,7 @@ internal sealed class WorldContact
             Vector3d n = _world.Hold(ref s, collider);
             if (collider == _world.Ground)
             {
-                // Keep x and z exactly as given, bit for bit.
+                // Keep x and z bit-identical to the input.
                 s.Position = GroundPlace.Onto(_world, in placed);
             }
 
@@ -409,8 +409,7 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), at.Normal);
         velocity = s.Velocity - (off * at.Normal);
 
-        // A level pitch supports a ball that closes more slowly than the minimum bounce speed. On other surfaces any closing speed is an
-        // impact.
+        // A level pitch supports a ball that closes more slowly than the minimum bounce speed. On any other surface, a closing ball has an impact.
         double slowest = collider.IsLevelGround ? -_world.MinimumBounceSpeed : -double.Epsilon;
         return at.Distance - _world.Ball.Radius <= ContactTolerances.Touching && off < _world.MinimumBounceSpeed && off > slowest
             && _load.Load(in s, in velocity, s.Spin, collider, in at) > ContactTolerances.LeastLoad;
@@ -432,7 +431,7 @@ internal sealed class WorldContact
         Vector3d n = carrier.At(s.Position, s.Time).Normal;
         double off = Vector3d.Dot(velocity - carrier.ShapeVelocity(s.Position, s.Time), in n);
 
-        // w_s < 0: the ball moves into its carrier, so an impact with it follows at the same instant.
+        // w_s < 0: the ball moves into its carrier, so it also hits the carrier at the same instant.
         if (off < -ContactTolerances.Approaching)
         {
             s.Velocity = velocity;
@@ -442,7 +441,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // The ball is lifted off the carrier and stays on the other surface: it climbs that surface, such as a kerb.
+        // The other surface lifts the ball off its carrier, and the ball stays on it: it climbs that surface, such as a kerb.
         if (off > ContactTolerances.Approaching && pressing >= 0)
         {
             Stay(ref s, pressing + _world.FirstCollider, in velocity, in spin, ref run);
@@ -460,7 +459,7 @@ internal sealed class WorldContact
         double share = along.LengthSquared;
         if (pressing >= 0 && share > ContactTolerances.AlongNormal)
         {
-            // Remove the velocity component into the other object by changing only the velocity along the carrier.
+            // Remove the velocity component into the other object by changing only the tangential velocity on the carrier.
             kept -= Vector3d.Dot(kept - hitVelocity, in hitNormal) / share * along;
         }
 
@@ -476,7 +475,7 @@ internal sealed class WorldContact
         s.Branch = DragBranch.Unknown;
         s.SqueezeSpeed = Math.Max(s.SqueezeSpeed, velocity.Length);
 
-        // A hit by another ball breaks the series of hits by movers, so the next one does not count as the second of two.
+        // An impact with another ball ends the series of hits by movers, so the next hit is not the second of two.
         s.SqueezeUntil = s.Motion == MotionState.Pinned ? s.SqueezeUntil : Math.Min(s.SqueezeUntil, s.Time);
         if (s.Motion == MotionState.Airborne || _world.HangsInNet(in s))
         {
@@ -490,7 +489,7 @@ internal sealed class WorldContact
             return;
         }
 
-        // Let the rest of the step move the ball out of the mover at its allowed speed. At once, it could end inside a stationary object.
+        // Let the rest of the step move the ball out of the mover at its maximum speed. An immediate move could end inside a stationary object.
         s.Velocity = velocity;
         Collider carrier = _world.CarrierOf(in s);
         if (!carrier.Moves)
@@ -499,10 +498,10 @@ internal sealed class WorldContact
         }
     }
 
-    /// <summary>Puts the ball onto a surface that it stays on: it slides or rolls.</summary>
+    /// <summary>Puts the ball onto a surface on which it stays, sliding or rolling.</summary>
     private void Stay(ref BallState s, int thing, in Vector3d velocity, in Vector3d spin, ref StepRun run)
     {
-        // Report no new slide for a ball that already slid there at this instant, or, in a crowded step, at all.
+        // Report no new slide if the ball already slid there at this instant, nor in a crowded step.
         bool slidOn = (run.Impacts > 1 || run.IsCrowded) && s.Motion == MotionState.Sliding && s.Carrier == thing;
         s.Velocity = velocity;
         s.SetGroundSpin(in spin);

@@ -30,7 +30,7 @@ internal sealed class WorldGuard
         var near = NearThings.At(_world, s.Position, s.Time);
         while (near.NextCollider(out int i))
         {
-            // Take the first collider in scene order, regardless of the order of the walk. Between two bodies, the contact normals decide.
+            // Use the first collider in scene order, regardless of the traversal order. Between two bodies, the contact normals decide.
             bool byside = first != int.MaxValue && _world.IsByside(i, first);
             if (i == carrier || (i > first && !byside))
             {
@@ -39,7 +39,7 @@ internal sealed class WorldGuard
 
             Separation.OfContact(_world, i).Evaluate(s.Position, s.Velocity, s.Time, out double gap, out double rate);
 
-            // A closing contact is an impact. A ball in the air that is pressed on a surface without closing or leaving is supported by it.
+            // A closing contact is an impact. If a flying ball is pressed onto a surface and neither closes nor leaves, the surface supports it.
             bool touches = gap <= ContactTolerances.Touching;
             bool hits = touches && ((rate < -ContactTolerances.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
             bool presses = touches && !hits && rate <= ContactTolerances.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
@@ -111,19 +111,19 @@ internal sealed class WorldGuard
 
         for (int i = 0; i < MostSearches; i++)
         {
-            // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has another
-            // cubic: repeat.
+            // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has a different
+            // cubic, so repeat.
             var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, held, out Separation found);
 
-            // No earlier contact was found, or it is the same contact, earlier only by rounding.
+            // No earlier contact was found, or the contact is the same one and earlier only by rounding.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - ContactTolerances.StepRounding) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
             {
                 break;
             }
 
-            // At a seam another surface becomes the carrier: end the piece when the ball reaches it.
+            // At a seam, another surface becomes the carrier: end the piece when the ball reaches that surface.
             if (found.What == SeparationKind.Seam)
             {
                 sweep.Step(at);
@@ -131,7 +131,7 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // The ball touches the surface and closes on it from the start: a piece of zero length.
+            // The ball touches the surface and closes from the start: the piece has zero length.
             if (at == 0)
             {
                 sweep.Step(0);
@@ -139,7 +139,7 @@ internal sealed class WorldGuard
                 break;
             }
 
-            // The thesis' bisection only handles level ground.
+            // The thesis' bisection supports only level ground.
             if (_bisects && found.What == SeparationKind.Contact && _world.Colliders[found.Index].IsLevelGround && sweep.Position.Y < _world.LevelContact)
             {
                 Bisection.End(ref sweep, _tolerance, _world.LevelContact);
@@ -149,14 +149,13 @@ internal sealed class WorldGuard
 
             if (!Locate(ref sweep, in found, s.Time, at))
             {
-                // A grazing contact: end the piece there, because the search stopped there. The next piece searches on.
+                // The search stopped at a grazing contact: end the piece there. The next piece continues the search.
                 sweep.Step(Math.Max(at, ContactTolerances.ShortestPiece * path.Length));
                 met = default;
                 break;
             }
 
-            // On the cubic the ball may seem to hit the surface beyond a seam. If the step itself crosses the seam, end the piece at the
-            // edge.
+            // On the cubic, the ball may seem to hit the surface beyond a seam. If the step itself crosses the seam, end the piece at the edge.
             if (found.What == SeparationKind.Contact && !_world.IsPlaneAlone
                 && Flush.Passage(_world, found.Index, sweep.Position, sweep.Velocity, s.Time + sweep.Length, carrier, held) > 0)
             {
@@ -167,7 +166,7 @@ internal sealed class WorldGuard
             met = found;
             if (!(sweep.Length > 0) || _world.IsPlaneAlone)
             {
-                // No other contact can come earlier.
+                // No other contact can be earlier.
                 break;
             }
         }
@@ -230,7 +229,7 @@ internal sealed class WorldGuard
             return false;
         }
 
-        // The gap that closes in the time between is within the contact tolerance.
+        // If the gap closes in between, it stays within the contact tolerance.
         met.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out _, out double rate);
         return before * -rate <= 4.0 * ContactTolerances.Touching;
     }
@@ -242,16 +241,16 @@ internal sealed class WorldGuard
     {
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double atEnd, out _);
 
-        // The gap is open at both ends, so there may or may not be a root between them.
+        // The gap is open at both ends: there may be a root in between.
         bool dips = atEnd > 0;
 
-        // If the gap is zero at the start, reject the root there: it is the old contact.
+        // If the gap is zero at the start, reject the root there, which belongs to the old contact.
         if (EventLocator.Locate(ref sweep, new Closing<TSweep>(in sought, time, dips), tau) && !dips && sweep.Length >= ContactTolerances.ShortestPiece * tau)
         {
             return true;
         }
 
-        // The gap is within the contact tolerance all along, so there is no root. The contact starts when the ball begins to close.
+        // The gap stays within the contact tolerance, so it has no root. The contact starts when the ball begins to close.
         if (!dips && sweep.Length < ContactTolerances.ShortestPiece * tau)
         {
             sweep.Step(tau);
@@ -259,11 +258,11 @@ internal sealed class WorldGuard
 
         sought.Evaluate(sweep.Position, sweep.Velocity, time + sweep.Length, out double left, out double coming);
 
-        // A step that ends inside the surface has hit it, even if its end velocity is zero (a semi-implicit hop).
+        // If a step ends inside the surface, the ball has hit it, even with zero end velocity (a semi-implicit hop).
         return left <= ContactTolerances.Touching && (coming < 0 || atEnd < 0);
     }
 
-    /// <summary>A gap that closes.</summary>
+    /// <summary>A gap that closes, as a function of the step's length.</summary>
     private readonly struct Closing<TSweep> : IEventFunction<TSweep>
         where TSweep : struct, ISweep
     {
@@ -286,18 +285,18 @@ internal sealed class WorldGuard
         {
             _gap.Evaluate(sweep.Position, sweep.Velocity, _start + tau, out value, out double rate);
 
-            // Newton: −f/f', valid while the gap closes.
+            // The Newton step −f/f', valid while the gap closes.
             correction = rate < 0 ? -value / rate : double.NaN;
             if (Math.Abs(value) <= ContactTolerances.LocatedGap || (_dips && value > 0 && rate >= 0))
             {
                 return true;
             }
 
-            // The remaining correction is small enough to move the end linearly, without repeating the step.
+            // The remaining correction is small: move the end linearly instead of repeating the step.
             bool isClose = tau + correction >= 0 && EventLocator.IsLinear(ref sweep, correction);
             if (isClose)
             {
-                // Apply the correction twice: the first one leaves the error from the curvature of the gap.
+                // Apply the correction twice, because the first one leaves an error due to the curvature of the gap.
                 sweep.Nudge(correction);
                 _gap.Evaluate(sweep.Position, sweep.Velocity, _start + sweep.Length, out double left, out rate);
                 sweep.Nudge(rate < 0 ? Math.Max(-left / rate, -sweep.Length) : 0);
@@ -370,13 +369,13 @@ internal sealed class NetGuard
                 continue;
             }
 
-            // The kink is a sign change of 1 + b δ̇. A piece that starts at a kink has already passed it.
+            // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
             double side = World.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
             if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)
             {
-                // The motion is smooth up to the kink, so its rate at the start gives a better first guess than the secant across it.
+                // The motion is smooth up to the kink, so the rate at its start gives a better first guess than a secant across the kink.
                 double sign = start < 0 ? -1.0 : 1.0;
                 double first = sign * start / Math.Max(0, -sign * _world.Nets[i].TensionRate(sweep.StartAcceleration, side));
                 double secant = sweep.Length * start / (start - end);
@@ -395,7 +394,7 @@ internal sealed class NetGuard
     {
         for (int i = 0; i < MostHalved && s.Nets != 0 && sweep.Length > 0 && IsNear(ref sweep, in s, carrier); i++)
         {
-            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64. It falls with the fourth power of the length.
+            // The quintic minus the cubic at the middle: h (v₀ − v₁)/32 + h² (a₀ + a₁)/64, which is of fourth order in the length.
             double h = sweep.Length;
             Vector3d off = (h / 32.0 * (s.Velocity - sweep.Velocity)) + (h * h / 64.0 * (sweep.StartAcceleration + sweep.EndAcceleration()));
             double share = ContactTolerances.NetBend / off.Length;
@@ -435,7 +434,7 @@ internal sealed class NetGuard
     {
         public bool Evaluate(ref TSweep sweep, double tau, out double value, out double correction)
         {
-            // Newton on ± (1 + b δ̇), whose rate needs the acceleration at the end.
+            // A Newton step on ± (1 + b δ̇); its derivative needs the acceleration at the end.
             value = sign * net.Tension(sweep.Velocity, side);
             bool isThere = Math.Abs(value) < ContactTolerances.NetSlack;
             double rate = isThere ? 0 : sign * net.TensionRate(sweep.EndAcceleration(), side);

@@ -26,7 +26,7 @@ internal readonly struct ZonePath
         _c4 = (-15.0 * way) + (8.0 * v) + (7.0 * w) + (1.5 * a) - b;
         _c5 = (6.0 * way) - (3.0 * v) - (3.0 * w) - (0.5 * a) + (0.5 * b);
 
-        // The control points of the Bézier form: their hull contains the curve. The same holds for the derivatives.
+        // The control points of the Bézier form: their convex hull contains the curve. The same is true of the derivatives.
         Vector3d end = p + way;
         Vector3d p1 = p + (0.2 * v);
         Vector3d p2 = p + (0.4 * v) + (0.05 * a);
@@ -73,7 +73,7 @@ internal readonly struct ZonePath
             return new ZonePath(in p, in v, h * h * startAcceleration, in way, in w, h * h * endAcceleration);
         }
 
-        // The accelerations at the ends of a quadratic or a cubic.
+        // The accelerations at both ends of a quadratic or a cubic.
         Vector3d bend = 2.0 * (way - v);
         return degree == 2
             ? new ZonePath(in p, in v, in bend, in way, v + bend, in bend)

@@ -38,7 +38,7 @@ internal readonly struct ZoneSearch
         _zone = zone;
         _border = new Border(in path, shape, level);
 
-        // A concave curvature κ bends the distance by κ/(1 − κ d), valid here for κ d ≤ ¾. Farther out, only the speed bounds the distance.
+        // A concave curvature κ bends the distance by κ/(1 − κ d); this is valid for κ d ≤ ¾. Farther out, use only the speed to bound the distance.
         double hollow = shape.MaximumConcaveCurvature;
         _speed = path.FastestSpeed;
         _bend = path.GreatestAcceleration + (4.0 * hollow * _speed * _speed);
@@ -69,7 +69,7 @@ internal readonly struct ZoneSearch
     {
         if (atTo > 0)
         {
-            // The path ends outside: search backwards for the last crossing.
+            // The path ends outside the zone: search backwards for the last crossing.
             double leaves = Last(from, to);
             Inside(from, atFrom, leaves, 0, halvings);
             Add(leaves, false);

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>The zones of a scene, checked against each piece of the path.</summary>
 /// <remarks>
-/// Immutable: the data of a ball is in its log.
+/// This class is immutable: a ball's data is in its log.
 /// Zones never shorten a piece: the path is searched after it was taken. Whether the ball is in a zone follows from its position, so the
 /// state stores nothing.
 /// If an object displaces the ball, the zones search the straight line between the two positions.
@@ -33,7 +33,7 @@ internal sealed class ZoneWatch
         }
     }
 
-    /// <summary>Returns the zones of a scene; null if there are none, so that steps pay nothing.</summary>
+    /// <summary>Returns the zones of a scene; null if there are none, so that steps have no cost.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="firstThing">Index of the first zone among the scene's objects.</param>
     public static ZoneWatch? Of(Scene scene, int firstThing)
@@ -43,7 +43,7 @@ internal sealed class ZoneWatch
             return null;
         }
 
-        // Zones that the ball ignores keep their indices.
+        // Zones that the ball ignores also keep their indices.
         int[] seen = [.. Enumerable.Range(0, scene.Zones.Count).Where(i => !Layers.Contains(scene.Ball.Ignores, scene.Zones[i].Layer))];
         return seen.Length == 0 ? null : new ZoneWatch(Array.ConvertAll(seen, i => scene.Zones[i]), Array.ConvertAll(seen, i => firstThing + i), scene.Ball.Radius);
     }

@@ -115,11 +115,11 @@ public struct BallState : IFormattable
     /// <summary>Sets the spin of a ball in flight.</summary>
     internal void SetFlightSpin(in Vector3d spin)
     {
-        // The current angle belongs to the old axis.
+        // The current angle refers to the old axis.
         FoldRotation();
         double rate = spin.Length;
 
-        // A spin too small to have an axis becomes 0. The axis stays a unit vector.
+        // A spin that is too small to have an axis becomes 0. The axis remains a unit vector.
         bool spins = rate > NoSpin;
         SpinAxis = spins ? spin / rate : Vector3d.Up;
         SpinRate = spins ? rate : 0;
@@ -130,7 +130,7 @@ public struct BallState : IFormattable
     {
         FoldRotation();
 
-        // On the ground SpinAxis holds the spin itself, with a rate of 1.
+        // On the ground, SpinAxis stores the spin itself, with a rate of 1.
         SpinAxis = spin;
         SpinRate = 1;
     }

@@ -79,7 +79,7 @@ public static class KickVectors
     {
         double squared = vector.LengthSquared;
 
-        // The last bit matters too: otherwise the launch would reject a kick that has just been checked.
+        // Even the last bit matters: otherwise, the launch would reject a kick that has just been checked.
         return squared < limit * limit * (1.0 - 1e-14) ? vector : (1.0 - 1e-14) * Math.Min(1.0, limit / Math.Sqrt(squared)) * vector;
     }
 

@@ -26,7 +26,7 @@ internal static class StateCheck
     /// <summary>True if a ball can have this state: the test of <see cref="Validate"/>, in a few nanoseconds.</summary>
     public static bool Holds(in BallState state)
     {
-        // Comparisons with NaN are false, so NaN fails the test.
+        // Comparisons with NaN are false, so a NaN fails the test.
         Vector3d p = state.Position;
         Vector3d v = state.Velocity;
         if (!(state.Time >= 0 && state.Time <= LatestTime && (uint)state.Branch < 5 && (ulong)state.Carrier <= int.MaxValue
@@ -40,14 +40,14 @@ internal static class StateCheck
             return false;
         }
 
-        // In flight: a unit axis, a rate and an angle.
+        // In flight, the state has a unit axis, a rate and an angle.
         double axis = state.SpinAxis.LengthSquared;
         if (state.Motion == MotionState.Airborne)
         {
             return Math.Abs(axis - 1) <= Rounding && state.SpinRate >= 0 && state.SpinRate <= FastestSpin && Math.Abs(state.Angle) <= LargestAngle;
         }
 
-        // On the ground SpinAxis holds the spin. A supporting object may move and carry the ball along.
+        // On the ground, SpinAxis stores the spin. A supporting object may move and carry the ball along.
         bool carried = state.SpinRate == 1 && state.Angle == 0;
         return state.Motion == MotionState.Rest
             ? carried && (state.Carrier > 0 ? axis <= Limits.Spin * Limits.Spin : axis == 0 && v.LengthSquared == 0)
@@ -76,7 +76,7 @@ internal static class StateCheck
         }
         else
         {
-            // On the ground SpinAxis holds the spin.
+            // On the ground, SpinAxis stores the spin.
             Check.Size("state.spin", state.SpinAxis, state.Motion != MotionState.Rest ? FastestSpin : state.Carrier > 0 ? Limits.Spin : 0, "rad/s");
             Check.Within("state.spinRate", state.SpinRate, 1, 1);
             Check.Within("state.angle", state.Angle, 0, 0);

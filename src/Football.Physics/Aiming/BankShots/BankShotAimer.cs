@@ -76,7 +76,7 @@ public sealed class BankShotAimer
             throw Check.Conflict("aim.waypoint", "aim.waypoint cannot be combined with aim.after. Leave one of them unset.");
         }
 
-        // 1. Solve chains of legs from several guesses, and correct the results by their miss. 2. If none hits, search over all directions.
+        // 1. Solve chains of legs from several guesses, and correct the results by their miss. 2. If no result hits, search over all directions.
         int[] things = Things(after);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
         _flight.Begin(request, in frame, things);
@@ -94,7 +94,7 @@ public sealed class BankShotAimer
     /// <summary>Solves kicks from guesses of their contacts, and corrects them by their miss.</summary>
     private void FlyChains(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // Close the gaps of each guess as far as possible; the full flight, with nets, corrects the rest.
+        // For each guess, close the gaps as far as possible. The full flight, with nets, corrects the rest.
         BankShotProblem legs = Legs(things);
         _flown = 0;
         for (int i = 0; i < BankShotGuess.Count && !_flight.Hits; i++)
@@ -115,7 +115,7 @@ public sealed class BankShotAimer
     /// <summary>Sets up the legs from object to object.</summary>
     private BankShotProblem Legs(int[] things)
     {
-        // A leg includes its bounces off the ground; only the other objects are contacts.
+        // A leg includes its bounces on the ground; only the other objects are contacts.
         int contacts = 0;
         foreach (int thing in things)
         {
@@ -191,7 +191,7 @@ public sealed class BankShotAimer
             throw Check.Refusal(Check.Item("aim.after", place), name, FormattableString.Invariant($"{name}[0] … {name}[{same - 1}], because the scene has {same} colliders with this name"));
         }
 
-        // "name[k]" is the k-th object of that name, unless an object has exactly this name.
+        // "name[k]" means the k-th object with that name, unless an object has exactly this name.
         int bracket = name.LastIndexOf('[');
         if (same == 0 && bracket > 0 && name[^1] == ']'
             && int.TryParse(name.AsSpan(bracket + 1, name.Length - bracket - 2), NumberStyles.None, CultureInfo.InvariantCulture, out int index))

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies bank shots in the full scene; their miss by elevation and azimuth is a least-squares problem.</summary>
+/// <summary>Simulates bank shots in the full scene; their miss by elevation and azimuth is a least-squares problem.</summary>
 /// <remarks>
 /// A kick flies until it has hit the required objects and passed its closest point to the target. The best of all kicks is stored.
 /// </remarks>
@@ -45,7 +45,7 @@ internal sealed class BankShotFlight : ILeastSquares
     /// <summary>The number of corrections since the search began.</summary>
     public int Iterations { get; set; }
 
-    /// <summary>The closest kick in fine steps or, if none of those hit all objects, in coarse steps.</summary>
+    /// <summary>The closest kick simulated in fine steps or, if no such kick hits all objects, in coarse steps.</summary>
     public Kick Best { get; private set; }
 
     /// <summary>The miss of the best kick.</summary>
@@ -77,13 +77,13 @@ internal sealed class BankShotFlight : ILeastSquares
         Simulations = 0;
         Iterations = 0;
 
-        // Start with a default kick, in case no kick hits the objects.
+        // Start with a default kick, because no kick may hit the objects.
         IsFine = false;
         Best = Kick.Of(request, _bounds.Clamp(0.3), 0);
         Miss = new MeasuredMiss(Vector3d.Distance(frame.From, in frame.Target), null, 0, frame.From);
     }
 
-    /// <summary>Flies a kick in coarse steps.</summary>
+    /// <summary>Simulates a kick in coarse steps.</summary>
     /// <returns>The miss; infinite if the kick does not hit the required objects.</returns>
     public double Look(double elevation, double azimuth) => Fly(elevation, azimuth, CoarseStep) ? _flight.Miss : double.PositiveInfinity;
 
@@ -117,7 +117,7 @@ internal sealed class BankShotFlight : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // Both columns are measured by differences.
+        // There are no known columns: finite differences yield both.
     }
 
     private bool Fly(double elevation, double azimuth, double step)
@@ -127,7 +127,7 @@ internal sealed class BankShotFlight : ILeastSquares
         BallState state = _simulator.LaunchAt(_request.From, velocity, spin, _request.KickTime);
         Simulations++;
         _flight.Fly(state, step, LongestFlight, in _frame.Target, Vector3d.Zero, null, _things);
-        // A kick flown in fine steps always takes precedence over one in coarse steps.
+        // A kick simulated with fine steps always takes precedence over one with coarse steps.
         bool isFine = step == FineStep;
         if (_flight.HasMetAll && (isFine == IsFine ? _flight.Miss < Miss.Distance : isFine))
         {

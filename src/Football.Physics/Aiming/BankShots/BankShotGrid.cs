@@ -29,7 +29,7 @@ internal sealed class BankShotGrid
     /// <summary>Searches for a kick closer than the best so far.</summary>
     public void Find(AimRequest request, in TargetFrame frame, int[] things)
     {
-        // Each grid halves the spacing; corrections start from the best kicks that hit all objects.
+        // Each grid halves the spacing. The corrections start from the best kicks that hit all objects.
         var bounds = ElevationBounds.Of(request);
         Azimuths(in frame, things, out double from, out double to);
         for (int closeness = 1; closeness < 1 << Looks && !_flight.Hits; closeness *= 2)
@@ -62,7 +62,7 @@ internal sealed class BankShotGrid
         int thing = Array.Find(things, item => item != 0);
         if (thing == 0)
         {
-            // Ground only: search towards the target, with a margin because the ball may bend.
+            // Only the ground is required: search towards the target, with a margin because the path may bend.
             from = -0.5;
             to = 0.5;
             return;
@@ -82,17 +82,17 @@ internal sealed class BankShotGrid
         double half = (0.5 * size.Horizontal.Length) + _radius;
         double distance = middle.Horizontal.Length;
 
-        // Twice the apparent width, because the ball may bend.
+        // Use twice the apparent width, because the path may bend.
         double angle = distance > half ? Elementary.Atan2(half, Math.Sqrt((distance * distance) - (half * half))) : 0.5 * Math.PI;
         double spread = Math.Min(Math.PI, (2.0 * angle) + 0.02);
         from = around - spread;
         to = around + spread;
     }
 
-    /// <summary>Flies a kick, and stores it as a start if it is one of the closest.</summary>
+    /// <summary>Simulates a kick, and stores it as a start if it is one of the closest.</summary>
     private void Look(double elevation, double azimuth)
     {
-        // Use insertion sort: the list is short, and most kicks hit nothing.
+        // Use insertion sort, because the list is short and most kicks hit nothing.
         double miss = _flight.Look(elevation, azimuth);
         int place = miss < double.PositiveInfinity ? Math.Min(_count, Starts - 1) : -1;
         if (place < 0 || (_count == Starts && miss >= _starts[place].Miss))

@@ -23,7 +23,7 @@ internal sealed class BankShotGuess
     /// <summary>The additional elevation of a kick that may land farther than planned, in rad.</summary>
     private const double Steeper = 0.15;
 
-    /// <summary>The guesses: the share of the last hop, true for a lob as the last leg, and the additional elevation.</summary>
+    /// <summary>The guesses: the share of the last hop, whether the last leg is a lob, and the additional elevation.</summary>
     private static readonly (double Share, bool IsLob, double Steeper)[] Ways =
     [
         (0.5, false, 0), (0.5, true, 0), (0.12, false, 0), (0.12, false, Steeper), (0.85, false, 0), (0.12, true, 0), (0.85, true, 0),
@@ -52,8 +52,8 @@ internal sealed class BankShotGuess
     /// <returns>False if the guess is the same as an earlier one.</returns>
     public bool Make(BankShotProblem legs, Collider? ground, AimRequest request, in TargetFrame frame, int index, out Kick kick)
     {
-        // 1. Move each contact to the nearest point of its object. 2. In turn, move each to the mirror point between its neighbours. 3. Throw the
-        // kick at the first contact.
+        // 1. Move each contact to the nearest point of its object. 2. One after another, move each to the mirror point between its neighbours. 3. Aim
+        // the kick at the first contact.
         (double share, bool lob, double steeper) = Ways[index];
         bool hops = false;
         kick = default;
@@ -96,7 +96,7 @@ internal sealed class BankShotGuess
             return isLast ? from : to;
         }
 
-        // The hops form a geometric series; the leg ends within the last hop.
+        // The durations of the hops form a geometric series; the leg ends within the last hop.
         double gone = 0;
         double hop = 1;
         for (int i = 0; i < bounces; i++)
@@ -138,10 +138,10 @@ internal sealed class BankShotGuess
             a /= la;
             b /= lb;
 
-            // ∇f of the two lengths: its tangential part is zero if the angles of incidence and reflection are equal.
+            // ∇f is the gradient of the sum of both lengths. Its tangential part is zero if the angles of incidence and reflection are equal.
             Vector3d slope = a + b;
 
-            // The tangential Hessian (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H, without aaᵀ and bbᵀ (Weiszfeld) so that steps are not too long.
+            // The tangential Hessian (1 − aaᵀ)/l_a + (1 − bbᵀ)/l_b − (∇f·n) H, without aaᵀ and bbᵀ (Weiszfeld), so that steps are not too long.
             double flat = (1.0 / la) + (1.0 / lb);
             double bent = Math.Max(0, -Vector3d.Dot(in slope, in c.Normal));
             double xx = flat + (bent * Math.Max(0, Vector3d.Dot(in c.Level, c.Curvature * c.Level)));
@@ -155,7 +155,7 @@ internal sealed class BankShotGuess
                 return;
             }
 
-            // A Newton step along the surface, limited by the rotation of the normal.
+            // Take a Newton step along the surface, limited by the rotation of the normal.
             Vector3d move = (((xy * gy) - (yy * gx)) / determinant * c.Level) + (((xy * gx) - (xx * gy)) / determinant * c.Steep);
             double bend = (c.Curvature * move).Length;
             c.GoTo(c.Place + (Math.Min(1.0, LargestBend / Math.Max(bend, 1e-9)) * move), _ball.Radius, _time);
@@ -165,7 +165,7 @@ internal sealed class BankShotGuess
     /// <summary>Raises a path by the fall of the ball, ½ g t², where t is the time of a throw, flat or as a lob.</summary>
     private Vector3d Raised(in Vector3d way, double speed, bool lob)
     {
-        // |w + ½ a t²| = v t:  ¼ a² t⁴ − (v² − a w_y) t² + w² = 0
+        // The time solves |w + ½ a t²| = v t, so ¼ a² t⁴ − (v² − a w_y) t² + w² = 0.
         double a = _upward;
         double half = 0.5 * ((speed * speed) - (a * way.Y));
         double root = Math.Sqrt(Math.Max(0, (half * half) - (0.25 * a * a * way.LengthSquared)));
@@ -216,7 +216,7 @@ internal struct BankShotContact
         ShapePoint at = Thing.At(in Place, time);
         for (int i = 0; i < MostRaises && Math.Abs(at.Distance - radius) > 1e-12; i++)
         {
-            // Project along the normal repeatedly, until the ball just touches.
+            // Project along the normal repeatedly, until the ball just touches the object.
             Place += (radius - at.Distance) * at.Normal;
             at = Thing.At(in Place, time);
         }

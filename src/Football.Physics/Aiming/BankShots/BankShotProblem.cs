@@ -32,7 +32,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     /// <summary>The share of the tolerance to which legs are closed.</summary>
     /// <remarks>
-    /// A post amplifies the remaining gap, but the full flight corrects that anyway. A value of 1e-3 is no cheaper (<c>football lab bankshots
+    /// A post amplifies the remaining gap, but the full flight corrects this error anyway. A value of 1e-3 is no cheaper (<c>football lab bankshots
     /// --requests 60</c>).
     /// </remarks>
     private const double Closed = 3e-2;
@@ -97,7 +97,7 @@ internal sealed class BankShotProblem : ILeastSquares
     /// <param name="counts">Receives the numbers of flights and corrections.</param>
     public void Close(AimRequest request, in TargetFrame frame, in Kick kick, double step, BankShotFlight counts)
     {
-        // NaN makes the first flight estimate the durations.
+        // Set the durations to NaN, so that the first flight estimates them.
         Array.Clear(X, 0, Unknowns);
         Array.Fill(X, double.NaN, FirstTime, Count + 1);
         X[Elevation] = kick.Elevation;
@@ -134,11 +134,11 @@ internal sealed class BankShotProblem : ILeastSquares
         return squares <= Closed * Closed * _request.Tolerance * _request.Tolerance;
     }
 
-    /// <summary>Flies all legs for their durations; the residuals are the gaps at their ends.</summary>
+    /// <summary>Simulates all legs for their durations; the residuals are the gaps at their ends.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
-        // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Fly for its duration, and store the gap. 3. Apply
-        // the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.
+        // For each leg: 1. Project its end from the tangent plane at the guess onto the surface. 2. Simulate its duration, and store the gap. 3.
+        // Apply the impact at the assumed contact, so that the next leg exists even after a miss. 4. Start the next leg there.
         _counts!.Simulations++;
         Kick.Of(_request, x[Elevation], x[Azimuth]).Vectors(_request.Speed, in _frame.Forward, out Vector3d v, out Vector3d w);
         Vector3d p = _frame.From;
@@ -167,7 +167,7 @@ internal sealed class BankShotProblem : ILeastSquares
                 return gap.IsFinite;
             }
 
-            // Limit the step of a contact by the length of its leg, and by the rotation of its normal.
+            // Limit the step of a contact by the length of its leg and by the rotation of its normal.
             double bend = (contact.Curvature * new Vector3d(1, 1, 1)).Length;
             _reach[leg] = Math.Min(LargestShare * Math.Max(0.1, x[FirstTime + leg] * state.Velocity.Length), LargestBend / Math.Max(bend, 1e-9));
             Vector3d touched = end - (_ball.Radius * contact.Normal);
@@ -185,7 +185,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
     public void KnownColumns(double[] x, double[] j)
     {
-        // A duration moves the end of its own leg along the path; Broyden's updates handle the small effect on later legs.
+        // A duration moves the end of its own leg along the path. Broyden's updates handle the small effect on later legs.
         for (int leg = 0; leg <= Count; leg++)
         {
             for (int i = 0; i < Equations; i++)
@@ -195,7 +195,7 @@ internal sealed class BankShotProblem : ILeastSquares
         }
     }
 
-    /// <summary>Flies a leg through its bounces, and then for its duration.</summary>
+    /// <summary>Simulates a leg through its bounces, and then for its duration.</summary>
     /// <returns>False if the ball does not bounce that often.</returns>
     private bool FlyLeg(int leg, in Vector3d p, in Vector3d v, in Vector3d w, double time, in Vector3d end, ref double duration, out BallState state)
     {
@@ -209,7 +209,7 @@ internal sealed class BankShotProblem : ILeastSquares
             }
         }
 
-        // After its last bounce, a leg continues without ground, so that the gap changes smoothly even below the ground.
+        // After its last bounce, continue the leg without ground, so that the gap changes smoothly even below the ground.
         if (Bounces[leg] > 0)
         {
             state = _open.LaunchAt(state.Position, state.Velocity, state.Spin, state.Time);
@@ -217,7 +217,7 @@ internal sealed class BankShotProblem : ILeastSquares
 
         if (double.IsNaN(duration))
         {
-            // Estimate the duration from the distance and the speed along it, with a minimum in case the ball moves sideways or backwards.
+            // Estimate the duration from the distance and the speed towards the contact. Use a minimum speed, because the ball may move sideways or backwards.
             Vector3d way = end - state.Position;
             double length = way.Length;
             double along = Vector3d.Dot(in way, state.Velocity) / length;

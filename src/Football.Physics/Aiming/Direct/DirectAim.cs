@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>The library's solver for one target: Newton's method on the crossing of the target's plane, usually with one flight.</summary>
 /// <remarks>
-/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach. It is a hit, or shows
-/// that no kick hits.
+/// If Newton's method fails, leaves the bounds or hits the ground, a search over all elevations finds the closest approach. The closest approach is either a hit, or
+/// shows that no kick hits.
 /// </remarks>
 internal sealed class DirectAim
 {
@@ -37,10 +37,10 @@ internal sealed class DirectAim
     /// <summary>Finds a kick with a speed, an arc and spins that may differ from the request's.</summary>
     public AimSolution Find(AimRequest request, double speed, AimArc arc, double top, double side)
     {
-        // 1. Use Newton's method on the plane crossing. 2. On bent paths, try the steeper kick too, which may arrive first. 3. In wind or for a moving
-        // target, search over the time of flight, which finds the same hits as a scan of all directions (4) at a quarter of the cost. 5. Search over
-        // the elevation. 6. If that is inconclusive, search over the time of flight: without this step, known kicks in still air are lost on both
-        // arcs. 7. Return the closest kick. (football lab answers --only known --count 300, and --only verdicts)
+        // 1. Apply Newton's method to the plane crossing. 2. On bent paths, also try the steeper kick, which may arrive first. 3. In wind or for a
+        // moving target, search over the time of flight, which finds the same hits as a scan of all directions (4) at a quarter of the cost. 5. Search
+        // over the elevation. 6. If the result is inconclusive, search over the time of flight: without this step, known kicks in still air are lost
+        // on both arcs. 7. Return the closest kick. (football lab answers --only known --count 300, and --only verdicts)
         _problem.Set(request, speed, top, side);
         ref readonly TargetFrame frame = ref _problem.Frame;
         bool separates = _context.Turns(request.TargetVelocity);
@@ -51,7 +51,7 @@ internal sealed class DirectAim
                 return solution;
             }
 
-            // On bent paths the steep kick may arrive first; the low arc is whichever kick arrives first.
+            // On bent paths, the steep kick may arrive first. The kick that arrives first is the low arc.
             Approach steeper = _closest.Find(_problem, AimArc.High);
             return steeper.Miss <= _problem.Tolerance && steeper.Time < solution.Time ? Solution(in steeper, AimStatus.Hit) : solution;
         }
@@ -69,7 +69,7 @@ internal sealed class DirectAim
             };
         }
 
-        // Search over the time of flight if elevation and azimuth do not separate; otherwise over the elevation.
+        // If elevation and azimuth are coupled, search over the time of flight; otherwise, search over the elevation.
         if (!separates && frame.Distance >= 1e-6 && _general.WithSpeed(request, speed, arc, top, side, out AimSolution hit))
         {
             return hit;
@@ -90,7 +90,7 @@ internal sealed class DirectAim
             found = isBetter ? other : found;
         }
 
-        // Straight above or below, only the elevation matters; at the ball there is no direction.
+        // If the target is straight above or below, only the elevation matters. If it is at the ball, there is no direction.
         return Solution(
             in found,
             found.Miss <= request.Tolerance ? AimStatus.Hit
@@ -107,7 +107,7 @@ internal sealed class DirectAim
         double high = fastest;
         for (double speed = fastest; high - low > RollWidth * high && !_context.IsSpent; speed = 0.5 * (low + high))
         {
-            // Bisect, starting at the fastest kick: if it stops short, no roll reaches the target.
+            // Bisect, starting with the fastest kick: if this kick stops short, no roll reaches the target.
             bool hits = Rolls(request, speed, out _);
             if (!hits && speed == fastest)
             {
@@ -117,7 +117,7 @@ internal sealed class DirectAim
             (low, high) = hits ? (low, speed) : (speed, high);
         }
 
-        // Kick slightly faster, so that the ball passes the target instead of stopping there.
+        // Kick slightly faster, so that the ball passes the target instead of stopping at it.
         return Rolls(request, Math.Min((1.0 + RollWidth) * high, fastest), out solution);
     }
 

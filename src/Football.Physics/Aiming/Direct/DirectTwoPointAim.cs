@@ -29,7 +29,7 @@ internal sealed class DirectTwoPointAim
 
     public AimSolution Find(AimRequest request)
     {
-        // Ignore a waypoint that is not between ball and target, except in wind, which may carry the ball past it.
+        // Ignore a waypoint that is not between ball and target, except in wind, which may carry the ball past the waypoint.
         if (!_problem.SetThrough(request))
         {
             AimSolution alone = _direct.Find(request);
@@ -43,7 +43,7 @@ internal sealed class DirectTwoPointAim
             return solution;
         }
 
-        // Use the general search, because the kick may be too far from the closed-form guess.
+        // The kick may be too far from the closed-form guess: use the general search.
         return _general.Through(request, in solution.Kick, out AimSolution other) ? other : solution.Status == AimStatus.Hit ? solution : TargetFirst(in solution);
     }
 
@@ -69,7 +69,7 @@ internal sealed class DirectTwoPointAim
         single.ThroughMiss = ThroughMissOf(in single.Kick);
         if (single.Status != AimStatus.Hit)
         {
-            // These spins may bring the ball down too early: try the maximum lift.
+            // These spins may bring the ball down too early, so try the maximum lift.
             AimSolution lifted = _direct.Find(request, request.Speed, request.Arc, -request.MaximumTopSpin, 0);
             if (lifted.Status == AimStatus.Hit || lifted.Miss < single.Miss)
             {
@@ -81,7 +81,7 @@ internal sealed class DirectTwoPointAim
         return single;
     }
 
-    /// <summary>Flies a kick, and returns its miss at the waypoint, in m.</summary>
+    /// <summary>Simulates a kick, and returns its miss at the waypoint, in m.</summary>
     private double ThroughMissOf(in Kick kick)
     {
         _problem.SetThrough(_problem.Request);

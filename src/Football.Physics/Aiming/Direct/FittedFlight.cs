@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>An approximate flight: drag and lift are quadratics in |u|² through the exact laws at three speeds.</summary>
 /// <remarks>
-/// Both coefficients fall as the spin decays. The error is millimetres at 25 m, and the cost is a quarter of a full flight. The solvers rehearse
+/// Both coefficients fall as the spin decays. The error is a few millimetres at 25 m; the cost is a quarter of that of a full flight. The solvers rehearse
 /// their first corrections in this flight.
 /// </remarks>
 internal struct FittedFlight
@@ -63,12 +63,12 @@ internal struct FittedFlight
         _upward = context.Upward;
         _spinRate = Math.Max(LeastSpin, spinRate);
 
-        // |u| = v/(1 + k v t) at half and at full time
+        // The airspeed |u| = v/(1 + k v t), after half of the time and at the end.
         double slowing = drag * speed * time;
         double end = speed * Math.Min(Slowest, 1.0 / (1.0 + slowing));
         double middle = Math.Max(speed / (1.0 + (0.5 * slowing)), 0.5 * (speed + end));
 
-        // Evaluate the exact laws at three speeds, and at the middle speed with slightly less spin.
+        // Evaluate the exact laws at three speeds, and once more at the middle speed with slightly less spin.
         context.Factors(speed, _spinRate, out double drag0, out double lift0, out double decay0);
         context.Factors(middle, _spinRate, out double drag1, out double lift1, out _);
         context.Factors(end, _spinRate, out double drag2, out double lift2, out double decay2);
@@ -110,18 +110,18 @@ internal struct FittedFlight
         _time = 0;
     }
 
-    /// <summary>Flies to an approximate time, and from there to a plane.</summary>
-    /// <returns>False if the plane is not near.</returns>
+    /// <summary>Simulates to an approximate time, and from there to a plane.</summary>
+    /// <returns>False if the plane is too far away.</returns>
     public bool Fly(double time, ref PlaneCrossing crossing)
     {
         AdvanceTo(time);
 
-        // Extrapolate with a parabola: g = v τ + a τ²/2
+        // Extrapolate with a parabola: g = v τ + a τ²/2.
         Vector3d position = _from + _path + (_time * _wind);
         Vector3d velocity = _velocity + _wind;
         Rates(in _velocity, _time, out Vector3d a);
 
-        // Two fixed-point iterations: the time at constant speed, then at the mean speed over that time.
+        // Two fixed-point iterations: first the time at constant speed, then the time at the mean speed over it.
         double gap = -crossing.Beyond(in position, _time);
         double outward = crossing.Outward(in velocity);
         double tau = gap / outward;
@@ -143,7 +143,7 @@ internal struct FittedFlight
         double h = left / steps;
         for (int i = 0; i < steps; i++)
         {
-            // The path from the same four stages: u + h (k₁ + k₂ + k₃)/6.
+            // Compute the path from the same four stages: u + h (k₁ + k₂ + k₃)/6.
             Vector3d u = _velocity;
             double start = _time + (i * h);
             Rates(in u, start, out Vector3d k1);
@@ -160,7 +160,7 @@ internal struct FittedFlight
     /// <summary>u̇ = L (ω̂ × u) − D u + g.</summary>
     private readonly void Rates(in Vector3d u, double time, out Vector3d rates)
     {
-        // D and L at this |u|² in Newton's form, reduced by the lost spin.
+        // D and L at this |u|², in Newton's form, reduced by the loss of spin.
         double loss = _lost + (time * (_decay - (time * _decaySlope)));
         double squared = u.LengthSquared;
         double past = squared - _endSquared;

@@ -24,7 +24,7 @@ internal struct FlatFire
     /// <summary>Returns the path length, its rate, and the two damped displacements, for launch speed x after time t.</summary>
     public readonly void Ways(double x, double t, out double along, out double speed, out double fall, out double bend)
     {
-        // τ is the path length relative to the length over which drag reduces the speed by a factor e. If τ is small, a series avoids rounding errors.
+        // τ is the path length, relative to the length over which drag reduces the speed by a factor e. If τ is small, a series avoids rounding errors.
         double tau = Drag * x * t;
         double log;
         double half;
@@ -61,7 +61,7 @@ internal struct FlatFire
     /// <param name="across">The derivative of the position across the velocity, in s.</param>
     public readonly Vector3d Launch(in Vector3d way, in Vector3d axis, double time, out Vector3d direction, out double along, out double across)
     {
-        // Iterate: the direction determines the displacements by gravity and Magnus force, and these determine the direction.
+        // Iterate: the direction determines the displacements due to gravity and the Magnus force, and these determine the direction.
         double x = Math.Max(way.Length, 1e-3) / time;
         Vector3d air = Vector3d.Zero;
         for (int i = 0; i < 5; i++)
@@ -71,14 +71,14 @@ internal struct FlatFire
             double size = Math.Max(a.Length, 1e-6);
             air = a / size;
 
-            // s = ln(1 + k x t)/k
+            // The path length s = ln(1 + k x t)/k.
             double ks = Math.Min(Drag * size, MostDamping);
             x = (ks > 1e-6 ? (Elementary.Exp(ks) - 1.0) / Drag : size) / time;
         }
 
         Ways(x, time, out double went, out double speed, out _, out _);
 
-        // ∂p/∂v along the path, t/(1 + τ), and across it, s/x.
+        // The sensitivity ∂p/∂v is t/(1 + τ) along the path, and s/x across it.
         direction = air;
         along = time * speed / x;
         across = went / x;
@@ -107,8 +107,8 @@ internal struct FlatFire
     public readonly bool Solve(
         in Vector3d toTarget, in Vector3d wind, in Vector3d launchWind, double v, in Kick spins, ref Vector3d direction, ref double time)
     {
-        // Solve for the time by Newton's method. Subtract the displacements by gravity, wind and Magnus force from the vector to the target: the
-        // rest gives the direction, and its length minus the path length is the excess. Stop within the error of the model.
+        // Solve for the time by Newton's method. Subtract the displacements due to gravity, wind and Magnus force from the vector to the target: the
+        // remainder gives the direction, and its length minus the path length is the excess. Stop within the error of the model.
         double x = (v * direction - launchWind).Length;
         Vector3d air = x > 0 ? (v * direction - launchWind) / x : direction;
         double spinRate = spins.SpinRate;
@@ -119,7 +119,7 @@ internal struct FlatFire
         {
             Ways(x, t, out double along, out double speed, out double fall, out double bend);
 
-            // ω = top (ŷ × d) + side ŷ
+            // The spin ω = top (ŷ × d) + side ŷ.
             double flat = Math.Sqrt((direction.X * direction.X) + (direction.Z * direction.Z));
             double top = flat > 0 ? perSpin * spins.Top / flat : 0;
             var axis = new Vector3d(top * direction.Z, perSpin * spins.Side, -(top * direction.X));
@@ -139,7 +139,7 @@ internal struct FlatFire
             double excess = size - along;
             time = t;
 
-            // d|a|/dt − s'
+            // The derivative of the excess, d|a|/dt − s'.
             double slope = -Vector3d.Dot(in air, in wind) - (Upward * air.Y * (fall > 0 ? 2.0 * fall / t : 0)) - speed;
             if (Math.Abs(excess) < Closeness * size)
             {
@@ -153,7 +153,7 @@ internal struct FlatFire
 
             best = Math.Abs(excess);
 
-            // Limit a Newton step to a factor of about three: far from the root, the slope is meaningless.
+            // Limit a Newton step to a factor of about three, because the slope is meaningless far from the root.
             double next = t - (excess / slope);
             t = next > 3.0 * t ? 3.0 * t : next < 0.3 * t ? 0.3 * t : next;
         }

@@ -3,7 +3,7 @@ namespace FootballPhysics.Aiming;
 /// <summary>Newton's method on the plane crossings of a <see cref="PlaneProblem"/>.</summary>
 /// <remarks>
 /// It starts from the closed form, and rehearses the first corrections in fitted air. The first Jacobian is computed from the flight itself, and
-/// Broyden's updates improve it. So an iteration costs one flight, and needs no difference quotients.
+/// Broyden's updates improve it. An iteration therefore costs one flight, and needs no difference quotients.
 /// </remarks>
 internal sealed class PlaneNewton
 {
@@ -43,12 +43,12 @@ internal sealed class PlaneNewton
     public double Time { get; private set; }
 
     /// <summary>Solves the problem.</summary>
-    /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one flown.</returns>
+    /// <returns>False if it does not converge, or leaves the bounds; the kick is then the last one simulated.</returns>
     public bool Solve()
     {
-        // 1. Correct a closed-form guess in fitted air, which also measures the contraction per correction. 2. Make one full flight. 3. If it misses
-        // by more than the guess did, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below the
-        // tolerance. 5. Otherwise apply Broyden's update and fly again, while misses shrink.
+        // 1. Correct a closed-form guess in fitted air, which also measures the contraction per correction. 2. Simulate one full flight. 3. If it
+        // misses by more than the guess did, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below
+        // the tolerance. 5. Otherwise, apply Broyden's update and simulate again, while the misses shrink.
         Miss = 0;
         ThroughMiss = double.NaN;
         Time = 0;
@@ -59,7 +59,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        // If longer steps have proved inaccurate, the kick grazes the jump in the drag law: use full flights only.
+        // Longer steps have proved inaccurate, so the kick grazes the jump of the drag law: use full flights only.
         double rehearsed = 0;
         double contraction = 1;
         _step.Reset();
@@ -69,7 +69,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        // Trust the rehearsal's contraction only if the flight misses by less than the guess did.
+        // Trust the contraction of the rehearsal only if the flight misses by less than the guess did.
         bool isKnown = isRehearsed && Asked(R) < rehearsed;
         if (!isKnown)
         {
@@ -91,7 +91,7 @@ internal sealed class PlaneNewton
             ThroughMiss = PlaneProblem.ThroughMissOf(R);
             Time = _problem.Time;
 
-            // The long steps of a rehearsed flight only predict a hit; confirm it with shorter steps.
+            // A rehearsed flight with long steps only predicts a hit: confirm the hit with shorter steps.
             bool hits = isSure && Miss <= _problem.Tolerance && !(through && _step.ThroughAsked(R) > _problem.ThroughTolerance);
             if ((hits && through) || !_step.Solve(_problem, X, R, out bool sameHeld))
             {
@@ -105,7 +105,7 @@ internal sealed class PlaneNewton
                 TakeStep();
                 Array.Copy(_nextX, X, N);
 
-                // Estimate the remaining miss from the last contraction, without a flight.
+                // Estimate the remaining miss from the last contraction, without another flight.
                 Miss *= left;
                 R[PlaneProblem.TargetUp] *= left;
                 return true;
@@ -142,7 +142,7 @@ internal sealed class PlaneNewton
     /// <returns>False if the rehearsal failed or barely converged; the kick is then the guess.</returns>
     private bool Rehearse(out double first, out double contraction)
     {
-        // A correction in fitted air costs a quarter of a flight: repeat while the miss shrinks, down to the error of the fit.
+        // A correction in fitted air costs a quarter of a flight: repeat it while the miss shrinks, down to the error of the fit.
         int most = _patience.Rehearsals;
         contraction = 1;
         first = 0;
@@ -172,7 +172,7 @@ internal sealed class PlaneNewton
             TakeFlown();
             double next = Asked(R);
 
-            // Apply a lower bound, because a single lucky correction does not predict the next one.
+            // Apply a lower bound, because one lucky correction does not predict the next one.
             contraction = Math.Max(next / size, _patience.LeastContraction);
             if (!(contraction < _patience.MostContraction))
             {
@@ -196,7 +196,7 @@ internal sealed class PlaneNewton
         return asked > 0 ? Math.Sqrt((miss * miss) + (asked * asked)) : miss;
     }
 
-    /// <summary>Accepts the step that was flown, and updates the Jacobian.</summary>
+    /// <summary>Accepts the step that was simulated, and updates the Jacobian.</summary>
     private void TakeFlown()
     {
         _step.Update(_problem, R, _nextR);
@@ -207,7 +207,7 @@ internal sealed class PlaneNewton
     /// <summary>Rebuilds the Jacobian.</summary>
     private bool Differentiate() => (!_problem.HasThrough || _problem.Rehearse(X, _nextR)) && _step.Measure(_problem, X, _nextR);
 
-    /// <summary>Flies the kick after the step; halves the step repeatedly if the kick does not reach its planes.</summary>
+    /// <summary>Simulates the kick after the step; halves the step repeatedly if the kick does not reach its planes.</summary>
     private bool FlyStep()
     {
         for (int i = 0; i < _patience.Tries; i++)

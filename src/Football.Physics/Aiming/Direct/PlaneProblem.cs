@@ -148,7 +148,7 @@ internal sealed class PlaneProblem
     /// <summary>Resets the times to those of the guess.</summary>
     public void ForgetRehearsals() => (_throughTime, Time) = (_guessedThroughTime, _guessedTime);
 
-    /// <summary>Flies a kick to its planes in air fitted to about its own spin.</summary>
+    /// <summary>Simulates a kick to its planes in air fitted to about its own spin.</summary>
     /// <returns>False if it does not reach them.</returns>
     public bool Rehearse(double[] x, double[] r)
     {
@@ -166,7 +166,7 @@ internal sealed class PlaneProblem
         return (!HasThrough || _fitted.Fly(_throughTime, ref _atThrough)) && _fitted.Fly(Time, ref _atTarget) && TakeCrossings(r);
     }
 
-    /// <summary>Flies a kick to its planes.</summary>
+    /// <summary>Simulates a kick to its planes.</summary>
     /// <param name="x">The unknowns.</param>
     /// <param name="r">The residuals.</param>
     /// <param name="isRehearsed">True if the flight only measures the error of a rehearsed kick.</param>
@@ -191,7 +191,7 @@ internal sealed class PlaneProblem
     /// <summary>True if the last flight leaves the ground and stays above it up to the target.</summary>
     public bool StaysClear(double[] x, double[] r)
     {
-        // A kick that stays on the ground is a roll, which is a different problem.
+        // A kick that stays on the ground is a roll, which other code solves.
         Elementary.SinCos(x[Elevation], out double sine, out _);
         double lowest = Math.Min(_context.Planes.Lowest, _frame.Target.Y + (Time * _targetVelocity.Y) + r[TargetUp]);
         return !_context.StaysDown(in _frame.From, Speed * sine) && lowest >= _context.Game.ContactHeight - 1e-9;

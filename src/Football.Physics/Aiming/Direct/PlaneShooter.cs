@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies kicks without ground to the vertical planes through the target and a waypoint.</summary>
+/// <summary>Simulates kicks without ground to the vertical planes through the target and a waypoint.</summary>
 /// <remarks>
 /// Without ground, the crossing changes smoothly with the kick, so Newton's method converges.
 /// </remarks>
@@ -54,7 +54,7 @@ internal sealed class PlaneShooter : KickObserver
         _wantsThrough = true;
     }
 
-    /// <summary>Flies a kick until it has crossed its planes, or can no longer cross them.</summary>
+    /// <summary>Simulates a kick until it has crossed its planes, or can no longer cross them.</summary>
     /// <param name="from">The position of the ball, in m.</param>
     /// <param name="velocity">The velocity, in m/s.</param>
     /// <param name="spin">The spin, in rad/s.</param>
@@ -67,7 +67,7 @@ internal sealed class PlaneShooter : KickObserver
         _through.Reset();
         Lowest = double.PositiveInfinity;
 
-        // Let steps end at the expected time of the first plane, and then of the second.
+        // Let one step end at the expected time of the first plane, and a later one at the expected time of the second.
         BallState state = _simulator.LaunchAt(from, velocity, spin, 0);
         _longestStep = longestStep;
         _targetTime = targetTime;
@@ -79,7 +79,7 @@ internal sealed class PlaneShooter : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // Use equal steps, one of which ends at the expected crossing: the interpolation is most accurate there.
+        // Use equal steps, and let one end at the expected crossing, where the interpolation is most accurate.
         watches = false;
         if (state.Time > _end - (ShortestStep * _longestStep))
         {
@@ -92,8 +92,8 @@ internal sealed class PlaneShooter : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // Interpolate a crossing within a single-segment step. Repeat a step with several segments (at the jump of the drag law), and inspect each
-        // segment. If there is no crossing, only store the height.
+        // If a step has one segment, interpolate the crossing in it. If it has several (at the jump of the drag law), repeat the step and inspect
+        // each segment. If there is no crossing, only store the height.
         bool whole = !ended && log.Steps == 1;
         if (whole && _wantsThrough && !_through.Crossed)
         {
@@ -130,7 +130,7 @@ internal sealed class PlaneShooter : KickObserver
     private double StepTo(double time) =>
         time > ShortestStep * _longestStep && time < double.PositiveInfinity ? time / Math.Ceiling((time / _longestStep) - 1e-6) : _longestStep;
 
-    /// <summary>Stores the end of a segment without a crossing.</summary>
+    /// <summary>Stores the end of a segment that contains no crossing.</summary>
     /// <returns>True if the ball falls below the floor.</returns>
     private bool GivesUp(in Vector3d position, in Vector3d velocity)
     {
@@ -210,7 +210,7 @@ internal struct PlaneCrossing
         double before = Beyond(start.Position, start.Time);
         double after = Beyond(end.Position, end.Time);
 
-        // In units of the step. The ball must start in front of the plane, and end behind it or shortly before.
+        // Times are in units of the step. The ball must start in front of the plane, and end behind it or shortly before it.
         double slope = length * Outward(end.Velocity);
         if (!(before < 0 && after > -Reach * slope && slope > 0))
         {
@@ -220,7 +220,7 @@ internal struct PlaneCrossing
         var left = new WayLeft(new CubicHermite(-before, -length * Outward(start.Velocity), -after, -slope));
         double farthest = 1.0 + (2.0 * Reach);
 
-        // Start from the tangent at the end of the step, where the cubic is most accurate.
+        // Start from the tangent at the end of the step, because the cubic is most accurate there.
         double s = Roots.Newton(ref left, 0, farthest, 1.0 - (after / slope), Closeness);
         if (!(s > 0 && s < farthest && left.Curve.C1 < 0 && left.Curve.SlopeAt(s) < 0))
         {
@@ -240,7 +240,7 @@ internal struct PlaneCrossing
     /// <returns>True if there is one.</returns>
     public bool Find(in PathSegment piece)
     {
-        // Relative to the point.
+        // The path relative to the point.
         PathSegment relative = _pointVelocity == Vector3d.Zero ? piece : piece.SeenFrom(in _pointVelocity);
         if (!IsBehind(relative.EndPosition) || !relative.Crosses(in _point, in _normal, out double time))
         {

@@ -56,7 +56,7 @@ internal sealed class PlaneStep
     /// <returns>False if a kick with slightly more spin does not reach both planes.</returns>
     public bool Measure(PlaneProblem problem, double[] x, double[] r)
     {
-        // The angles rotate the whole path, so the flight itself yields their columns. Each spin needs a flight with slightly more of it.
+        // The angles rotate the entire path, so the flight itself yields their columns. Each spin needs another flight, with slightly more of that spin.
         _angles = problem.JacobianAtTarget(x);
         if (!problem.HasThrough)
         {
@@ -67,7 +67,7 @@ internal sealed class PlaneStep
         Set(PlaneProblem.TargetLeft, PlaneProblem.TargetUp, in _angles);
         for (int k = PlaneProblem.Top; k <= PlaneProblem.Side; k++)
         {
-            // Forward differences, from flights with the fitted air model.
+            // Compute forward differences, from flights with the fitted air model.
             double kept = x[k];
             x[k] = kept + SpinChange;
             bool reaches = problem.Rehearse(x, _changed);
@@ -124,7 +124,7 @@ internal sealed class PlaneStep
             return solved && Math.Abs(up) < LargestElevation && Math.Abs(aside) < LargestAzimuth && problem.Bounds.Contain(x[PlaneProblem.Elevation] + up);
         }
 
-        // Set a spin that exceeds its limit to the limit, drop its equation, and solve again: at most twice, once per spin.
+        // If a spin exceeds its limit, set it to the limit, drop its equation, and solve again: at most twice, once per spin.
         bool topWasHeld = _held[PlaneProblem.Top];
         bool sideWasHeld = _held[PlaneProblem.Side];
         Array.Clear(_held, 0, N);
@@ -142,7 +142,7 @@ internal sealed class PlaneStep
 
         sameHeld = topWasHeld == _held[PlaneProblem.Top] && sideWasHeld == _held[PlaneProblem.Side];
 
-        // Clamp the elevation; the spins are within their limits by now.
+        // Clamp the elevation. The spins are already within their limits.
         double elevation = x[PlaneProblem.Elevation];
         Change[PlaneProblem.Elevation] =
             Math.Min(Math.Max(Change[PlaneProblem.Elevation], problem.Bounds.Lowest - elevation), problem.Bounds.Highest - elevation);
@@ -154,7 +154,7 @@ internal sealed class PlaneStep
     {
         for (int i = 0; i < N; i++)
         {
-            // At the waypoint, the left equation belongs to the sidespin, and the up equation to the topspin.
+            // At the waypoint, the sidespin gets the equation to the left, and the topspin the equation upwards.
             int spin = i == PlaneProblem.ThroughLeft ? PlaneProblem.Side : PlaneProblem.Top;
             bool dropped = i is PlaneProblem.ThroughLeft or PlaneProblem.ThroughUp && _held[spin];
             int row = i * (N + 1);
@@ -236,7 +236,7 @@ internal struct CrossingJacobian
         Vector3d p = crossing.Position - frame.From;
         Vector3d d = kick.Direction(in frame.Forward);
 
-        // Drag damps both displacements by about the ratio of mean speed to launch speed.
+        // Drag reduces both displacements by about the ratio of mean speed to launch speed.
         double t = crossing.Time;
         double damping = 0.9;
         Vector3d byGravity = new(0, 0.5 * damping * upward * t * t, 0);
@@ -246,12 +246,12 @@ internal struct CrossingJacobian
         Elementary.SinCos(kick.Elevation, out double sine, out double cosine);
         if (kick.Side != 0 && cosine > 0.1)
         {
-            // The sidespin axis stays vertical, so its Magnus force depends on the horizontal velocity only, which is smaller for a steeper kick.
+            // The sidespin axis stays vertical, so its Magnus force depends only on the horizontal velocity, which is smaller for steeper kicks.
             Vector3d across = new(d.Z, 0, -d.X); // ŷ × d
             byElevation -= sine / cosine * Vector3d.Dot(in turning, in across) * across;
         }
 
-        // The rotated path no longer ends on the plane: project it back along the velocity.
+        // The rotated path no longer ends on the plane, so project its end back along the velocity.
         double speed = Vector3d.Dot(crossing.Velocity, in frame.Forward);
         Vector3d slope = speed > 1e-3 ? crossing.Velocity / speed : frame.Forward;
         byElevation -= Vector3d.Dot(in byElevation, in frame.Forward) * slope;
@@ -268,7 +268,7 @@ internal struct CrossingJacobian
     /// <returns>False if the Jacobian is singular.</returns>
     public readonly bool Solve(double up, double left, out double elevation, out double azimuth)
     {
-        // J Δ = −r, by Cramer's rule.
+        // Solve J Δ = −r by Cramer's rule.
         double determinant = (_upByElevation * _leftByAzimuth) - (_upByAzimuth * _leftByElevation);
         elevation = ((_upByAzimuth * left) - (_leftByAzimuth * up)) / determinant;
         azimuth = ((_leftByElevation * up) - (_upByElevation * left)) / determinant;

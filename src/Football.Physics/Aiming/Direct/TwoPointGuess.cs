@@ -16,7 +16,7 @@ internal static class TwoPointGuess
     /// <returns>The drag per length, in 1/m.</returns>
     public static double Make(AimContext context, PlaneProblem problem, double[] x, out double throughTime, out double targetTime)
     {
-        // Each of three rounds computes times from the drag, bearings and curvatures from both points, spin from curvature, and then the drag again.
+        // In each of three rounds, compute times from the drag, bearings and curvatures from both points, spin from curvature, and then the drag again.
         AimRequest request = problem.Request;
         ref readonly TargetFrame frame = ref problem.Frame;
         Vector3d wind = context.Scene.Air.Wind;
@@ -41,7 +41,7 @@ internal static class TwoPointGuess
             model.Ways(request.Speed, t1, out double s1, out _, out double fall1, out double bend1);
             model.Ways(request.Speed, t2, out double s2, out _, out double fall2, out double bend2);
 
-            // Without gravity and wind, the offset at both points is s · slope + bend · c.
+            // Without gravity and wind, the offset at each point is s · slope + bend · c.
             double left1 = Vector3d.Dot(problem.Through - frame.From - (t1 * wind), in frame.Left);
             double left2 = Vector3d.Dot(frame.Target - frame.From - (t2 * wind), in frame.Left);
             double up1 = problem.Through.Y - frame.From.Y - (t1 * wind.Y) - (model.Upward * fall1);
@@ -52,14 +52,14 @@ internal static class TwoPointGuess
             double slopeUp = ((up1 * bend2) - (up2 * bend1)) / determinant;
             double bendUp = ((s1 * up2) - (s2 * up1)) / determinant;
 
-            // Solve the law L ~ |ω|^0.83 of the lift along ω for |ω|.
+            // Solve the lift law L ~ |ω|^0.83 along ω for |ω|.
             double lift = Math.Sqrt((bendLeft * bendLeft) + (bendUp * bendUp));
             double share = model.Lift > 0 ? lift / model.Lift : 0;
             double grown = spinRate * Math.Min(Math.Max(share * (0.83 + (0.17 * share)), 0.1), 4.0);
             spinRate = Math.Min(Math.Max(grown, 0.5), 1.5 * mostSpin);
             if (!double.IsFinite(lift + slopeUp + slopeLeft))
             {
-                // In the model, no path passes the waypoint: aim straight at the target, and leave the rest to the single-target solver.
+                // No path in the model passes the waypoint: aim straight at the target, and leave the rest to the single-target solver.
                 side = 0;
                 top = 0;
                 break;

@@ -9,7 +9,7 @@ internal struct Approach
     /// <summary>The distance of the closest approach, in m.</summary>
     public double Miss;
 
-    /// <summary>True if the kick passes above the target, rather than below it, and does not end short of it.</summary>
+    /// <summary>True if the kick passes above the target, and not below it, and does not end short of it.</summary>
     public bool Above;
 
     /// <summary>The time of the closest approach, in s.</summary>
@@ -64,12 +64,12 @@ internal struct ApproachBracket
 
             Parabola(out double slope, out double curvature);
 
-            // Use the vertex if the parabola opens upwards and its vertex is between the outer kicks; otherwise use the smallest of the three misses.
+            // Use the vertex if the parabola opens upwards and its vertex is between the outer kicks. Otherwise, use the kick with the smallest of the three misses.
             double x = curvature > 0 ? -slope / curvature : 0;
             bool within = curvature > 0 && x > -left && x < right;
             double vertex = within ? Middle.Miss - (0.5 * slope * slope / curvature) : LeastMiss;
 
-            // The error is ½ |q| (l r)² if the third derivative is about as large as the second.
+            // The error is ½ |q| (l r)² if the third derivative is about as large as the second one.
             double doubt = left * right;
             return vertex - (0.5 * Math.Abs(curvature) * doubt * doubt);
         }
@@ -82,7 +82,7 @@ internal struct ApproachBracket
         double x1 = one.Elevation - three.Elevation;
         double x2 = two.Elevation - three.Elevation;
 
-        // Newton's divided differences, from the third point.
+        // Interpolate with Newton's divided differences, starting from the third point.
         double s1 = (one.Miss - three.Miss) / x1;
         double s2 = (two.Miss - three.Miss) / x2;
         double q = (s1 - s2) / (x1 - x2);
@@ -101,7 +101,7 @@ internal struct ApproachBracket
     /// <summary>Inserts a kick between the middle kick and a neighbour, and drops one of the outer kicks.</summary>
     public void Insert(in Approach next, bool becomesMiddle)
     {
-        // Keep the smallest miss in the middle. At a bound an outer kick may be closer: then move towards that kick.
+        // Keep the kick with the smallest miss in the middle. At a bound, an outer kick may be closer: then move towards that kick.
         bool left = next.Elevation < Middle.Elevation;
         double outer = left ? Low.Miss : High.Miss;
         if (becomesMiddle || next.Miss < Middle.Miss || outer < Middle.Miss)

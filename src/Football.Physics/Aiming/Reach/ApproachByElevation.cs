@@ -31,7 +31,7 @@ internal sealed class ApproachByElevation
     /// <summary>The closest approach so far.</summary>
     public Approach Best { get; private set; }
 
-    /// <summary>The accepted hit.</summary>
+    /// <summary>The hit that was accepted as the result.</summary>
     public Approach Hit { get; private set; }
 
     /// <summary>The speed of the kicks, in m/s.</summary>
@@ -43,7 +43,7 @@ internal sealed class ApproachByElevation
     /// <summary>True if the search budget is used up.</summary>
     public bool IsSpent => _context.IsSpent;
 
-    /// <summary>Prepares for a target.</summary>
+    /// <summary>Prepares a search for a target.</summary>
     public void Aim(PlaneProblem problem)
     {
         _frame = problem.Frame;
@@ -67,10 +67,10 @@ internal sealed class ApproachByElevation
         return true;
     }
 
-    /// <summary>Flies a kick at an elevation, starting with the last azimuth.</summary>
+    /// <summary>Simulates a kick at an elevation, starting with the last azimuth.</summary>
     public Approach At(double elevation) => At(elevation, _context.Steps.Search);
 
-    /// <summary>Flies a kick at an elevation, starting with the azimuth of another approach.</summary>
+    /// <summary>Simulates a kick at an elevation, starting with the azimuth of another approach.</summary>
     public Approach At(double elevation, in Approach near)
     {
         _kick.Azimuth = near.Kick.Azimuth;
@@ -84,7 +84,7 @@ internal sealed class ApproachByElevation
         return At(elevation, _context.Steps.Hit);
     }
 
-    /// <summary>Flies a kick without changing its angles.</summary>
+    /// <summary>Simulates a kick without changing its angles.</summary>
     public Approach Of(in Kick kick)
     {
         _kick.Elevation = kick.Elevation;
@@ -102,17 +102,17 @@ internal sealed class ApproachByElevation
     /// <summary>Returns the closest approach at an elevation over all azimuths, starting with the last azimuth.</summary>
     private Approach At(double elevation, double step)
     {
-        // In still air one flight yields the azimuth too. In wind, turn the kick until the target lies in the direction of the path.
+        // In still air, one flight also yields the azimuth. In wind, turn the kick until the target lies in the direction of the path.
         _kick.Elevation = elevation;
         Approach approach = Fly(step);
         if (approach.Miss < NearHit * Tolerance && step > _context.Steps.Hit)
         {
-            // Long steps are too inaccurate to decide whether a kick hits.
+            // Long steps are too inaccurate to decide whether the kick hits.
             step = _context.Steps.Hit;
             approach = Fly(step);
         }
 
-        // In still air the flight has determined its azimuth.
+        // In still air, the flight has already determined the azimuth.
         if (TurnWithAzimuth)
         {
             _kick.Azimuth = approach.Kick.Azimuth;
@@ -122,7 +122,7 @@ internal sealed class ApproachByElevation
         approach = Turned(approach, step);
         if (approach.Time == 0 && approach.Kick.Azimuth != 0)
         {
-            // A kick in the wrong direction is closest at its start, and gives no hint which way to turn it: try azimuth 0.
+            // A kick in the wrong direction is closest at its start, which does not reveal which way to turn it: try azimuth 0.
             _kick.Azimuth = 0;
             Approach straight = Turned(Fly(step), step);
             approach = straight.Miss < approach.Miss ? straight : approach;
@@ -134,12 +134,12 @@ internal sealed class ApproachByElevation
     /// <summary>Turns a kick in wind until it passes the target as closely as possible.</summary>
     private Approach Turned(Approach approach, double step)
     {
-        // Turning a kick rotates its path about a point c that drifts with the wind: turn until ball and target have the same bearing from c.
+        // Turning a kick rotates its path about a point c that drifts with the wind: turn until the ball and the target have the same bearing from c.
         Vector3d toTarget = _frame.Target - _frame.From;
         Vector3d c = approach.Time * ((Drift * _context.Scene.Air.Wind) - _targetVelocity);
         for (int i = 0; i < MostTurns && !IsSpent; i++)
         {
-            // Turn the shorter way; stop if the lateral offset is a small part of the miss.
+            // Turn through the smaller angle; stop when the lateral offset is a small part of the miss.
             Vector3d at = approach.Gap + toTarget;
             double turn = Bearing(toTarget - c) - Bearing(at - c);
             turn = turn > Math.PI ? turn - (2 * Math.PI) : turn < -Math.PI ? turn + (2 * Math.PI) : turn;
@@ -244,7 +244,7 @@ internal sealed class HitSearch
     /// <summary>Finds the hit at the lower end of the elevations that pass above.</summary>
     private bool BelowLowArc(in ApproachBracket at)
     {
-        // Use the lowest kick that passes above, and the next lower one; if there is none, search down to the bound.
+        // Use the lowest kick that passes above the target, and the next lower one. If there is none, search down to the bound.
         Approach above = at.Low.Above ? at.Low : at.Middle.Above ? at.Middle : at.High;
         Approach below = at.Low.Above || at.Middle.Above ? at.Low : at.Middle;
         return FromBound(in below, in above, _approaches.Bounds.Lowest);
@@ -260,12 +260,12 @@ internal sealed class HitSearch
 
     private bool FromBound(in Approach outer, in Approach above, double bound)
     {
-        // If even the outer kick passes above, fly a kick at the bound itself, because nothing is allowed beyond it.
+        // Even the outer kick passes above: simulate a kick at the bound itself, because nothing beyond the bound is allowed.
         Approach below = outer.Above && outer.Elevation != bound ? _approaches.At(bound) : outer;
         return !below.Above && Between(in below, in above);
     }
 
-    /// <summary>The signed miss over the elevation; ends at a hit.</summary>
+    /// <summary>The signed miss as a function of the elevation; the search ends at a hit.</summary>
     private struct MissOverElevation : IFunction
     {
         private readonly ApproachByElevation _approaches;
@@ -287,7 +287,7 @@ internal sealed class HitSearch
             // Start with the azimuth of the closer of the two enclosing kicks.
             Approach next = _approaches.HitAt(x, _one.Miss < _other.Miss ? _one : _other);
 
-            // Keep the two kicks that enclose the root: they provide the azimuth, and reveal a jump.
+            // Keep the two kicks that enclose the root: they yield the azimuth, and reveal a jump.
             value = next.SignedMiss;
             Hits = _approaches.Accept(in next);
             if (value < 0 == _one.SignedMiss < 0)

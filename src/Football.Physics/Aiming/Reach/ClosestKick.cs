@@ -2,7 +2,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the kick that comes closest to a target, over all elevations within the bounds.</summary>
 /// <remarks>
-/// The signed miss is a smooth function of the elevation: zero at a hit, negative if a kick is too low or too short. If it is negative everywhere,
+/// The signed miss is a smooth function of the elevation: it is zero at a hit, and negative if a kick is too low or too short. If it is negative everywhere,
 /// the target is out of reach, and the maximum belongs to the closest kick.
 /// </remarks>
 internal sealed class ClosestKick
@@ -29,7 +29,7 @@ internal sealed class ClosestKick
     /// <returns>A hit within the problem's tolerance, or the closest kick.</returns>
     public Approach Find(PlaneProblem problem, AimArc arc)
     {
-        // 1. Search flights. 2. Try a roll if it may be closer. 3. In wind, which couples elevation and azimuth, search around the closest kick.
+        // 1. Search flights. 2. Try a roll if a roll may be closer. 3. In wind, which couples elevation and azimuth, search around the closest kick.
         _approaches.Aim(problem);
         _hits.Begin(problem.Request);
         _roll.Begin(problem);
@@ -105,16 +105,16 @@ internal sealed class RollingKick
             return;
         }
 
-        // A ball on the ground rolls at any low elevation, and leaves the ground at a steeper one.
+        // A ball on the ground rolls at low elevations, and leaves the ground at higher ones.
         LowerBound = problem.Request.TargetVelocity.Y == 0 ? Math.Abs(problem.Frame.Target.Y - _context.Game.ContactHeight) : 0;
 
-        // sin ε = climb: a ball whose upward speed exceeds the minimum bounce speed leaves the ground.
+        // At sin ε = climb, the upward speed equals the minimum bounce speed: a steeper kick leaves the ground.
         double climb = _context.Scene.Ground.MinimumBounceSpeed / problem.Speed;
         double steepEnough = climb < 1 ? Elementary.Atan2(climb, Math.Sqrt(1.0 - (climb * climb))) * (1.0 + 1e-9) : double.PositiveInfinity;
         _approaches.Bounds = new ElevationBounds(Math.Max(bounds.Lowest, steepEnough), bounds.Highest);
     }
 
-    /// <summary>Flies the kick.</summary>
+    /// <summary>Simulates the kick.</summary>
     public Approach Fly()
     {
         LowerBound = double.PositiveInfinity;
@@ -148,8 +148,8 @@ internal sealed class CoarseSearch
     public bool Find(in TargetFrame frame, AimArc arc, out bool hit)
     {
         hit = false;
-        // 1. Move downhill to three elevations around the closest. 2. If none passes above, descend to the minimum between them, and to the waves
-        // near it. 3. If a kick passes above, find the hit between it and a kick that passes below.
+        // 1. Move downhill to three elevations around the closest one. 2. If no kick passes above, descend to the minimum between them, and into the
+        // waves nearby. 3. If a kick passes above, find the hit between this kick and one that passes below.
         Vector3d way = frame.Target - frame.From;
         double sight = Elementary.Atan2(way.Y, Math.Max(frame.Distance, 1e-9));
         ApproachBracket at = Downhill(sight);
@@ -171,14 +171,14 @@ internal sealed class CoarseSearch
         double highest = _approaches.Bounds.Highest;
         double span = highest - lowest;
 
-        // In vacuum, the kick that goes farthest is half-way between the line of sight and the vertical; in air it is lower.
+        // In vacuum, the kick that goes farthest is half-way between the line of sight and the vertical; in air, it is lower.
         double middle = Math.Min(Math.Max(0.55 + (0.5 * sight), lowest + (0.25 * span)), highest - (0.25 * span));
         Approach a = _approaches.At(Math.Max(lowest, middle - 0.3));
         Approach b = _approaches.At(middle);
         Approach c = _approaches.At(Math.Min(highest, middle + 0.25));
         while (!_approaches.IsSpent && !b.Above && (a.Miss < b.Miss || c.Miss < b.Miss))
         {
-            // The neighbour with the smaller miss becomes the middle; the next interval is longer by the golden ratio.
+            // The neighbour with the smaller miss becomes the middle; the golden ratio lengthens the next interval.
             if (c.Miss < b.Miss)
             {
                 if (c.Above || c.Elevation >= highest)
@@ -208,7 +208,7 @@ internal sealed class CoarseSearch
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     private bool Bottom(ref ApproachBracket at)
     {
-        // If a roll below the target is closer than any flight, the closest flight need not be more accurate.
+        // A roll below the target is already closer than any flight: the closest flight need not be more accurate.
         bool above = _valley.Descend(ref at, enough: _roll.LowerBound);
         double bound = at.LowerBound;
         if (!above && _roll.LowerBound < at.Middle.Miss && !(_roll.Fly().Miss < bound))
@@ -241,8 +241,8 @@ internal sealed class CloseSearch
     /// <returns>True if a hit was found.</returns>
     public bool Find(AimArc arc)
     {
-        // 1. Sample all elevations. 2. Find a hit between neighbours on opposite sides, starting at the requested arc. 3. Descend into every valley,
-        // because a kick between two samples may pass above the target. 4. Return the closest kick.
+        // 1. Sample all elevations. 2. Find a hit between neighbours on opposite sides of the target, starting at the requested arc. 3. Descend into
+        // every valley, because a kick between two samples may pass above the target. 4. Return the closest kick.
         double lowest = _approaches.Bounds.Lowest;
         double highest = _approaches.Bounds.Highest;
         for (int i = 0; i < Looks; i++)

@@ -37,7 +37,7 @@ internal sealed class ValleySearch
 
             Approach next = _approaches.At(at.Middle.Elevation + move, in at.Middle);
 
-            // The kick passes on the other side: the signed miss has a root towards each neighbour.
+            // The kick passes on the other side of the target, so the signed miss has a root towards each neighbour.
             bool crossed = next.Above != above;
             at.Insert(in next, becomesMiddle: crossed);
             if (crossed)
@@ -58,7 +58,7 @@ internal sealed class ValleySearch
         at.Parabola(out double slope, out double curvature);
         if (at.Low.Miss < at.Middle.Miss || at.High.Miss < at.Middle.Miss)
         {
-            // At a bound, check whether the miss falls up to the bound. The error of the slope assumes a third derivative as large as the second.
+            // At a bound, check whether the miss decreases up to the bound. The error of the slope assumes a third derivative as large as the second one.
             bool atRight = at.High.Miss < at.Low.Miss;
             double near = atRight ? right : left;
             double atBound = atRight ? slope + (curvature * right) : (curvature * left) - slope;
@@ -68,7 +68,7 @@ internal sealed class ValleySearch
 
         move = curvature > 0 ? -slope / curvature : 0;
 
-        // The error of the vertex is about half the product of the neighbours' distances, with such a third derivative.
+        // With a third derivative of that size, the error of the vertex is about half the product of the distances to both neighbours.
         double doubt = 0.5 * left * right;
         if (0.5 * curvature * ((doubt * doubt) + (move * move)) < Closeness * Math.Max(1.0, at.Middle.Miss))
         {
@@ -78,12 +78,12 @@ internal sealed class ValleySearch
         double least = 0.05 * Math.Max(left, right);
         if (Math.Abs(move) < least)
         {
-            // The step is too short to be useful: move towards the farther neighbour instead.
+            // The step is too short to be useful, so move towards the farther neighbour.
             least = Math.Max(least, 0.06);
             move = left > right ? -Math.Min(0.5 * left, least) : Math.Min(0.5 * right, least);
         }
 
-        // Stay between the neighbours, and not too close to either.
+        // Stay between the neighbours, but not too close to either.
         move = Math.Min(Math.Max(move, -0.9 * left), 0.9 * right);
         return true;
     }
@@ -91,7 +91,7 @@ internal sealed class ValleySearch
 
 /// <summary>Checks whether the jump of the drag law hides a closer kick near the minimum of a valley.</summary>
 /// <remarks>
-/// A flight that grazes the jump suddenly takes another path, so the miss over the elevation has waves near the minimum, and steps in a descent.
+/// A flight that grazes the jump suddenly takes another path, so the miss over the elevation has waves near the minimum, and jumps in a descent.
 /// Without this search, a dense scan finds a closer kick for 3 of 5 564 verdicts (<c>football lab aim --full</c>); with it, for none.
 /// </remarks>
 internal sealed class WaveSearch
@@ -100,7 +100,7 @@ internal sealed class WaveSearch
     private const double Wave = 0.025;
     private const int MostWaves = 4;
 
-    /// <summary>The gain below which a step is not searched, in m or as a share of the miss; and the maximum number of bisections.</summary>
+    /// <summary>The gain below which a jump is not searched, in m or as a share of the miss, and the maximum number of bisections.</summary>
     private const double StepCloseness = 5e-3;
     private const int MostHalvings = 12;
 
@@ -114,12 +114,12 @@ internal sealed class WaveSearch
         _valley = valley;
     }
 
-    /// <summary>Samples both sides of the closest kick for a deeper wave or a step.</summary>
+    /// <summary>Samples both sides of the closest kick for a deeper wave or a jump.</summary>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     public bool Find(ref ApproachBracket at)
     {
-        // 1. Sample both sides. 2. If one sample is deeper, descend into its wave. 3. If three samples in a row predict a smaller miss than the fourth
-        // has, find the step between them.
+        // 1. Sample both sides. 2. If one sample is deeper, descend into its wave. 3. If three consecutive samples predict a smaller miss than that of
+        // the fourth, locate the jump between them.
         Approach best = _approaches.Best;
         double miss = best.Miss;
         Approach wave = default;
@@ -156,7 +156,7 @@ internal sealed class WaveSearch
 
         for (int i = 3; i < count; i++)
         {
-            // In both directions, extrapolate from three samples in a row to the next one.
+            // In both directions, extrapolate from three consecutive samples to the next one.
             int k = count - 1 - i;
             if (FindStep(_looks[i - 3], _looks[i - 2], _looks[i - 1], _looks[i], ref at)
                 || FindStep(_looks[k + 3], _looks[k + 2], _looks[k + 1], _looks[k], ref at))
@@ -168,14 +168,14 @@ internal sealed class WaveSearch
         return false;
     }
 
-    /// <summary>Finds the minimum at an upward step of the miss in a descent, by bisection towards the step.</summary>
+    /// <summary>Finds the minimum at an upward jump of the miss in a descent, by bisection towards the jump.</summary>
     /// <remarks>
     /// It continues while the descent predicts a smaller miss than the best one found.
     /// </remarks>
     /// <param name="one">The first of three kicks on the descent.</param>
     /// <param name="two">The second.</param>
-    /// <param name="three">The third, which is nearest to the step.</param>
-    /// <param name="beyond">A kick that may be beyond the step.</param>
+    /// <param name="three">The third, which is nearest to the jump.</param>
+    /// <param name="beyond">A kick that may be beyond the jump.</param>
     /// <param name="at">If there are hits, three elevations near them.</param>
     /// <returns>As <see cref="ValleySearch.Descend"/>.</returns>
     private bool FindStep(Approach one, Approach two, Approach three, Approach beyond, ref ApproachBracket at)
@@ -184,7 +184,7 @@ internal sealed class WaveSearch
         {
             double best = _approaches.Best.Miss;
 
-            // Extrapolate the descent to that elevation, as if there were no step.
+            // Extrapolate the descent to this elevation, as if there were no jump.
             double promised = ApproachBracket.Extrapolate(in one, in two, in three, beyond.Elevation);
             if (!(Math.Max(0, promised) < best - (StepCloseness * Math.Max(1.0, best))))
             {
@@ -199,7 +199,7 @@ internal sealed class WaveSearch
                 return true;
             }
 
-            // If the sample matches the prediction, the step is farther on; otherwise the step is before it.
+            // If the sample matches the prediction, the jump is beyond it; otherwise, the jump is before it.
             if (Math.Abs(look.Miss - ApproachBracket.Extrapolate(in one, in two, in three, middle)) < 0.25 * (beyond.Miss - promised))
             {
                 (one, two, three) = (two, three, look);
@@ -235,7 +235,7 @@ internal sealed class CompassSearch
     /// <param name="rolls">True if the closest kick rolls, so that its elevation has no effect.</param>
     public void Find(bool rolls)
     {
-        // Try up, down, left and right. The first closer kick becomes the centre; if none is closer, halve the step.
+        // Try up, down, left and right. The first closer kick becomes the centre. If none is closer, halve the step.
         int shots = 0;
         for (double step = FirstStep; step > LastStep && shots < MostShots && !_approaches.IsSpent; step *= 0.5)
         {
@@ -248,7 +248,7 @@ internal sealed class CompassSearch
                     Approach best = _approaches.Best;
                     Kick kick = best.Kick;
 
-                    // Try elevations first, but not for a rolling ball, on which they have no effect.
+                    // Try elevations first, except for a rolling ball, on which they have no effect.
                     double move = i % 2 == 0 ? step : -step;
                     kick.Elevation = i < 2 ? _approaches.Bounds.Clamp(kick.Elevation + move) : kick.Elevation;
                     kick.Azimuth += i < 2 ? 0 : move;

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>Flies kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
+/// <summary>Simulates kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>
 internal sealed class DirectionScan
 {
     /// <summary>The maximum number of starts.</summary>
@@ -27,7 +27,7 @@ internal sealed class DirectionScan
     /// <summary>Empties the list.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>Flies the kicks, and adds the local minima to the list.</summary>
+    /// <summary>Simulates kicks, and adds the local minima to the list.</summary>
     /// <param name="rows">The number of elevations.</param>
     /// <param name="columns">The number of azimuths.</param>
     /// <param name="speed">The speed, in m/s.</param>
@@ -36,7 +36,7 @@ internal sealed class DirectionScan
     /// <param name="time">The time at which the miss is measured, in s; null for the closest approach.</param>
     public void Fly(int rows, int columns, double speed, double top, double side, double? time = null)
     {
-        // Fly a grid over all directions; use a single row if the bounds allow only one elevation.
+        // Simulate a grid of kicks over all directions, or a single row if the bounds allow only one elevation.
         double lowest = _problem.Clamp(ShootingProblem.Elevation, double.NegativeInfinity);
         double highest = _problem.Clamp(ShootingProblem.Elevation, double.PositiveInfinity);
         _rows = highest > lowest ? rows : 1;
@@ -52,7 +52,7 @@ internal sealed class DirectionScan
             Array.Copy(_one, 0, _x, i * N, N);
         }
 
-        // Use only local minima as starts: neighbours would lead to the same kick.
+        // Start only from local minima, because neighbours would lead to the same kick.
         for (int i = 0; i < _rows * _columns; i++)
         {
             if (IsLeast(i))
@@ -94,7 +94,7 @@ internal sealed class DirectionScan
             return;
         }
 
-        // Insertion sort; when the list is full, the farthest start drops out.
+        // Insertion sort: when the list is full, drop the farthest start.
         int at = Count < MostStarts ? Count++ : MostStarts - 1;
         while (at > 0 && square < _startSquares[at - 1])
         {

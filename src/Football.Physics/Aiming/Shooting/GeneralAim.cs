@@ -64,8 +64,8 @@ internal sealed class GeneralAim
     /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool WithSpeed(AimRequest request, double speed, AimArc arc, double top, double side, out AimSolution solution)
     {
-        // 1. Start from the closed form on the requested arc, then on the other arc. 2. If the air dominates, or the arc is uncertain, take the
-        // earliest or latest hit of a scan over all directions. Leave half of the budget for later searches.
+        // 1. Start from the closed form on the requested arc, then on the other arc. 2. If the air dominates, or the arc is uncertain, use the
+        // earliest or latest hit in a scan over all directions. Leave half of the budget for later searches.
         solution = default;
         if (_context.IsHalfSpent)
         {
@@ -97,8 +97,8 @@ internal sealed class GeneralAim
     /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool AtTime(AimRequest request, double time, out AimSolution solution)
     {
-        // 1. Start from the closed-form flight. This is Lambert's problem for a ball; its solution changes smoothly with time. 2. Try a roll. 3. If
-        // the result is not at a bound, or paths bend, there may be other kicks: start from scans.
+        // 1. Start from the closed-form flight. It solves Lambert's problem for a ball, and changes smoothly with time. 2. Try a roll. 3. If the
+        // result is not at a bound, or if paths bend, other kicks may exist: start from scans.
         BeginAtTime(request, rolls: false);
         if (FromModel(time, out solution))
         {
@@ -148,8 +148,8 @@ internal sealed class GeneralAim
     /// <returns>True if a kick was found and confirmed by measurement.</returns>
     public bool Slowest(AimRequest request, out AimSolution solution)
     {
-        // 1. Start from the slowest closed-form kick; if it is outside the elevation bounds, start at the bound. 2. Follow the curve of hits to the
-        // minimum speed. 3. Scan if there may be other minima.
+        // 1. Start from the slowest closed-form kick, or at the bound if this kick is outside the elevation bounds. 2. Follow the curve of hits to
+        // the minimum speed. 3. Scan if other minima may exist.
         Begin(request, rolls: false);
         bool found = FromSlowestModel(request, out solution);
         solution.Vectors(out Vector3d velocity, out _);
@@ -159,7 +159,7 @@ internal sealed class GeneralAim
 
     private bool FromSlowestModel(AimRequest request, out AimSolution solution)
     {
-        // Within the bounds, fix the time to that of the slowest closed-form kick. At a bound, fix the elevation.
+        // Within the bounds, hold the time of the slowest closed-form kick. At a bound, hold the elevation.
         double time = SlowestOfModel(request.TopSpin, request.SideSpin, request.Speed, out _);
         double elevation = ElevationOf(Model(time, request.TopSpin, request.SideSpin));
         double bound = _problem.Clamp(ShootingProblem.Elevation, elevation);
@@ -212,7 +212,7 @@ internal sealed class GeneralAim
         _scan.Clear();
         for (int spin = 0; spin < Spins; spin++)
         {
-            // Try no spin, strong spin about one axis, and strong spin about both.
+            // Try no spin, strong spin about one axis, and strong spin about both axes.
             double top = spin is 0 or 3 or 4 ? 0 : spin is 1 or 5 or 6 ? -0.6 : 0.6;
             double side = spin is 0 or 1 or 2 ? 0 : spin is 3 or 5 or 7 ? -0.6 : 0.6;
             _scan.Fly(ThroughRows, ThroughColumns, request.Speed, top * request.MaximumTopSpin, side * request.MaximumSideSpin);
@@ -311,7 +311,7 @@ internal sealed class GeneralAim
     /// <param name="isDoubtful">True if there may be another kick on the wanted arc.</param>
     private bool FromModels(double speed, AimArc arc, double top, double side, ref AimSolution solution, out bool isDoubtful)
     {
-        // With increasing time of flight, the required speed falls and then rises again: the low arc and the high arc.
+        // As the time of flight increases, the required speed first falls (low arc) and then rises (high arc).
         isDoubtful = false;
         double slowest = SlowestOfModel(top, side, speed, out double least);
         if (!(least < speed))
@@ -333,14 +333,14 @@ internal sealed class GeneralAim
     /// <summary>Returns the approximate time of the slowest closed-form kick.</summary>
     private double SlowestOfModel(double top, double side, double fastest, out double speed)
     {
-        // In vacuum, the slowest kick takes t² = 2 d/g. Start there, and move to the vertex of a parabola in log t.
+        // In vacuum, the slowest kick has t² = 2 d/g. Start there, and move to the vertex of a parabola in log t.
         double way = _problem.Way;
         double fall = Math.Abs(_context.Upward) > 1e-3 ? Math.Sqrt(2.0 * way / Math.Abs(_context.Upward)) : double.PositiveInfinity;
         double time = Math.Min(Math.Max(fall, 1.2 * way / fastest), AimContext.LongestFlight);
         speed = 0;
         for (double width = 0.3; width > 0.1; width *= 0.5)
         {
-            // Fit a parabola through three times; if it has no minimum, move in the direction in which it falls.
+            // Fit a parabola through three times. If it has no minimum, move in the direction in which it falls.
             double ratio = Elementary.Exp(width);
             double below = Model(time / ratio, top, side).Length;
             speed = Model(time, top, side).Length;
@@ -361,7 +361,7 @@ internal sealed class GeneralAim
         double far = isEarlier ? Earliest * slowest : Math.Min(Latest * slowest, AimContext.LongestFlight);
         for (int i = 0; i < Halvings; i++)
         {
-            // Bisect in the logarithm of the time: on each side of the slowest kick, the speed is monotone.
+            // Bisect in the logarithm of the time: on each side of the slowest kick, the speed is monotonic.
             double middle = Math.Sqrt(near * far);
             Vector3d velocity = Model(middle, top, side);
             bool isNear = elevation is { } bound ? ElevationOf(in velocity) > bound == isEarlier : velocity.Length < speed;

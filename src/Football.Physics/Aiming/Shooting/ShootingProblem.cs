@@ -3,7 +3,7 @@ namespace FootballPhysics.Aiming;
 /// <summary>The boundary-value problem of a kick in its most general form: the ball must be at the target at a given time.</summary>
 /// <remarks>
 /// A waypoint before the target is optional. The unknowns are elevation, azimuth, speed, spins and times; each is free within bounds, or held. The
-/// residuals are the gaps at those times. They change smoothly with all unknowns, however the path bends.
+/// residuals are the gaps at those times. They change smoothly with all unknowns, even if the path bends.
 /// </remarks>
 internal sealed class ShootingProblem : KickObserver, ILeastSquares
 {
@@ -22,7 +22,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>The maximum number of residuals: the gaps at the target and at the waypoint.</summary>
     public const int MostEquations = 6;
 
-    /// <summary>The maximum miss of a timely hit, in m; a ball falls this far in less than the allowed time error.</summary>
+    /// <summary>The maximum miss of a timely hit, in m; a ball falls by this distance in less than the allowed time error.</summary>
     private const double TimelyMiss = 2e-5;
 
     /// <summary>The step of a flight dominated by air, and the longest step of a scan, in s.</summary>
@@ -114,13 +114,13 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
             ? (request.MaximumTopSpin * request.MaximumTopSpin) + (request.MaximumSideSpin * request.MaximumSideSpin)
             : (request.TopSpin * request.TopSpin) + (request.SideSpin * request.SideSpin));
 
-        // If the air dominates, paths bend within a step: use shorter ones.
+        // If the air dominates, paths bend within a step: use shorter steps.
         bool ruled = IsRuledByAir = _context.IsRuledByAir(request.Speed, spinRate);
         _step = Math.Min(ruled ? RuledByAirStep : double.PositiveInfinity, _context.Steps.HitWithin(tolerance));
         _scanStep = ruled ? 0.5 * ScanStep : ScanStep;
         ElevationBounds bounds = ElevationBounds.Of(request);
 
-        // Set the bounds of the unknowns. Hold the elevation of a roll, and the speed if it is given.
+        // Set the bounds of the unknowns. Hold the elevation for a roll, and the speed if the request contains it.
         Bound(Elevation, rolls ? bounds.Clamp(0) : bounds.Lowest, rolls ? bounds.Clamp(0) : bounds.Highest);
         Bound(Azimuth, double.NegativeInfinity, double.PositiveInfinity);
         Bound(LogSpeed, Elementary.Log(1e-3), Elementary.Log(Math.Min(Limits.Speed, 1.5 * request.Speed)));
@@ -156,13 +156,13 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
     /// <summary>Returns the kick for the unknowns.</summary>
     public static Kick KickOf(double[] x) => new() { Elevation = x[Elevation], Azimuth = x[Azimuth], Top = x[Top], Side = x[Side] };
 
-    /// <summary>Flies a kick and computes its residuals.</summary>
+    /// <summary>Simulates a kick and computes its residuals.</summary>
     public bool Evaluate(double[] x, double[] r)
     {
         BallState state = Launch(x);
         double time = Elementary.Exp(x[LogTime]);
         double way = _passesThrough ? x[Share] * time : 0;
-        // Fly to the waypoint first: the velocity there is the column of its time.
+        // First simulate to the waypoint: the velocity there is the column of the waypoint's time.
         TimedFlight flight = _rolls ? _roll : _flight;
         long pieces = 0;
         if (_passesThrough)
@@ -213,7 +213,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
         else
         {
-            // Compute relative to the air, with the mean drag and lift over the path.
+            // Use quantities relative to the air, with the mean drag and lift over the path.
             Vector3d air = toTarget - (time * wind);
             Vector3d flat = toTarget.Horizontal.Length > 0 ? toTarget.Horizontal / toTarget.Horizontal.Length : _frame.Forward;
             double spinRate = spins.SpinRate;
@@ -270,7 +270,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         }
     }
 
-    /// <summary>Flies a kick while it may come closer, and sets its time unknowns to the times of its closest approaches.</summary>
+    /// <summary>Simulates a kick while it may come closer, and sets its time unknowns to the times of its closest approaches.</summary>
     /// <returns>The sum of the squared misses, in m².</returns>
     public double Approach(double[] x)
     {
@@ -294,7 +294,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // Use long steps, each treated as straight, until the ball falls well below its start and the target.
+        // Use long steps, each treated as straight, until the ball falls well below both its start and the target.
         double time;
         if (_passesThrough)
         {
@@ -308,7 +308,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
         return false;
     }
 
-    /// <summary>Flies a kick to a given time, and sets the time unknown to it.</summary>
+    /// <summary>Simulates a kick to a given time, and sets the time unknown to it.</summary>
     /// <returns>The squared miss at the target at this time, in m².</returns>
     public double GapAt(double[] x, double time)
     {
@@ -359,7 +359,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 
     private BallState Launch(double[] x)
     {
-        // The logarithm keeps the speed positive, and makes steps proportional to the speed.
+        // The logarithm keeps the speed positive, and makes steps proportional to it.
         KickOf(x).Vectors(Elementary.Exp(x[LogSpeed]), in _frame.Forward, out Vector3d velocity, out Vector3d spin);
         return (_rolls ? _grounded : _open).Launch(_frame.From, velocity, spin);
     }
@@ -423,7 +423,7 @@ internal sealed class TimedFlight : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // In the air, use equal steps that end at the given time. On the ground, use shorter steps for a fast ball.
+        // In the air, use equal steps, the last of which ends at the given time. On the ground, use shorter steps for a fast ball.
         watches = false;
         bool isFast = state.Motion == MotionState.Sliding || state.Velocity.LengthSquared > FastRoll * FastRoll;
         return state.Motion == MotionState.Airborne ? _step : Math.Min(isFast ? FastRollStep : RollStep, _end - state.Time);

@@ -36,7 +36,7 @@ internal sealed class SolutionCurve
     /// <summary>Follows the curve to slower kicks, until the speed is minimal or the kicks no longer hit.</summary>
     public void Descend(double[] x, ref AimSolution solution)
     {
-        // If the updated Jacobian clearly shows that slower kicks are out of bounds, skip the measurement.
+        // The updated Jacobian clearly shows that slower kicks are out of bounds: skip the measurement.
         double step = FirstStep;
         double before = Tangent(measures: false, x);
         if (before < -ClearSlope && !Goes(x, step))
@@ -45,8 +45,8 @@ internal sealed class SolutionCurve
         }
 
         before = Tangent(measures: true, x);
-        // 1. Step along the tangent, and correct back to the curve. 2. Shorten the step if it gives no hit or no slower kick. 3. Otherwise compute
-        // the tangent there: if it points back, the minimum has been passed. 4. Step to the zero of the slope, or stop if the gain is
+        // 1. Step along the tangent, and correct back to the curve. 2. If the step yields no hit, or no slower kick, shorten it. 3. Otherwise,
+        // compute the tangent there: if it points back, the minimum has been passed. 4. Step to the zero of the slope, or stop if the gain is
         // negligible.
         for (int i = 0; i < MostSteps && step > SmallestStep && !_problem.IsSpent; i++)
         {
@@ -71,7 +71,7 @@ internal sealed class SolutionCurve
                 turned += _last[k] * _tangent[k];
             }
 
-            // The slope of the speed is about linear in the arc length: step to its root, ahead or behind.
+            // The slope of the speed is almost linear in the arc length: step to its root, forwards or backwards.
             double slope = turned < 0 ? -after : after;
             double toRoot = slope > before ? step * Math.Abs(after) / (slope - before) : LargestStep;
             if (0.5 * toRoot * Math.Abs(after) < LittleSlower)
@@ -131,7 +131,7 @@ internal sealed class SolutionCurve
             squared += minor * minor;
         }
 
-        // Orient it towards slower kicks.
+        // Orient the null vector towards slower kicks.
         double length = Math.Sqrt(squared) * (_tangent[2] > 0 ? -1 : 1);
         for (int k = 0; k < 4; k++)
         {

@@ -55,7 +55,7 @@ internal sealed class FactorTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Evaluate(double x, out LawFactors values)
     {
-        // The shifted bits of a double are its exponent and segment: an index without a logarithm.
+        // The shifted bits of a double yield its exponent and segment: an index without a logarithm.
         long bits = BitConverter.DoubleToInt64Bits(x);
         nint index = (ulong)(bits - _fineLowest) < _fineSpan
             ? (nint)(bits >> _fineShift) - _fineOffset

@@ -89,7 +89,7 @@ internal struct TableAir<TLaw> : IFlightAir
     public void Factors(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // A stage may overshoot zero spin: use S = 0 there.
+        // A stage may overshoot zero spin: in that case, use S = 0.
         double spin = spinRate > 0 ? spinRate : 0;
         double surfaceSquared = _radiusSquared * (spin * spin);
         double ofSpin;
@@ -101,7 +101,7 @@ internal struct TableAir<TLaw> : IFlightAir
         }
         else
         {
-            // 1/S² = |u|²/(r|ω|)², written so that the division does not wait for the speed.
+            // 1/S² = |u|²/(r|ω|)², arranged so that the division does not wait for the speed.
             ofSpin = speedSquared * (1.0 / (surfaceSquared + NoSpin));
         }
 
@@ -121,7 +121,7 @@ internal struct TableAir<TLaw> : IFlightAir
         }
         else
         {
-            // Use temporaries: a variable passed by address is stored in memory, not in a register.
+            // Use temporaries, because a variable passed by address is stored in memory and not in a register.
             ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
             drag = ofDrag;
             lift = ofLift;
@@ -136,12 +136,12 @@ internal struct TableAir<TLaw> : IFlightAir
         bool spins = spinSquared > AirRates.NoSpin;
         if (_law.NeedsSpinAcross && spins && HoldsAt(speedSquared, spinSquared))
         {
-            // Lift and decay are proportional to the spin and S² = r²|ω × u|²/|u|⁴, so this needs neither a division by the spin nor its root.
+            // Lift and decay are proportional to the spin, and S² = r²|ω × u|²/|u|⁴: neither a division by the spin nor a square root is needed.
             Factors(speedSquared, 1.0, crossSquared, region, out drag, out lift, out decay);
             return true;
         }
 
-        // |ω̂ × u|² = |ω × u|²/|ω|², written so that the division does not wait for the root.
+        // |ω̂ × u|² = |ω × u|²/|ω|², arranged so that the division does not wait for the root.
         double perSquared = spins ? 1.0 / spinSquared : 0;
         double rate = spins ? Math.Sqrt(spinSquared) : 0;
         FactorsAnywhere(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
@@ -156,13 +156,13 @@ internal struct TableAir<TLaw> : IFlightAir
     public void ByFunctions(
         double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
     {
-        // At zero airspeed there is no force, and the spin decays as at the lowest speed.
+        // At zero airspeed, there is no force, and the spin decays as at the lowest speed in the table.
         double speed = Math.Sqrt(speedSquared);
         bool moves = speed > StillAir;
         speed = moves ? speed : StillAir;
         double across = _law.NeedsSpinAcross && moves ? Math.Sqrt(acrossSquared) / speed : 1.0;
 
-        // A stage may overshoot zero spin: the lift is then zero, and the spin keeps decaying.
+        // A stage may overshoot zero spin: the lift is then zero, but the spin continues to decay.
         double spin = spinRate > 0 ? spinRate : 0;
         _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
         _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
@@ -201,7 +201,7 @@ internal readonly struct TableRange
     private readonly double _perSpeed; // bound for drag and lift, 1/m
     private readonly double _perSpin;
 
-    // Up to this length, in s, drag and lift are small at every speed and spin, and two constant bounds on |u|² suffice.
+    // Up to this length, in s, drag and lift are small at every speed and spin, and two constant bounds on |u|² are sufficient.
     private readonly double _short;
     private readonly double _leastSquare;
     private readonly double _mostSquare;
@@ -219,7 +219,7 @@ internal readonly struct TableRange
         _perSpeed = forces.PerSpeed;
         _perSpin = forces.PerSpin;
 
-        // A step this short changes little at every speed and spin, so two bounds on |u|² suffice.
+        // So short a step changes little at any speed and spin: two bounds on |u|² are sufficient.
         _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
         _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
         double fall = _short * _gravity;

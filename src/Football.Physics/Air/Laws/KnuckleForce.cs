@@ -82,7 +82,7 @@ internal sealed class KnuckleForce
         double speed = Math.Sqrt(speedSquared);
         double strength = _perMass * Power.Of(Math.Min(speed, Fastest) / 30.0) * fade;
 
-        // ê₁ = û × ŷ normalized, or ẑ if û is vertical; ê₂ = ê₁ × û.
+        // ê₁ = û × ŷ normalised, or ẑ if û is vertical; ê₂ = ê₁ × û.
         Vector3d along = u / speed;
         var level = new Vector3d(-along.Z, 0, along.X);
         double across = level.Length;
@@ -97,7 +97,7 @@ internal sealed class KnuckleForce
         return (waves.Amplitude * sin).Sum;
     }
 
-    // This is a class so that a scene without a knuckle force loads no SIMD data.
+    // This is a separate class, so that a scene without a knuckle force loads no SIMD data.
     private sealed class FourWaves
     {
         public readonly Quad Amplitude;

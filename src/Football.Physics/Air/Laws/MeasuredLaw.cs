@@ -59,7 +59,7 @@ internal struct MeasuredLaw : ITableLaw
         }
     }
 
-    // C_L |u| ≤ L |u|, or C_M π ρ r³/m |ω|
+    // The lift bound: C_L |u| ≤ L |u|, or C_M π ρ r³/m |ω| for a constant lift.
     public readonly RateBound LiftBound => _constantLift ? new(0, Math.Abs(_ofLift), 0) : new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
 
     public readonly RateBound DecayBound => _decay.Bound;
@@ -95,7 +95,7 @@ internal struct MeasuredLaw : ITableLaw
     /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
     private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
 
-    // C_D without spin, and the reductions of drag by spin and of lift below the crisis.
+    // Compute C_D without spin, the reduction of drag due to spin, and the reduction of lift below the crisis.
     public readonly void OfSpeed(double speed, out LawFactors factors)
     {
         double share = _drag.SubcriticalShare(speed);

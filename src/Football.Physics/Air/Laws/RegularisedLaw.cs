@@ -65,7 +65,7 @@ internal struct RegularisedLaw : ITableLaw
         factors.Fourth = 0;
     }
 
-    // The weight of the law with spin by spin parameter; that times c S^d; 1.15 S^β / (C_D0 − a); ((1 + S/2)^1.8 + |1 − S/2|^1.8).
+    // The weight of the law with spin, by spin parameter; this weight times c S^d; 1.15 S^β / (C_D0 − a); ((1 + S/2)^1.8 + |1 − S/2|^1.8).
     public readonly void OfSpin(double spinParameter, out LawFactors factors)
     {
         factors.First = RegularisedDragFit.SpinWeight(spinParameter);
@@ -85,7 +85,7 @@ internal struct RegularisedLaw : ITableLaw
         double lost = withoutSpin * bySpeed.Second * bySpin.First;
         drag = _ofDrag * ((withoutSpin + gained) - lost);
 
-        // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); the deficit is computed without waiting for D.
+        // L = ½ρA/m |u| 1.15 S^β (C_D0 − min(C_D, C_D0)) / (C_D0 − a); compute the deficit without waiting for D.
         double deficit = (((scale * _atRest) - withoutSpin) - gained) + lost;
         lift = deficit > 0 ? _ofLift * bySpin.Third * deficit : 0;
 

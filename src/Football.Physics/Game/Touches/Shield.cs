@@ -54,7 +54,7 @@ public sealed class ShieldResult
         Margin = double.NegativeInfinity;
         int safe = 0;
 
-        // Sample all directions and distances for the best position and the safe share. Start with the outermost ring, whose margins are stored.
+        // Sample all directions and distances, to find the best position and the share of safe ones. Start with the outermost ring, whose margins are stored.
         for (int ring = Rings; ring >= 1; ring--)
         {
             for (int i = 0; i < Directions; i++)
@@ -102,13 +102,13 @@ public sealed class ShieldResult
     {
         Check.Place(nameof(place), place);
 
-        // The player has the ball, so he needs no reaction time.
+        // The player has the ball, so he does not need to react.
         Vector3d own = (place - _request.Player.Position).Horizontal;
         double he = new RunnerMotion(_request.Player.Reacting(0), _request.Time).ArrivalAt(own.Length);
         double first = he + Forever;
         foreach (Player opponent in _request.Opponents)
         {
-            // The opponent keeps his motion until he reacts, and then runs around the player's body.
+            // Until he reacts, the opponent keeps his motion; then he runs around the player's body.
             var motion = new RunnerMotion(in opponent, _request.Time);
             motion.MiddleAt(motion.Start, out double x, out double z);
             first = Math.Min(first, motion.ArrivalAt(WayAround(new Vector3d(x, 0, z), place.Horizontal)));
@@ -135,13 +135,13 @@ public sealed class ShieldResult
         double first = a.Length;
         double second = b.Length;
 
-        // An opponent who touches the body does not need to run around it.
+        // An opponent who touches the body need not run around it.
         if (!(straight > 0) || !(first > radius) || !(second > radius))
         {
             return straight;
         }
 
-        // Compute the distance of the straight line from the body.
+        // Compute how far the straight line passes from the body.
         double along = -Vector3d.Dot(in a, b - a) / (straight * straight);
         double passes = (a + (Math.Min(1, Math.Max(0, along)) * (b - a))).Length;
         if (passes >= radius)
@@ -149,7 +149,7 @@ public sealed class ShieldResult
             return straight;
         }
 
-        // The arc is the angle between the two positions, minus the tangent angles: cos τ = r/d
+        // The arc is the angle between both positions minus the tangent angles: cos τ = r/d.
         double firstTangent = Math.Sqrt((first * first) - (radius * radius));
         double secondTangent = Math.Sqrt((second * second) - (radius * radius));
         double between = Elementary.Atan2(Math.Abs((a.X * b.Z) - (a.Z * b.X)), Vector3d.Dot(in a, in b));

@@ -57,7 +57,7 @@ internal abstract class TouchProblem : ILeastSquares
         Wanted(x, out Vector3d velocity, out Vector3d spin);
         if (!((velocity - Ball.Velocity).Length > 1e-9))
         {
-            // The ball already moves as required: let the foot barely touch it.
+            // The ball already moves as required, so let the foot barely touch it.
             velocity += 1e-6 * Vector3d.Up;
         }
 
@@ -72,7 +72,7 @@ internal abstract class TouchProblem : ILeastSquares
     {
         _flights = 0;
 
-        // The solver may end on a rejected trial. Fly the best solution again, so that Strike and End belong to it.
+        // The last trial of the solver may have been rejected. Simulate the best solution again, so that Strike and End belong to it.
         bool hit = _solver.Solve(x);
         _flights = 0;
         bool flies = Evaluate(x, _solver.Residuals);
@@ -95,7 +95,7 @@ internal abstract class TouchProblem : ILeastSquares
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
-        // Run to the requested time, including bounces.
+        // Simulate up to the requested time, including bounces.
         Log.Clear();
         Simulator.Run(ref End, TimeStep, duration, StopAt.Time, Log, null);
     }
@@ -247,13 +247,13 @@ internal sealed class FirstTimeProblem : TouchProblem
         _request = request;
         _speed = speed;
 
-        // Use the plane through the target, perpendicular to the direction there. The residuals are the vertical and lateral offsets in that plane.
+        // Use the plane through the target, perpendicular to the ball's direction there. The residuals are the vertical and lateral offsets in this plane.
         Vector3d flat = (request.Target - ball.Position).Horizontal;
         Vector3d forward = flat / flat.Length;
         _plane = new Plane3d(request.Target, forward);
         _aside = Vector3d.Cross(Vector3d.Up, in forward);
 
-        // Fly slightly beyond the plane: a descending ball may come closest behind the plane.
+        // Continue slightly beyond the plane, because a descending ball may be closest behind the plane.
         _look = new LookAheadRequest
         {
             Duration = Longest,
@@ -276,7 +276,7 @@ internal sealed class FirstTimeProblem : TouchProblem
         End = Ball;
         Simulator.Kick(ref End, KickVectors.Limited(in velocity, Limits.Speed), KickVectors.Limited(in spin, Limits.Spin));
 
-        // Search the full flight: the solver uses the offsets in the plane, but the result reports the closest approach.
+        // Search the complete flight: the solver uses the offsets in the plane, but the result contains the closest approach.
         Simulator.LookAhead(in End, _look, _path);
         End = _path.Final;
         Closest = _path.ClosestApproach(_request.Target);

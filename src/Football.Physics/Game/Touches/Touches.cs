@@ -32,7 +32,7 @@ public sealed class Touches
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public Touches(Scene? scene = null, Foot? foot = null, TouchSpread? spread = null)
     {
-        // Remove bodies and engine colliders: the striking foot is one of them, and would block the ball.
+        // Remove bodies and engine colliders: one of them is the kicking foot, which would block the ball.
         Scene own = (scene ?? Scene.Default) with { Bodies = null, EngineColliders = null };
         Foot = foot ?? new Foot { MaximumSpeed = 25 };
         Spread = spread ?? new TouchSpread();
@@ -63,10 +63,10 @@ public sealed class Touches
         request.Validate();
         BallState.Launched(in ball);
 
-        // 1. Solve for the horizontal velocity that reaches the position on time. 2. If the speed is then wrong, try topspin.
+        // 1. Solve for the horizontal velocity that reaches the position on time. 2. If the resulting speed is wrong, try topspin.
         _dribble.Set(in ball, request);
 
-        // As a first guess, use the mean velocity over the ground.
+        // The first guess is the mean velocity over the ground.
         Vector3d mean = (request.Wanted - ball.Position).Horizontal / request.Duration;
         _x[0] = mean.X;
         _x[1] = mean.Z;
@@ -77,19 +77,19 @@ public sealed class Touches
         {
             (double x, double z) = (_x[0], _x[1]);
 
-            // Solve for three unknowns from position and speed. Keep the result if it hits, or is within tolerance at a better speed.
+            // Solve for three unknowns, from position and speed. Keep the result if it hits, or if it is within tolerance at a better speed.
             _dribble.Free(spin: true);
             bool helps = _dribble.Solve(_x) || (Off(_dribble.Residuals) < request.Tolerance && Math.Abs(_dribble.Residuals[2]) < pace);
             _dribble.Free(spin: false);
             if (!helps)
             {
-                // Return to the touch without topspin.
+                // Use the touch without topspin after all.
                 (_x[0], _x[1], _x[2]) = (x, z, 0);
                 _dribble.Solve(_x);
             }
         }
 
-        // Fly the chosen touch: the result reports its position, speed and strike.
+        // Simulate the chosen touch, because the result contains its position, speed and strike.
         _dribble.Evaluate(_x, _residuals);
         double miss = Off(_residuals);
         double paceMiss = Math.Abs(_residuals[2]);
@@ -116,14 +116,14 @@ public sealed class Touches
         _x[0] = velocity.X;
         _x[1] = velocity.Z;
 
-        // As a first guess, the ball takes the player's velocity at once.
+        // As a first guess, the ball takes on the player's velocity at once.
         _trap.Solve(_x);
         _trap.Evaluate(_x, _residuals);
         double off = Off(_residuals);
         FootStrike strike = _trap.Strike;
         BallState end = _trap.End;
 
-        // The distance of the ball from the touch, in the player's frame: its displacement minus his.
+        // The distance of the ball from the touch in the player's frame: the ball's displacement minus the player's.
         double gone = (end.Position - ball.Position - (request.Duration * velocity)).Horizontal.Length;
         TouchStatus status = off <= request.Tolerance ? TouchStatus.Done : !strike.FastEnough ? TouchStatus.FootTooSlow : TouchStatus.OutOfReach;
         double chance = Chance(_trap, in strike, r => Off(r) <= request.SuccessSpeed);
@@ -148,18 +148,18 @@ public sealed class Touches
             return new Touch(TouchStatus.Degenerate, default, ball.Position, ball.Velocity, 0, (request.Target - ball.Position).Length, 0, double.NaN);
         }
 
-        // 1. Aim as if the ball were at rest. 2. Solve for the strike, with the incoming spin that remains. 3. Retry slower if the foot is too slow.
+        // 1. Aim as if the ball were at rest. 2. Solve for the strike, with the share of the incoming spin that remains. 3. If the foot is too slow, retry with a slower kick.
         double speed = request.Speed;
         bool fast = false;
         for (int i = 0; i < MostSpeeds && !fast; i++)
         {
-            // Skip the measurement: the aim is only the start of the search.
+            // Skip the measurement, because the aim only starts the search.
             AimResult aim = _aimer.Find(AimFor(in ball, request, speed), measure: false);
             _shot.Set(in ball, request, speed);
             SolveShot(in aim, request.MaximumElevationDegrees);
             fast = _shot.Strike.FastEnough;
 
-            // Retry 5 % slower, or just below the speed that the foot achieved if that is slower still, so that a few tries suffice.
+            // Retry 5 % slower, or just below the speed that the foot reached if this is even slower, so that a few tries are sufficient.
             speed = fast ? speed : Math.Max(0.5, Math.Min(0.95 * speed, 0.995 * _shot.Strike.Velocity.Length));
         }
 
@@ -233,7 +233,7 @@ public sealed class Touches
         int good = 0;
         for (int i = 0; i < Spread.Draws; i++)
         {
-            // Draw five independent errors each time, with the same seeds for every touch, so that touches are comparable.
+            // Draw five independent errors, with the same seeds for every touch, so that touches are comparable.
             NormalDistribution.Draw(SplitMix64.At(Seed, 6 * i), SplitMix64.At(Seed, (6 * i) + 1), out double a, out double b);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 2), SplitMix64.At(Seed, (6 * i) + 3), out double c, out double d);
             NormalDistribution.Draw(SplitMix64.At(Seed, (6 * i) + 4), SplitMix64.At(Seed, (6 * i) + 5), out double e, out _);
@@ -242,7 +242,7 @@ public sealed class Touches
             double turn = Math.PI / 180.0 * Spread.DirectionDegrees;
             double tilt = Spread.Contact / _simulator.Scene.Ball.Radius;
 
-            // Strike with the perturbed speed, direction and contact point, and follow the ball.
+            // Strike with these errors in speed, direction and contact point, and follow the ball.
             Vector3d foot = (1.0 + (0.01 * Spread.SpeedPercent * a)) * Turned(meant.FootVelocity, turn * b, turn * c);
             Vector3d normal = Turned(meant.Normal, tilt * d, tilt * e);
             FootStrike strike = Foot.Strike(
@@ -264,7 +264,7 @@ public sealed class Touches
 
         Vector3d along = vector / length;
 
-        // Construct two perpendicular axes from the y axis, or from the x axis if the vector is nearly vertical.
+        // Construct two perpendicular axes from the y axis, or from the x axis if the vector is almost vertical.
         Vector3d across = Vector3d.Cross(Math.Abs(along.Y) < 0.9 ? Vector3d.Up : new Vector3d(1, 0, 0), in along);
         across /= across.Length;
         Vector3d turned = along + (first * across) + (second * Vector3d.Cross(in along, in across));

@@ -42,7 +42,7 @@ internal readonly struct CubicHermite
             return 1.0;
         }
 
-        // (−c₂ + √D)/(3 c₃), multiplied by c₂ + √D on both sides to avoid cancellation.
+        // (−c₂ + √D)/(3 c₃), multiplied by c₂ + √D above and below to avoid cancellation.
         double s = -c1 / (c2 + Math.Sqrt(discriminant));
         return s > 0 && s < 1 ? s : 1.0;
     }

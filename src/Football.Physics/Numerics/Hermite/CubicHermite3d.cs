@@ -16,7 +16,7 @@ internal readonly struct CubicHermite3d
     /// <param name="length">The time from start to end.</param>
     public CubicHermite3d(in Vector3d start, in Vector3d startVelocity, in Vector3d end, in Vector3d endVelocity, double length)
     {
-        // The deviations from uniform motion at the end, in units of length.
+        // The deviations from uniform motion at the end, as lengths.
         Vector3d miss = end - start - (length * startVelocity);
         Vector3d turn = length * (endVelocity - startVelocity);
         _start = start;

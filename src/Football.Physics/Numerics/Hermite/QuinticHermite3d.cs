@@ -27,7 +27,7 @@ internal readonly struct QuinticHermite3d
         in Vector3d endAcceleration,
         double length)
     {
-        // The deviations from uniformly accelerated motion at the end, in units of length.
+        // The deviations from uniformly accelerated motion at the end, as lengths.
         double squared = length * length;
         Vector3d p = end - start - (length * startVelocity) - (0.5 * squared * startAcceleration);
         Vector3d v = (length * (endVelocity - startVelocity)) - (squared * startAcceleration);

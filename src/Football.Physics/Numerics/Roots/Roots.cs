@@ -30,7 +30,7 @@ internal static class Roots
                 break;
             }
 
-            // The function is positive below the root, so this point replaces the end on its side.
+            // The function is positive below the root, so this point replaces the end of the bracket on its side.
             if (value > 0)
             {
                 low = x;
@@ -43,7 +43,7 @@ internal static class Roots
             // x' = x − f/f'
             double next = x - (value / slope);
 
-            // A slope of 0 or NaN also leads here.
+            // A slope of 0 or NaN also leads to this line.
             if (!(next > low && next < high))
             {
                 next = 0.5 * (low + high);
@@ -80,7 +80,7 @@ internal static class Roots
         bool wasBelow = false;
         for (int i = 1; i <= most; i++)
         {
-            // The zero of the chord between the ends, or the middle if the value at the lower end is unknown.
+            // The zero of the chord between the ends, or the midpoint if the value at the lower end is unknown.
             double secant = low + ((high - low) * atLow / (atLow - atHigh));
             x = i % BisectionEvery == 0 || double.IsNaN(secant) ? 0.5 * (low + high) : secant;
             if (function.Evaluate(x, out double value) || value == 0)
@@ -88,7 +88,7 @@ internal static class Roots
                 break;
             }
 
-            // The point lies below the root if its sign differs from that of the upper end.
+            // The point is below the root if its sign differs from the sign at the upper end.
             bool below = value < 0 != atHigh < 0;
             double stays = i > 1 && below == wasBelow ? 0.5 : 1.0;
             double moved;
@@ -130,7 +130,7 @@ internal static class Roots
         {
             double middle = 0.5 * (low + high);
 
-            // No double is left between the ends.
+            // There is no double left between the ends.
             if (!(middle > low && middle < high))
             {
                 break;

@@ -57,7 +57,7 @@ public sealed class Interception
         _windows.Count = 0;
         for (int i = 0; i < _runners; i++)
         {
-            // All windows share one list: those of player i are at _starts[i] up to _starts[i + 1].
+            // All windows share one list: player i has the windows from _starts[i] up to _starts[i + 1].
             _starts[i] = _windows.Count;
             new WindowSearch(_path, in _motions[i], i, firstOnly: false, _windows).Run(start, _path.End);
             _earliest[i] = _windows.Count > _starts[i] ? _windows.Items[_starts[i]] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
@@ -85,7 +85,7 @@ public sealed class Interception
         double second = double.PositiveInfinity;
         for (int i = 0; i < _runners; i++)
         {
-            // Players who arrive after the second do not matter. Use the same search as Find, so that both return the same player.
+            // Players who arrive after the second one do not matter. Use the same search as Find, so that both return the same player.
             _firsts.Count = 0;
             new WindowSearch(_path, in _motions[i], i, firstOnly: true, _firsts).Run(start, _path.End, second + Instant);
             _earliest[i] = _firsts.Count > 0 ? _firsts.Items[0] : new InterceptWindow(i, double.PositiveInfinity, double.PositiveInfinity, default, default);
@@ -155,7 +155,7 @@ public sealed class Interception
             _motions[i] = new RunnerMotion(in runners[i], start);
         }
 
-        // A ball at rest stays there until the requested end; otherwise stop at the end of the path.
+        // A ball at rest stays there until the requested end. Otherwise, stop at the end of the path.
         _path.Take(path, until ?? path.EndTime);
         return Math.Max(start, _path.Start);
     }
@@ -175,7 +175,7 @@ public sealed class Interception
         {
             double from = _earliest[i].From;
 
-            // Choose the lowest index within a nanosecond of the earliest; all others are later.
+            // First is the lowest index among players within a nanosecond of the earliest; all other players are later.
             if (First < 0 && from <= least + Instant && !double.IsPositiveInfinity(from))
             {
                 First = i;

@@ -26,7 +26,7 @@ internal readonly struct KeeperSearch
     {
         var mouth = new GoalMouth(goal);
 
-        // The shot crosses the goal's plane from the pitch; he can meet it until then.
+        // The shot crosses the goal plane from the pitch; until then, the keeper can reach the ball.
         bool crosses = path.TryGetCrossing(new Plane3d(mouth.Center, mouth.Out), out PathPoint crossing) && Vector3d.Dot(crossing.Velocity, mouth.Out) < 0;
         _spans.Take(path, path.EndTime);
         double end = crosses ? crossing.Time : _spans.End;
@@ -34,7 +34,7 @@ internal readonly struct KeeperSearch
         bool saves = Meets(in keeper, now, begin, end);
         InterceptWindow first = saves ? _found.Items[0] : default;
 
-        // He covers the part of the goal line that is within his circle when the ball arrives.
+        // The keeper covers the part of the goal line that is within his circle when the ball arrives.
         var motion = new RunnerMotion(in keeper, now);
         motion.MiddleAt(end, out double x, out double z);
         var middle = new Vector3d(x, 0, z);
@@ -79,7 +79,7 @@ internal readonly struct KeeperSearch
         double low = keeper.Reaction;
         double high = Math.Max(low, end - now);
 
-        // Even the latest possible reaction succeeds: he meets the ball without reacting at all.
+        // Even the latest possible reaction succeeds: he reaches the ball without reacting at all.
         if (Meets(keeper.Reacting(high), now, begin, end))
         {
             return now + high;
@@ -95,7 +95,7 @@ internal readonly struct KeeperSearch
     /// <summary>Returns the latest successful reaction of an interval whose end fails; NaN if there is none.</summary>
     private double Latest(in Player keeper, double now, double begin, double end, double low, double high, double rate, double shortest, ref int tries)
     {
-        // Test the middle with extra reach for half the interval: if that fails, every reaction in the interval fails.
+        // Test the middle with extra reach for half of the interval: if this test fails, every reaction in the interval fails.
         double half = 0.5 * (high - low);
         if (++tries > MostTries || !Meets(keeper.Reacting(low + half, rate * half), now, begin, end))
         {

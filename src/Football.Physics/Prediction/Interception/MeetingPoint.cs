@@ -25,18 +25,18 @@ internal struct MeetingPoint
         runner.MiddleAt(time, out double x, out double z);
         runner.MiddleVelocity(reacts, out double vx, out double vz);
 
-        // w is the horizontal vector from the centre of his circle to the ball; R is the radius of the circle.
+        // w is the horizontal vector from the centre of the player's circle to the ball; R is the circle's radius.
         double dx = p.X - x;
         double dz = p.Z - z;
         double radius = runner.RadiusAt(time);
         double squared = (dx * dx) + (dz * dz);
 
-        // q = R² − |w|²,  q̇ = 2 (R Ṙ − w·ẇ)
+        // Distance condition and its rate: q = R² − |w|²,  q̇ = 2 (R Ṙ − w·ẇ).
         at.Distance = Math.Sqrt(squared);
         at._near = (radius * radius) - squared;
         at._nearRate = 2.0 * ((radius * runner.GrowthAt(time)) - (dx * (v.X - vx)) - (dz * (v.Z - vz)));
 
-        // y − h₀ and h₁ − y have the rates ±ẏ.
+        // The height conditions y − h₀ and h₁ − y have the rates ±ẏ.
         at._low = p.Y - runner.Lowest;
         at._high = runner.Highest - p.Y;
         at._climb = v.Y;

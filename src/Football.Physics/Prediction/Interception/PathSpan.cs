@@ -51,7 +51,7 @@ internal struct PathSpan
     /// <summary>Converts a path segment; its duration is above 0.</summary>
     public static PathSpan Of(in PathSegment piece, double end)
     {
-        // c₀ + c₁ s + … + c₅ s⁵ in s = (t − start)/length, with the degree of the integrator's segment.
+        // c₀ + c₁ s + … + c₅ s⁵ with s = (t − start)/length; the degree is that of the integrator's segment.
         double h = piece.Length;
         PathSpan span = default;
         span.Start = piece.Time;
@@ -115,7 +115,7 @@ internal struct PathSpan
     /// hull.</summary>
     private void Bound()
     {
-        // Second derivative, of degree 3: 2 c₂ + 6 c₃ s + 12 c₄ s² + 20 c₅ s³
+        // Second derivative, of degree 3: 2 c₂ + 6 c₃ s + 12 c₄ s² + 20 c₅ s³.
         Vector3d a0 = 2.0 * _c2;
         Vector3d a1 = a0 + (2.0 * _c3);
         Vector3d a2 = a0 + (4.0 * _c3) + (4.0 * _c4);
@@ -124,7 +124,7 @@ internal struct PathSpan
         Acceleration = squared * Math.Sqrt(Math.Max(Math.Max(Flat(in a0), Flat(in a1)), Math.Max(Flat(in a2), Flat(in a3))));
         VerticalAcceleration = squared * Math.Max(Math.Max(Math.Abs(a0.Y), Math.Abs(a1.Y)), Math.Max(Math.Abs(a2.Y), Math.Abs(a3.Y)));
 
-        // First derivative, of degree 4: c₁ + 2 c₂ s + 3 c₃ s² + 4 c₄ s³ + 5 c₅ s⁴
+        // First derivative, of degree 4: c₁ + 2 c₂ s + 3 c₃ s² + 4 c₄ s³ + 5 c₅ s⁴.
         Vector3d v1 = _c1 + (0.5 * _c2);
         Vector3d v2 = _c1 + _c2 + (0.5 * _c3);
         Vector3d v3 = _c1 + (1.5 * _c2) + (1.5 * _c3) + _c4;

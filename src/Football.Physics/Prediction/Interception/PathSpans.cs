@@ -26,11 +26,11 @@ internal sealed class PathSpans
         Count = 0;
         Start = path.StartTime;
 
-        // A ball that ends at rest stays there. If it is still moving, its position after the end of the path is unknown.
+        // A ball at rest at the end of the path stays there. If it still moves, its later position is unknown.
         End = path.Final.Motion == MotionState.Rest ? Math.Max(until, path.StartTime) : Math.Min(until, path.EndTime);
         int pieces = path.Count;
 
-        // There is at most one rest after each segment, and one at the end.
+        // At most one rest follows each segment, and one follows the end.
         if (Items.Length < (2 * pieces) + 1)
         {
             Items = new PathSpan[(2 * pieces) + 1];
@@ -40,7 +40,7 @@ internal sealed class PathSpans
         {
             ref readonly PathSegment piece = ref path.Piece(i);
 
-            // Extend each segment to the start of the next, so that rounding leaves no gap.
+            // Extend each segment to the start of the next one, so that rounding leaves no gap.
             double end = i + 1 < pieces ? path.Piece(i + 1).Time : piece.EndTime;
             bool waits = end - piece.EndTime > Meeting;
             end = waits ? piece.EndTime : end;
@@ -61,7 +61,7 @@ internal sealed class PathSpans
             Items[Count++] = PathSpan.Straight(last, End, path.Final.Position, path.Final.Position);
         }
 
-        // Go backwards to compute the maximum speed from each segment to the end.
+        // Go backwards to compute the maximum speed from each segment to the end of the path.
         double fastest = 0;
         for (int i = Count - 1; i >= 0; i--)
         {

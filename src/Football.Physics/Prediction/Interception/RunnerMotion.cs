@@ -56,7 +56,7 @@ internal readonly struct RunnerMotion
     /// <summary>Returns the centre of his circle, in m.</summary>
     public void MiddleAt(double time, out double x, out double z)
     {
-        // He keeps moving until he reacts; then the circle grows about his position at that time.
+        // Until he reacts, he keeps his motion; then the circle grows about his position at that time.
         double before = Math.Min(time - Start, 0);
         x = _x + (before * _velocityX);
         z = _z + (before * _velocityZ);
@@ -72,7 +72,7 @@ internal readonly struct RunnerMotion
     /// <summary>Returns the radius of his circle, D + ρ, in m.</summary>
     public double RadiusAt(double time)
     {
-        // D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a)
+        // The distance D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a).
         double s = time - Start;
         return Reach + (s <= 0 ? 0 : s <= _rampTime ? 0.5 * _acceleration * s * s : _speed * (s - (0.5 * _rampTime)));
     }
@@ -86,7 +86,7 @@ internal readonly struct RunnerMotion
     /// <summary>Returns the first time at which his circle reaches a distance from its centre, in s; the inverse of <see cref="RadiusAt"/>.</summary>
     public double ArrivalAt(double distance)
     {
-        // s = √(2 d/a) up to ½ v²/a, then d/v + v/2a.
+        // The time s = √(2 d/a) up to d = ½ v²/a, then d/v + v/2a.
         double run = distance - Reach;
         return run <= 0 ? Start
             : run <= 0.5 * _speed * _rampTime ? Start + Math.Sqrt(2.0 * run / _acceleration)

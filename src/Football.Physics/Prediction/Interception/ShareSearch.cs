@@ -35,7 +35,7 @@ internal sealed class ShareSearch
         _starts = starts;
         _runners = runners;
 
-        // Step from one window edge or segment end to the next: in between, the same players can meet the ball.
+        // Step from one window edge or segment end to the next: in between, the same players can reach the ball.
         double t = NextEdge(double.NegativeInfinity);
         while (t < _path.End)
         {
@@ -73,7 +73,7 @@ internal sealed class ShareSearch
             return;
         }
 
-        // Limit the changes to the number of players: two players who are equal within rounding errors could alternate forever.
+        // Limit the number of changes to the number of players, because two players who are equal within rounding could alternate for ever.
         int last = Owner(in span, b, middle, out _);
         for (int changes = 0; owner != last && changes < _runners; changes++)
         {
@@ -86,7 +86,7 @@ internal sealed class ShareSearch
             a = high;
             int next = Owner(in span, a, middle, out lead);
 
-            // The players are equal within rounding errors: stop, because the search would not advance.
+            // The players are equal within rounding: stop, because the search would not advance.
             last = next == owner ? owner : last;
             owner = next;
         }
@@ -108,7 +108,7 @@ internal sealed class ShareSearch
                 continue;
             }
 
-            // Compute the time at which he could be there. It is never later than the ball's, because he can meet the ball.
+            // Compute his earliest arrival time at this point. It is never later than the ball's arrival, because he can reach the ball.
             ref readonly RunnerMotion runner = ref _motions[i];
             runner.MiddleAt(time, out double cx, out double cz);
             double arrival = Math.Min(time, runner.ArrivalAt(Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)))));
@@ -143,7 +143,7 @@ internal sealed class ShareSearch
 
     private void Add(int runner, double from, double to, double lead)
     {
-        // The same owner continues: extend his interval, with the lead at its start.
+        // The same owner continues: extend his interval, and keep the lead at its start.
         if (Count > 0 && Items[Count - 1].Player == runner && from - Items[Count - 1].To <= Shortest)
         {
             PossessionInterval before = Items[Count - 1];

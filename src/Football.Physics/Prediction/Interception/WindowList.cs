@@ -31,7 +31,7 @@ internal sealed class WindowList
     {
         InterceptWindow last = Items[Count - 1];
 
-        // Remove a window without length, unless it extends an earlier one.
+        // Remove a window of zero length, unless it extends an earlier one.
         if (!(to > from) && last.From == from)
         {
             Count--;

@@ -72,7 +72,7 @@ internal struct WindowSearch
         bool reacts = t >= _runner.Start;
         end = !reacts && end > _runner.Start ? _runner.Start : end;
 
-        // The ball is out of his height range throughout.
+        // The ball is outside his height range throughout.
         if (span.Highest < _runner.Lowest || span.Lowest > _runner.Highest)
         {
             Leave(t);
@@ -87,7 +87,7 @@ internal struct WindowSearch
             span.PlaceAt(t, out double x, out double z);
             _runner.MiddleAt(t, out double cx, out double cz);
 
-            // Compute the distance between player and ball, and the most by which it can change over this part.
+            // Compute the distance between player and ball, and by how much it can change over this part.
             double distance = Math.Sqrt(((x - cx) * (x - cx)) + ((z - cz) * (z - cz)));
             double drift = (span.Speed + _runner.CarriedAt(t)) * (end - t);
             double gap = distance - _runner.RadiusAt(t);
@@ -99,7 +99,7 @@ internal struct WindowSearch
                 return Math.Max(end, t + (gap / (span.SpeedFromHere + _runner.Fastest)));
             }
 
-            // The ball stays inside his circle; remember the minimum time for which this holds.
+            // The ball stays inside his circle: remember the minimum time for which this is true.
             near = gap <= -drift;
             nearUntil = near ? t - (gap / (span.SpeedFromHere + _runner.CarriedAt(t))) : nearUntil;
         }
@@ -125,7 +125,7 @@ internal struct WindowSearch
         MeetingPoint.At(in span, in _runner, start, reacts, out MeetingPoint low);
         while (level >= 0 && !_done)
         {
-            // This is interval `number` of the 2^level intervals of this size; the last one ends exactly at the end of the part.
+            // This is interval `number` of the 2^level intervals of equal size; the last one ends exactly at the end of the part.
             double h = length / (1L << level);
             double a = start + (number * h);
             double b = number + 1 == 1L << level ? end : start + ((number + 1) * h);
@@ -137,7 +137,7 @@ internal struct WindowSearch
                 continue;
             }
 
-            // The next interval: go up to the nearest ancestor that is a first half, and take its second half.
+            // For the next interval, go up to the nearest ancestor that is a first half, and take its second half.
             low = high;
             while (level > 0 && (number & 1) != 0)
             {
@@ -158,7 +158,7 @@ internal struct WindowSearch
         bool hopeless = false;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
-            // Values at the ends and a bound on the second derivative show if a condition always holds, never holds, or changes.
+            // The values at both ends and a bound on the second derivative show whether a condition always holds, never holds, or changes.
             double start = low.Value(what);
             double end = high.Value(what);
             double bend = what == MeetingCondition.Near ? NearBend(in span, a, b, in low) : span.VerticalAcceleration;
@@ -175,7 +175,7 @@ internal struct WindowSearch
                 return true;
             }
 
-            // A single condition with a single change can be solved. Otherwise halve the interval.
+            // A single condition that changes once can be solved. Otherwise, halve the interval.
             hopeless |= open >= 0 || !monotone;
             open = (int)what;
         }
@@ -197,7 +197,7 @@ internal struct WindowSearch
             return false;
         }
 
-        // The interval is too short to matter: decide from its ends.
+        // The interval is negligibly short: decide from its ends.
         bool holds = true;
         for (var what = MeetingCondition.Near; what <= MeetingCondition.NotTooHigh; what++)
         {
@@ -229,7 +229,7 @@ internal struct WindowSearch
     /// <summary>Solves for the time at which the single undecided condition changes.</summary>
     private void Cross(in PathSpan span, double a, double b, bool reacts, MeetingCondition what, double start)
     {
-        // Start Newton's method at the end at which the condition fails, with the sign chosen so that the function falls.
+        // Start Newton's method at the end where the condition fails, and choose the sign so that the function falls.
         bool falls = start >= 0;
         var margin = new MeetingMargin(in span, in _runner, what, reacts, falls);
         double at = Roots.Newton(ref margin, a, b, falls ? b : a);
@@ -249,7 +249,7 @@ internal struct WindowSearch
     {
         if (_inside)
         {
-            // A window must have a length, so count the first window only once it continues.
+            // A window needs a length: count the first window only once it continues.
             _done = _firstOnly && time > _from;
             return;
         }

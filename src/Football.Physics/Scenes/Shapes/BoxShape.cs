@@ -63,14 +63,14 @@ public sealed class BoxShape : IShape
         double y = HalfSize.Y - Math.Abs(Vector3d.Dot(in from, in _y));
         double z = HalfSize.Z - Math.Abs(Vector3d.Dot(in from, in _z));
 
-        // The face is the one along whose axis the point lies farthest out.
+        // Choose the face along whose axis the point lies farthest outside.
         return x <= y && x <= z ? Math.Min(y, z) : y <= z ? Math.Min(x, z) : Math.Min(x, y);
     }
 
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // In the box's axes: the distance beyond each pair of faces.
+        // In the box's axes, the distance beyond each pair of faces.
         Vector3d from = point - Center;
         double x = Vector3d.Dot(in from, in _x);
         double y = Vector3d.Dot(in from, in _y);
@@ -84,16 +84,16 @@ public sealed class BoxShape : IShape
         double l = Math.Sqrt((outX * outX) + (outY * outY) + (outZ * outZ));
         if (!(l > 0))
         {
-            // Inside: use the nearest face.
+            // The point is inside: use the nearest face.
             return beyondX >= beyondY && beyondX >= beyondZ ? new ShapePoint(beyondX, x < 0 ? -_x : _x, SymmetricMatrix3d.Zero)
                 : beyondY >= beyondZ ? new ShapePoint(beyondY, y < 0 ? -_y : _y, SymmetricMatrix3d.Zero)
                 : new ShapePoint(beyondZ, z < 0 ? -_z : _z, SymmetricMatrix3d.Zero);
         }
 
-        // Outside: the normal points away from the nearest point of the box.
+        // The point is outside: the normal points away from the nearest point of the box.
         Vector3d normal = ((x < 0 ? -outX : outX) / l * _x) + ((y < 0 ? -outY : outY) / l * _y) + ((z < 0 ? -outZ : outZ) / l * _z);
 
-        // Beyond one pair of faces the surface is a plane, beyond two an edge, beyond three a corner.
+        // Beyond one pair of faces, the nearest surface is a plane; beyond two, an edge; beyond three, a corner.
         int beyond = (outX > 0 ? 1 : 0) + (outY > 0 ? 1 : 0) + (outZ > 0 ? 1 : 0);
         SymmetricMatrix3d curvature = beyond == 1 ? SymmetricMatrix3d.Zero
             : beyond == 3 ? SymmetricMatrix3d.AroundPoint(in normal, l)

@@ -49,17 +49,17 @@ public sealed class CapsuleShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // Measure from the middle, so that both ends give bit-identical results.
+        // Measure from the midpoint, so that both ends give bit-identical results.
         Vector3d from = point - _middle;
         double along = Vector3d.Dot(in from, in _axis);
 
-        // Next to the segment the surface is a cylinder, beyond the ends a sphere.
+        // Next to the segment, the surface is a cylinder; beyond the ends, it is a sphere.
         bool beside = Math.Abs(along) < _half;
         Vector3d nearest = (beside ? along : along > 0 ? _half : -_half) * _axis;
         Vector3d away = from - nearest;
         double l = away.Length;
 
-        // A point on the axis has no unique normal: use any direction across the axis.
+        // A point on the axis has no unique normal: use any direction perpendicular to the axis.
         if (!(l > 0))
         {
             return new ShapePoint(-Radius, Across(in _axis), SymmetricMatrix3d.Zero);

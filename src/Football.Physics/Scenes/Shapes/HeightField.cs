@@ -127,17 +127,17 @@ public sealed class HeightField : IShape
         double x = point.X;
         double z = point.Z;
 
-        // Start from the point straight below.
+        // Start from the point vertically below.
         Patch patch = Sample(x, z);
         double above = point.Y - patch.Height;
         if (Math.Abs(above) * StrongestCurvature > NearBy)
         {
-            // Lower bound: the vertical distance divided by √(1 + slope²).
+            // The lower bound is the vertical distance divided by √(1 + slope²).
             Vector3d up = patch.Normal;
             return new ShapePoint(above / Math.Sqrt(1.0 + (SteepestSlope * SteepestSlope)), in up, SymmetricMatrix3d.Zero);
         }
 
-        // Newton's method for the nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0.
+        // Apply Newton's method to find the nearest point: (S − p)·S_x = 0, (S − p)·S_z = 0.
         for (int i = 0; i < MostIterations; i++)
         {
             // f and g are the two residuals; their Jacobian is symmetric.
@@ -171,7 +171,7 @@ public sealed class HeightField : IShape
         double slope = 0;
         double curvature = 0;
 
-        // Include the cells beyond the border: the surface still curves there.
+        // Include the cells beyond the border, because the surface still curves there.
         for (int i = -SamplesOfCell; i <= (_rows + 1) * SamplesOfCell; i++)
         {
             for (int j = -SamplesOfCell; j <= (_columns + 1) * SamplesOfCell; j++)
@@ -191,17 +191,17 @@ public sealed class HeightField : IShape
         double u = (x - OriginX) / Spacing;
         double w = (z - OriginZ) / Spacing;
 
-        // The cell, and the position in the cell.
+        // The cell index, and the position within the cell.
         double floorU = Math.Floor(u);
         double floorW = Math.Floor(w);
         var alongX = new Basis(u - floorU);
         var alongZ = new Basis(w - floorW);
 
-        // Clamp before the conversion: an int cannot hold 1e300.
+        // Clamp before the conversion, because an int cannot hold 1e300.
         int i = (int)Math.Min(Math.Max(floorU, -4), _rows + 4);
         int j = (int)Math.Min(Math.Max(floorW, -4), _columns + 4);
 
-        // Sixteen values; indices beyond the border are clamped to it.
+        // Use sixteen values; clamp indices beyond the border to the border.
         int column0 = Math.Min(Math.Max(j - 1, 0), _columns - 1);
         int column1 = Math.Min(Math.Max(j, 0), _columns - 1);
         int column2 = Math.Min(Math.Max(j + 1, 0), _columns - 1);
@@ -215,7 +215,7 @@ public sealed class HeightField : IShape
             double c2 = _values[row + column2];
             double c3 = _values[row + column3];
 
-            // First along z: value, slope and second derivative. The weights along x follow.
+            // Interpolate along z first: value, slope and second derivative. The weights along x follow.
             double value = (alongZ.Value0 * c0) + (alongZ.Value1 * c1) + (alongZ.Value2 * c2) + (alongZ.Value3 * c3);
             double slope = (alongZ.Slope0 * c0) + (alongZ.Slope1 * c1) + (alongZ.Slope2 * c2) + (alongZ.Slope3 * c3);
             double bend = (alongZ.Bend0 * c0) + (alongZ.Bend1 * c1) + (alongZ.Bend2 * c2) + (alongZ.Bend3 * c3);
@@ -227,7 +227,7 @@ public sealed class HeightField : IShape
             sum.ZZ += alongX.Value(k) * bend;
         }
 
-        // Convert derivatives from cells to metres.
+        // Convert derivatives from units of cells to metres.
         double per = 1.0 / Spacing;
         sum.SlopeX *= per;
         sum.SlopeZ *= per;
@@ -255,7 +255,7 @@ public sealed class HeightField : IShape
 
         public Basis(double u)
         {
-            // Use both u and 1 − u, so that the four are exactly symmetric.
+            // Use both u and 1 − u, so that the four weights are exactly symmetric.
             double v = 1.0 - u;
             Value0 = v * v * v / 6.0;
             Value1 = ((((3.0 * u) - 6.0) * u * u) + 4.0) / 6.0;
@@ -302,7 +302,7 @@ public sealed class HeightField : IShape
         {
             get
             {
-                // (e, f, g) is the first fundamental form; the second is (h_xx, h_xz, h_zz)/√(e g − f²).
+                // (e, f, g) is the first fundamental form; (h_xx, h_xz, h_zz)/√(e g − f²) is the second.
                 double e = 1.0 + (SlopeX * SlopeX);
                 double f = SlopeX * SlopeZ;
                 double g = 1.0 + (SlopeZ * SlopeZ);

@@ -30,7 +30,7 @@ public sealed class SphereShape : IShape
     /// <inheritdoc/>
     public ShapePoint At(in Vector3d point)
     {
-        // At the centre every direction points outwards: use up.
+        // At the centre, every direction points outwards: use up.
         Vector3d from = point - Center;
         double l = from.Length;
         Vector3d normal = l > 0 ? from / l : Vector3d.Up;

@@ -19,7 +19,7 @@ internal sealed class GustWaves
     /// <param name="speed">The wind speed at the reference height, in m/s.</param>
     public GustWaves(Gusts gusts, double speed)
     {
-        // One random wave number per band, and the band's share of the variance.
+        // Each band has one random wave number, and its share of the variance.
         double q = BandRatio;
         double low = 0.05;
         Span<double> turnsPerMetre = stackalloc double[Bands];
@@ -34,7 +34,7 @@ internal sealed class GustWaves
             double x = Math.Sqrt(low * high) * (1.0 + (0.3 * (SplitMix64.At(gusts.Seed, 100 + i) - 0.5) * (q - 1.0)));
             turnsPerMetre[i] = x / gusts.Length / (2.0 * Math.PI);
 
-            // Share of the variance: along (2/π)(atan hi − atan lo); across and up F(hi) − F(lo).
+            // The share of the variance: along (2/π)(atan hi − atan lo); across and up F(hi) − F(lo).
             along[i] = 2.0 / Math.PI * (Atan(high) - Atan(low));
             across[i] = AcrossUpTo(high) - AcrossUpTo(low);
             sumAlong += along[i];
@@ -42,7 +42,7 @@ internal sealed class GustWaves
             low = high;
         }
 
-        // Amplitudes whose variances sum to the variance of the component, and random phases.
+        // The variances of the amplitudes sum to the variance of the component; the phases are random.
         double deviation = gusts.Intensity * speed;
         Span<double> sines = stackalloc double[Bands];
         Span<double> cosines = stackalloc double[Bands];
@@ -61,7 +61,7 @@ internal sealed class GustWaves
                 largest += amplitude;
             }
 
-            // The bound: all waves at their crests at once.
+            // The bound: all waves are at their crests at once.
             Largest += largest * Unit(component);
             for (int block = 0; block < _waves.Length; block++)
             {
@@ -89,7 +89,7 @@ internal sealed class GustWaves
         var far = Quad.Of(distance);
         foreach (ref readonly FourWaves waves in _waves.AsSpan())
         {
-            // Four waves at a time, measured in turns, so that removing full turns is exact.
+            // Evaluate four waves at a time. Angles are in turns, so that removing full turns is exact.
             QuadSine.SinCos(waves.TurnsPerMetre * far, out Quad sin, out Quad cos);
             along += (waves.AlongSin * sin) + (waves.AlongCos * cos);
             across += (waves.AcrossSin * sin) + (waves.AcrossCos * cos);

@@ -44,10 +44,10 @@ public sealed class WindByHeight : IWind
             throw Check.Refusal("air.wind.direction", $"[{directionX}, {directionZ}]", "[x, z], 2 finite numbers, not both 0");
         }
 
-        // Keep a direction that is a unit vector up to rounding, so that a saved wind is bit-identical when loaded.
+        // Keep a direction that is a unit vector to within rounding, so that a saved wind is bit-identical when loaded.
         size = Math.Abs(size - 1) <= 1e-15 ? 1 : size;
 
-        // Check the gusts here: a scene sees only an IWind and cannot.
+        // Check the gusts here, because a scene sees only an IWind and cannot check them.
         gusts?.Validate();
         Speed = speed;
         Direction = new Vector3d(directionX / size, 0, directionZ / size);
@@ -58,13 +58,13 @@ public sealed class WindByHeight : IWind
         _alongX = Direction.X;
         _alongZ = Direction.Z;
 
-        // Precompute the divisions for the steps.
+        // Precompute the divisions for use in the steps.
         _perRoughness = 1.0 / roughness;
         _perLogarithm = speed / Elementary.Log((referenceHeight + roughness) / roughness);
         _perSpeed = speed > 0 ? 1.0 / speed : 0;
         _gusts = gusts is { Intensity: > 0 } && speed > 0 ? new GustWaves(gusts, speed) : null;
 
-        // The mean wind far above any valid position plus all gusts at their maximum: a bound that flights rely on.
+        // The mean wind far above any valid position, plus all gusts at their maximum: flights rely on this bound.
         Vector3d largest = new Vector3d(speed, 0, 0) + (_gusts?.Largest ?? Vector3d.Zero);
         MaximumSpeed = _perSpeed * MeanAt(4.0 * Limits.Length) * largest.Length;
         Check.Within("air.wind.speed (with its gusts, at any height)", MaximumSpeed, 0, Limits.Speed);
@@ -98,7 +98,7 @@ public sealed class WindByHeight : IWind
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3d At(double time, double x, double y, double z)
     {
-        // Below the ground, use the wind at the ground, because the logarithm is not defined there.
+        // Below the ground, use the wind at ground level, because the logarithm is not defined there.
         double height = y - GroundHeight;
         height = height > 0 ? height : 0;
         double mean = MeanAt(height);

@@ -3,8 +3,8 @@ namespace FootballPhysics;
 /// <content>The piles of the cluster.</content>
 internal sealed partial class BallCluster
 {
-    /// <summary>Computes the next part of the piles that have reached the end of theirs.</summary>
-    /// <returns>True if a ball of a pile bounced and that ends the step.</returns>
+    /// <summary>Computes the next part of each pile that has reached the end of its current part.</summary>
+    /// <returns>True if a ball of a pile bounced and the bounce ends the step.</returns>
     private bool PlanPiles(BallState[] states, out double time)
     {
         for (int k = 0; k < _piles.Count; k++)
@@ -58,12 +58,12 @@ internal sealed partial class BallCluster
 
     private void Take(int i, BallState[] states, BallPile pile, double time)
     {
-        // The ball may have joined the cluster already without having started its step.
+        // The ball may already be in the cluster without having started its step.
         Join(i);
         int at = Array.IndexOf(_cluster, i, _begun, _clusterCount - _begun);
         if (at >= 0)
         {
-            // Start its step now: swap it with the first ball that has not started.
+            // Start this ball's step now: swap it with the first ball that has not started.
             Begin(states, i);
             (_cluster[_begun], _cluster[at]) = (i, _cluster[_begun]);
             _begun++;

@@ -30,7 +30,7 @@ internal sealed partial class BallCluster
     /// <returns>True if it ends the step.</returns>
     private bool Push(BallState[] states, in Happening met, double end)
     {
-        // Move the ball to the object that it pushes; the push changes the object's motion.
+        // Move the ball to the object that it pushes, then change the object's motion.
         _pushed.ReadBefore();
         StepLog own = _current[met.Ball];
         own.HaltsAtPush = true;

@@ -15,7 +15,7 @@ internal sealed partial class BallCluster
     /// <summary>Computes the path of a ball from its current state, and adds the balls that it may reach.</summary>
     private void Try(BallState[] states, int i, double end)
     {
-        // Like the step itself, a trial pushes objects that have a mass, so restore their motions afterwards.
+        // A trial pushes objects with a mass, just as a step does: restore their motions afterwards.
         _pushed.Keep();
         _trials[i].Run(_simulators[i], in states[i], _span.Left(in states[i], end), _stopAt, _shares[i], in _current[i].Spent);
         _pushed.PutBack();
@@ -33,7 +33,7 @@ internal sealed partial class BallCluster
             return;
         }
 
-        // Add a margin to the reach, so that later calls need not search for further balls.
+        // Add a margin to the reach, so that later calls need not search for more balls.
         reach *= MoreReach;
         for (int k = 0; k < _isIn.Length; k++)
         {
@@ -61,7 +61,7 @@ internal sealed partial class BallCluster
                 int j = _meets.Second(pair);
                 if (!_piles.AreOne(i, j))
                 {
-                    // Search only as far as both paths are known: up to a halt, or to the end of a pile's part.
+                    // Search only up to the time until which both paths are known: a halt, or the end of a pile's part.
                     double until = Math.Min(Math.Min(KnownUntil(i), KnownUntil(j)), end);
                     first = Happening.Earlier(new Happening(_meets.TimeOf(pair, until, atEnd: until < end), i, j), in first);
                 }
@@ -73,6 +73,6 @@ internal sealed partial class BallCluster
         return first;
     }
 
-    /// <summary>Returns the time up to which a path is known, s: to its halt, or for a pile to the end of its part.</summary>
+    /// <summary>Returns the time up to which a path is known, s: the halt of the ball, or the end of its pile's part.</summary>
     private double KnownUntil(int ball) => _piles.Of(ball)?.Until ?? _trials[ball].HaltsAt;
 }

@@ -115,7 +115,7 @@ internal sealed partial class BallCluster
     /// <summary>The balls in sustained contact before the step.</summary>
     public BallRests Rests => _rests;
 
-    /// <summary>Steps the balls of the cluster from the start of the step: always the first event, then the balls whose paths it
+    /// <summary>Steps the balls of the cluster from the start of the step: repeatedly finds the first event, and recomputes the paths that it
     /// changes.</summary>
     /// <param name="states">The balls.</param>
     /// <param name="dt">Length of the step, s.</param>
@@ -125,7 +125,7 @@ internal sealed partial class BallCluster
     /// <returns>True if an event ended the step.</returns>
     public bool Play(BallState[] states, double dt, StopAt stopAt, StepLog[]? watched, MotionsBefore motions)
     {
-        // First find the balls that share a pushed object: an observer must see only one pass.
+        // First find the balls that share a pushed object, because an observer must see only one pass.
         bool mayPush = _simulators[0].World.MayGiveWay;
         bool ended = false;
         for (int k = 0; watched is null || mayPush; k++)
@@ -153,13 +153,13 @@ internal sealed partial class BallCluster
         _stopAt = stopAt;
         double end = _span.End;
 
-        // Sort by index: if events are simultaneous, the first one found is used.
+        // Sort by index, because the first of several simultaneous events is used.
         Array.Sort(_cluster, 0, _clusterCount);
         _begun = 0;
         _piles.Clear();
         _meets.Forget();
 
-        // Undo the pushes of the first trial as well.
+        // Also undo the pushes of the first trial.
         motions.Read();
         motions.PutBack();
         int impacts = 0;
@@ -168,7 +168,7 @@ internal sealed partial class BallCluster
         bool ended = false;
         while (!ended)
         {
-            // A ball that joins later starts from its state at the start of the step.
+            // A ball that joins later starts from its state at the beginning of the step.
             BeginNew(states);
             if (PlanPiles(states, out double planned))
             {
@@ -177,7 +177,7 @@ internal sealed partial class BallCluster
                 break;
             }
 
-            // Up to the first event, every ball moves as if alone, and every pile moves to the end of its part.
+            // Until the first event, move every ball as if it were alone, and every pile to the end of its part.
             Happening first = FindFirst(end);
             BallPile? pile = _piles.First(end);
             bool spent = impacts >= MostImpacts * _clusterCount;
@@ -197,7 +197,7 @@ internal sealed partial class BallCluster
             impacts++;
             if (first.IsMeeting)
             {
-                // After too many impacts at one instant, resolve the rest of the instant without restitution, as in a pile.
+                // There were too many impacts at one instant: resolve the rest of the instant without restitution, as in a pile.
                 bool presses = atOnce > MostAtOnce + (_clusterCount * (_clusterCount - 1) / 2);
                 ended = Collide(states, in first, presses);
             }
@@ -207,7 +207,7 @@ internal sealed partial class BallCluster
             }
         }
 
-        // No further event: move all balls to the end of the step, or to the event that ended it.
+        // There is no further event: move all balls to the end of the step, or to the event that ended it.
         for (int k = 0; k < _clusterCount; k++)
         {
             int i = _cluster[k];
@@ -236,7 +236,7 @@ internal sealed partial class BallCluster
     /// others.</summary>
     private void BeginNew(BallState[] states)
     {
-        // The path of a ball may add further balls to the cluster.
+        // The ball's path may add more balls to the cluster.
         for (int k = _begun; _begun < _clusterCount || k < _begun; k++)
         {
             for (; _begun < _clusterCount; _begun++)
@@ -284,7 +284,7 @@ internal sealed partial class BallCluster
         double left = _span.Left(in s, time);
         StepLog own = _current[i];
 
-        // Reuse a computed path if one exists: the trial to the end of the step, or the path to the contact with another ball.
+        // Reuse a path if one has been computed: the trial to the end of the step, or the path to the contact with another ball.
         if (_touch.TryTake(i, ref s, time, own) || (time == _span.End && _trials[i].TryTake(ref s, time, own)))
         {
             return;
@@ -295,7 +295,7 @@ internal sealed partial class BallCluster
             _simulators[i].Advance(ref s, left, own);
         }
 
-        // A path with a full buffer ends a step early, but the ball must continue.
+        // If its path buffer is full, Advance ends early: continue until this time is reached.
         while (own.Halted && s.Time < time)
         {
             own.Halted = false;

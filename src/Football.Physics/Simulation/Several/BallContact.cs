@@ -33,7 +33,7 @@ internal static class BallContact
     public static void Impact(
         BallProperties ball, BallProperties other, in ContactMaterial material, in Vector3d n, in BallState first, in BallState second, out Motion a, out Motion b)
     {
-        // u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n).
+        // The slip velocity u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n).
         Vector3d w1 = first.Spin;
         Vector3d w2 = second.Spin;
         Vector3d relative = first.Velocity - second.Velocity;
@@ -56,7 +56,7 @@ internal static class BallContact
         double most = material.ImpactFriction * normal;
         Vector3d impulse = (normal * n) - (size > most ? most / size * grip : grip);
 
-        // About the normal, only the relative spin matters: keep e_ω of it, minus the drilling friction b μ_s J_n of each ball.
+        // About the normal, only the relative spin matters: keep the share e_ω, minus the drilling friction b μ_s J_n of each ball.
         double eases = (1.0 / ball.MomentOfInertia) + (1.0 / other.MomentOfInertia);
         double about = Vector3d.Dot(w1 - w2, in n);
         double drilled = material.DrillingLength * material.SlidingFriction * normal * eases;
@@ -64,7 +64,7 @@ internal static class BallContact
         kept = kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
         double torque = (kept - about) / eases;
 
-        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
+        // Apply the impulse to both balls: v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
         Vector3d turning = Vector3d.Cross(in n, in impulse);
         a = new Motion(
             first.Position,

@@ -13,7 +13,7 @@ public sealed partial class BallGroup
         int told = 0;
         for (int i = 0; i < Count; i++)
         {
-            // Skip balls of the cluster: their steps were repeated, and only the repeated step is logged.
+            // Skip balls of the cluster: their steps were repeated, and only the repeated steps are logged.
             for (int k = _firstEvent[i]; k < _firstEvent[i + 1] && !_cluster.Has(i); k++)
             {
                 Insert(in _flown.Events[k], told++);
@@ -48,7 +48,7 @@ public sealed partial class BallGroup
             Array.Resize(ref _told, 2 * count);
         }
 
-        // The insertion is stable, so a ball's own events keep their order.
+        // The insertion is stable, so each ball's events keep their order.
         int place = count;
         for (; place > 0 && (_told[place - 1].Time > happened.Time || (_told[place - 1].Time == happened.Time && _told[place - 1].Ball > happened.Ball)); place--)
         {

@@ -57,7 +57,7 @@ public sealed partial class BallGroup
             log.Events.Ball = i;
             if (_cluster.Rests.IsInPile(i))
             {
-                // The path of a pile is computed later; this is an estimate of the reach.
+                // The path of a pile is computed later, so estimate its reach here.
                 _reaches[i] = dt * (before.Velocity.Length + (BallNeighbours.Fall * dt));
                 _cluster.Shares.Begin(i, in before, 0, dt);
                 holds &= _neighbours.Holds(i, in before, _reaches[i], dt);
@@ -74,7 +74,7 @@ public sealed partial class BallGroup
 
             log.Pushed = false;
 
-            // A ball that touched others in the last step may do so again, so record its path.
+            // A ball that touched others in the last step may touch them again: record its path.
             if (!(_cluster.Has(i) && stopAt == StopAt.Time && !_simulators[i].World.MayGiveWay && trial.TakeStep(_simulators[i], ref s, dt, log)))
             {
                 _simulators[i].Advance(ref s, dt, log);
@@ -90,7 +90,7 @@ public sealed partial class BallGroup
 
             pushes |= log.Pushed;
 
-            // If the ball exceeds the bounds of its sphere, at the ends of its step or at an event, its reach must be measured.
+            // If the ball leaves the bounds of its sphere, at an end of its step or at an event, measure its reach.
             bool keeps = _neighbours.Holds(i, in before, in s, dt) && (first == log.Events.Count || KeepsPace(i, first));
             _reaches[i] = keeps ? _neighbours.ReachOf(i) : double.PositiveInfinity;
             holds &= keeps;
@@ -143,7 +143,7 @@ public sealed partial class BallGroup
     /// sphere.</summary>
     private void RenewNeighbours(double dt, bool again)
     {
-        // If all balls are stepped again, measure their paths among objects that are not yet pushed.
+        // If all balls are stepped again, measure their paths with the objects not yet pushed.
         bool holds = true;
         for (int i = 0; i < Count; i++)
         {
@@ -220,7 +220,7 @@ public sealed partial class BallGroup
 
         for (int i = 0; i < Count && pushes && _cluster.Count > 0; i++)
         {
-            // The step of the cluster starts before all pushes, so it includes every ball that pushes an object.
+            // The cluster's step starts before all pushes, so it includes every ball that pushes an object.
             if (_pushes[i])
             {
                 _cluster.Join(i);

@@ -102,7 +102,7 @@ public sealed partial class BallGroup
     /// from the balls' time.</exception>
     public void Step(BallState[] states, double dt, StepLog log)
     {
-        // A single ball takes its own step without bookkeeping.
+        // A single ball takes its own step, without bookkeeping.
         if (_alone is not null && states is { Length: 1 } && log is { Observer: null })
         {
             BallState.Launched(in states[0]);
@@ -161,7 +161,7 @@ public sealed partial class BallGroup
     private bool Run(
         BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog? log, StepLog[]? watched, Simulator.StepCallback? onStep)
     {
-        // Take at least one step, because it validates the states.
+        // Take at least one step, because the step validates the states.
         double end = (states.Length > 0 ? states[0].Time : 0) + duration;
         double last = end - (ContactTolerances.StepRounding * timeStep);
         do
@@ -216,20 +216,19 @@ public sealed partial class BallGroup
         World world = _simulators[0].World;
         world.Bodies?.CheckTimes(states[0].Time);
 
-        // A single ball takes its own step without bookkeeping.
+        // A single ball takes its own step, without bookkeeping.
         if (Count == 1 && log is not null)
         {
             return _mayThrow ? TryAlone(ref states[0], dt, log, stopAt) : StepAlone(ref states[0], dt, log, stopAt);
         }
 
-        // Save the states: they are restored if a custom force throws, and used to repeat steps in which balls may collide.
+        // Save the states, to restore them if a custom force throws, and to repeat the steps of balls that may collide.
         _motions.Begin();
         bool ended;
         Array.Copy(states, _before, Count);
         try
         {
-            // Find the piles, step every other ball alone, find the neighbours that may collide, and repeat the steps of those with
-            // contacts.
+            // Find the piles, step every other ball alone, find neighbours that may collide, and repeat the steps of balls with contacts.
             FindPiles(dt);
             bool pushes = Fly(states, dt, stopAt, out bool holds, out bool again);
             if (!holds)
@@ -279,7 +278,7 @@ public sealed partial class BallGroup
         {
             Check.GivenItem(nameof(balls), i, balls[i], "a ball");
 
-            // Equal balls share a compiled scene.
+            // Balls with equal properties share a compiled scene.
             int same = 0;
             while (same < i && !balls[same].Equals(balls[i]))
             {

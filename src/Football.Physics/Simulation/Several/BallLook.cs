@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A ball followed to a time within its step.</summary>
+/// <summary>Follows a ball to a time within its step.</summary>
 internal sealed class BallLook
 {
     private readonly StepLog _log = new();

@@ -86,7 +86,7 @@ internal sealed class BallMeetings
     {
         ref Pair asked = ref _pairs[pair];
 
-        // The sum changes whenever either path changes.
+        // The sum changes if either path changes.
         int changes = _changes[asked.Ball] + _changes[asked.Other];
         if (asked.Asked != changes)
         {

@@ -51,12 +51,12 @@ internal sealed class BallNeighbours
     {
         ref readonly Sphere sphere = ref _spheres[ball];
 
-        // Check that the ball stays in its sphere, and within the distance and the speed that the sphere was built for.
+        // Check that the ball stays in its sphere, within the distance and speed for which the sphere was built.
         double x = before.Position.X - sphere.Center.X;
         double y = before.Position.Y - sphere.Center.Y;
         double z = before.Position.Z - sphere.Center.Z;
 
-        // In a net, or squeezed, a ball may be faster within a step than at its ends.
+        // In a net, or while squeezed, a ball may be faster within a step than at either end.
         return (before.Nets | after.Nets) == 0 && before.Motion != MotionState.Pinned && dt <= _step && (x * x) + (y * y) + (z * z) <= sphere.RoomSquared
             && (after.Position - before.Position).LengthSquared <= sphere.Reach * sphere.Reach
             && before.Flight.Velocity.LengthSquared <= sphere.SpeedSquared && after.Flight.Velocity.LengthSquared <= sphere.SpeedSquared;
@@ -85,7 +85,7 @@ internal sealed class BallNeighbours
             ref Sphere sphere = ref _spheres[i];
             double ahead = Ahead * dt;
 
-            // Bound the speed with a fall and a nudge, and from it the distance in one step and in all steps ahead.
+            // Bound the speed, allowing for a fall and a small push. From this speed, bound the distance in one step and in all steps ahead.
             double most = before[i].Velocity.Length + (Fall * ahead) + (LeastRoom / ahead);
             double reach = Math.Max(1.1 * most * dt, reaches[i]);
             double room = Math.Max(LeastRoom + ((before[i].Velocity.Length + (0.5 * Fall * ahead)) * ahead), reach);
@@ -117,7 +117,7 @@ internal sealed class BallNeighbours
 
         _count = 0;
 
-        // Test pairs that overlap along x for overlap in space.
+        // Test pairs whose spheres overlap along x for overlap in space.
         for (int i = 0; i < _order.Length; i++)
         {
             int a = _order[i];

@@ -6,7 +6,7 @@ internal sealed partial class BallPile
     /// <summary>Finds all contacts within reach.</summary>
     private void Find(BallState[] states, double reach, double h)
     {
-        // Keep the contacts of the previous part for the warm start.
+        // Keep the contacts of the previous part, for the warm start.
         (_last, _solver.Contacts) = (_solver.Contacts, _last);
         _lastCount = _solver.ContactCount;
         _solver.ContactCount = 0;
@@ -17,7 +17,7 @@ internal sealed partial class BallPile
             ref readonly BallState s = ref states[member.Ball];
             World world = _simulators[member.Ball].World;
 
-            // A moving object also approaches the ball, so widen the search by its path.
+            // A moving object also approaches the ball: widen the search by the object's path.
             double far = reach + (world.Moves ? h * world.FastestMover : 0);
             Span<Contact> near = ContactSet.Near(world, in s, far, room, world.Room);
             member.FirstContact = _solver.ContactCount;
@@ -53,7 +53,7 @@ internal sealed partial class BallPile
             MovesNow = !BallRests.Bears(in near, collider),
             Normal = near.Normal,
 
-            // On a rotating surface, use the velocity at the end of the part. With that at the start, a gripping ball would slip by |Ω × v|
+            // On a rotating surface, use the velocity at the end of the part. With the velocity at the start, a gripping ball would slip by |Ω × v|
             // h.
             Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), s.Time + h),
             Gap = Math.Max(0, near.Gap),
@@ -95,7 +95,7 @@ internal sealed partial class BallPile
         int first = 0;
         for (int i = 0; i < _solver.ContactCount && _lastCount > 0; i++)
         {
-            // Both lists are in the order of the first ball, and each ball has few contacts, so scan them in parallel.
+            // Both lists are ordered by the first ball, and each ball has few contacts: scan both in parallel.
             ref PileContact contact = ref _solver.Contacts[i];
             while (first < _lastCount && _last[first].First < contact.First)
             {

@@ -47,7 +47,7 @@ internal sealed partial class BallPile
             pull = Math.Max(pull, member.V.Length + (member.Radius * member.W.Length));
         }
 
-        // Warm start: the loads are close to those in the previous part.
+        // Warm start: the loads are close to those of the previous part.
         double last = _length > 0 ? RestPart / _length : 0;
         Find(states, ContactTolerances.Leaning, 0);
         Continue(last);

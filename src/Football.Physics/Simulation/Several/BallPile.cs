@@ -25,7 +25,7 @@ internal sealed partial class BallPile
     private const double RestPart = 1e-3;
 
     /// <summary>Minimum drilling length b of two balls in sustained contact, m.</summary>
-    /// <remarks>2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without it a ball between two others would spin for ever.</remarks>
+    /// <remarks>2/3 of the radius of a patch that supports the weight of a few balls at 0.8 bar. Without drilling friction, a ball between two others would spin for ever.</remarks>
     private const double LeastDrilling = 4e-3;
 
     private readonly Simulator[] _simulators;
@@ -98,7 +98,7 @@ internal sealed partial class BallPile
     {
         BallProperties its = _simulators[ball].Scene.Ball;
 
-        // In a pile the spin is a full vector, as on the ground.
+        // In a pile, as on the ground, the spin is a full vector.
         Vector3d spin = s.Spin;
         s.SetGroundSpin(in spin);
         s.ClearUntil = 0;
@@ -186,7 +186,7 @@ internal sealed partial class BallPile
             return false;
         }
 
-        // The forces at the start are already computed.
+        // The forces at the start have already been computed.
         for (int i = 0; i < Count && mayBeWhole && _whole.HasLooked; i++)
         {
             _solver.Members[i].FreeUntil = Time + (_longest * (1.0 - ContactTolerances.WithinLongest));
@@ -227,7 +227,7 @@ internal sealed partial class BallPile
         bool warm = Continue(_length > 0 ? h / _length : 0);
         _solver.Solve(h, warm ? NextRounds : FirstRounds, ContactTolerances.PileSettled * pull);
 
-        // A ball with a load moves at its new velocity; a ball in flight moves at the mean of both.
+        // A ball with a load moves at its new velocity; a flying ball moves at the mean of its old and new velocities.
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -280,14 +280,14 @@ internal sealed partial class BallPile
             _whole.Move(states, duration, time < Until, time, logs);
             Time = time;
 
-            // Find the contacts and their loads for later queries.
+            // Store the contacts and their loads for later queries.
             Find(states, ContactTolerances.Leaning, 0);
             _whole.Load(duration);
             _overlaps.PutApart(states, duration);
             return;
         }
 
-        // v and ω are linear in time within a part, so a shortened part is interpolated.
+        // Within a part, v and ω are linear in time: interpolate a shortened part.
         double share = time < Until ? duration / h : 1.0;
         for (int i = 0; i < Count; i++)
         {
@@ -302,7 +302,7 @@ internal sealed partial class BallPile
         Time = time;
         _overlaps.PutApart(states, duration);
 
-        // Report the path to the final position, after overlaps are resolved. Only End determines the position at the end of the step.
+        // Report the path up to the final position, after overlaps are resolved. Only End sets the position at the end of the step.
         for (int i = 0; i < Count; i++)
         {
             ref PileMember member = ref _solver.Members[i];
@@ -375,7 +375,7 @@ internal sealed partial class BallPile
         Vector3d none = Vector3d.Zero;
         log.Show(in start, in end, in none, in none, 4);
 
-        // A path with a full buffer ends its own step early, but not the pile's.
+        // If its path buffer is full, a ball's own step ends early, but the pile's step continues.
         log.Halted = false;
     }
 }

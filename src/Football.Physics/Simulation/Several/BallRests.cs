@@ -4,9 +4,9 @@ namespace FootballPhysics;
 
 /// <summary>Finds the balls in sustained contact with each other before a step.</summary>
 /// <remarks>
-/// Touching balls that move form a pile. Balls that came to rest in a pile stay at rest while all their contacts remain. Each stores a key
-/// of its contacts
-/// in its state, so no other memory is needed. The key includes touched objects that a game, an engine or an impact may move.
+/// Touching balls that move form a pile. Balls that came to rest in a pile stay at rest while all their contacts remain. Each ball stores a
+/// key of its
+/// contacts in its state, so that no other memory is needed. The key includes touched objects that a game, an engine or an impact may move.
 /// </remarks>
 internal sealed class BallRests
 {
@@ -63,7 +63,7 @@ internal sealed class BallRests
 
         for (int i = 0; i < states.Length; i++)
         {
-            // A ball of the pile was removed or woke, or an object there has moved: all balls of the pile may move.
+            // A ball of the pile was removed or woke, or an object near the pile has moved, so all balls of the pile may move.
             if (_keys[i] != 0 && _keys[i] != states[i].ClearIn)
             {
                 _isPile[RootOf(i)] = true;

@@ -26,7 +26,7 @@ internal sealed class BallTouch(Simulator[] simulators, BallTrial[] trials, Ball
             Look(_first, states, met.Ball, time, in span, current);
             Look(_second, states, met.Other, time, in span, current);
 
-            // Newton on the gap of the two steps, t − f/f', not before both balls' times nor after the step.
+            // A Newton step, t − f/f', on the gap between the two paths; keep it between the start of the later ball and the end of the step.
             double gap = BallContact.Gap(
                 in _first.State, simulators[met.Ball].Scene.Ball.Radius, in _second.State, simulators[met.Other].Scene.Ball.Radius, out _, out double rate);
             double next = rate < 0 ? Math.Min(Math.Max(from, span.End), Math.Max(from, time - (gap / rate))) : time;

@@ -145,7 +145,7 @@ internal sealed class BallTrial : PieceObserver
             index++;
         }
 
-        // Between pieces, and after the last one, the ball stays at its position.
+        // Between pieces, and after the last one, the ball keeps its position.
         bool isOn = index < _count && time >= _times[index];
         start = isOn ? _times[index] : time;
         until = isOn ? _times[index] + _paths[index].Length : index < _count ? _times[index] : double.PositiveInfinity;
@@ -165,7 +165,7 @@ internal sealed class BallTrial : PieceObserver
         double time = from;
         while (time < until || (atEnd && time == until))
         {
-            // Take both cubics up to the earlier end: over that time one bound of the relative acceleration holds.
+            // Evaluate both cubics up to the earlier end: until then, a single bound of the relative acceleration holds.
             PathCubic mine = At(time, ref i, out double start, out double end);
             PathCubic its = other.At(time, ref j, out double otherStart, out double otherEnd);
             double last = Math.Min(until, Math.Min(end, otherEnd));
@@ -205,7 +205,7 @@ internal readonly struct BallGap(in PathCubic one, double oneStart, in PathCubic
 
     public bool IsClosed(double t, out double step)
     {
-        // f = |p₁ − p₂| − d, and f'.
+        // The gap f = |p₁ − p₂| − d, and its derivative f'.
         Vector3d apart = _one.At(t - _oneStart) - _two.At(t - _twoStart);
         double length = apart.Length;
         double gap = length - _distance;

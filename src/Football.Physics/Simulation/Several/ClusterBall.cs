@@ -18,7 +18,7 @@ internal struct ClusterBall
     public BallState Start;
     public BallState End;
 
-    /// <summary>The motion at a stage, and the rates there: without contacts, and with them.</summary>
+    /// <summary>The motion at a stage, and the rates at that stage, without and with contacts.</summary>
     public Motion At;
     public MotionRates Free;
     public MotionRates Rates;

@@ -2,8 +2,8 @@ namespace FootballPhysics;
 
 /// <summary>Determines the modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> does for one ball.</summary>
 /// <remarks>
-/// The modes: which contacts have a load, which stick, and which balls spin relative to each other. It also checks that they hold at the
-/// end of a step.
+/// The modes: which contacts have a load, which stick, and which balls spin relative to each other. It also checks that the modes still hold at
+/// the end of a step.
 /// </remarks>
 internal static class ClusterModes
 {

@@ -61,7 +61,7 @@ internal sealed partial class ClusterSystem
         ball.HeldSpin = 0;
         if (ball.Bearer >= 0)
         {
-            // ω̇_n = −(c_ω/I) (ω − Ω)·n. If the spin is held, d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
+            // ω̇_n = −(c_ω/I) (ω − Ω)·n. If friction holds the spin, d(ω·n)/dt = ω̇·n + ω·ṅ stays zero.
             ref readonly SetContact on = ref Contacts[ball.Bearer].On;
             spin -= on.Damping * (Vector3d.Dot(in ball.At.Spin, in on.Normal) - on.CarrierSpin) * on.Normal;
             ball.HeldSpin = ball.HoldsSpin ? -Vector3d.Dot(in ball.At.Spin, in on.Turning) - Vector3d.Dot(in spin, in on.Normal) : 0;
@@ -99,7 +99,7 @@ internal sealed partial class ClusterSystem
 
         if (on.Sticks)
         {
-            // t·(v̇₁ − v̇₂ + n × (r₁ ω̇₁ + r₂ ω̇₂)) = t·(A − ṅ × (r₁ ω₁ + r₂ ω₂)).
+            // The slip rate: t·(v̇₁ − v̇₂ + n × (r₁ ω̇₁ + r₂ ω̇₂)) = t·(A − ṅ × (r₁ ω₁ + r₂ ω₂)).
             Vector3d turning = ball.Radius * ball.At.Spin;
             turning += contact.Second < 0 ? Vector3d.Zero : Balls[contact.Second].Radius * Balls[contact.Second].At.Spin;
             Vector3d asked = on.SurfaceRate - Vector3d.Cross(in on.Turning, in turning);
@@ -109,7 +109,7 @@ internal sealed partial class ClusterSystem
 
         if (contact.HoldsTwist)
         {
-            // n·(ω̇₁ − ω̇₂) = −ṅ·(ω₁ − ω₂). The unknown is the torque divided by r₁, so that it has the unit of a force.
+            // n·(ω̇₁ − ω̇₂) = −ṅ·(ω₁ − ω₂). The unknown is the torque divided by r₁, so it has the unit of a force.
             ref readonly ClusterBall other = ref Balls[contact.Second];
             ref ClusterRow twist = ref Begin(size++, in contact);
             twist.AlongW = ball.Radius * n;

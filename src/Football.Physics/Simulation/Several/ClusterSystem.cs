@@ -42,7 +42,7 @@ internal sealed partial class ClusterSystem
     /// <summary>Number of contacts.</summary>
     public int ContactCount { get; set; }
 
-    /// <summary>Time over which the forces are bounded to those of any flight, s.</summary>
+    /// <summary>The time over which the forces are limited to those possible in a flight, s.</summary>
     public double Part { get; set; }
 
     /// <summary>Number of force evaluations per ball.</summary>
@@ -61,7 +61,7 @@ internal sealed partial class ClusterSystem
         switch (method.Order)
         {
             case 4:
-                // Evaluate the rates at the start, twice at the middle and at the end, as in ClassicalRungeKutta.
+                // Evaluate the rates at the start, twice in the middle and at the end, as in ClassicalRungeKutta.
                 for (int i = 0; i < Count; i++)
                 {
                     ref ClusterBall ball = ref Balls[i];
@@ -203,7 +203,7 @@ internal sealed partial class ClusterSystem
             return;
         }
 
-        // ṅ = (v₁ − v₂)_t/|p₁ − p₂|.
+        // The turning rate of the normal, ṅ = (v₁ − v₂)_t/|p₁ − p₂|.
         ref readonly ClusterBall other = ref Balls[contact.Second];
         Vector3d apart = ball.At.Position - other.At.Position;
         double distance = apart.Length;

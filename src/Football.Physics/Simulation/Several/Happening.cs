@@ -19,6 +19,6 @@ internal readonly struct Happening(double time, int ball, int other)
     public bool IsMeeting => Other != NoOther;
 
     /// <summary>Returns the earlier of two events; if they are simultaneous, <paramref name="first"/>.</summary>
-    /// <remarks>The search is in order of ball index: contacts with other balls first, in the order of their indices.</remarks>
+    /// <remarks>The search runs in the order of ball indices; for each ball, contacts with other balls come first, in the order of their indices.</remarks>
     public static Happening Earlier(in Happening next, in Happening first) => next.Time < first.Time ? next : first;
 }

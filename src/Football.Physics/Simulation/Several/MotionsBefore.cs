@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>The motions of all pushed objects before a step.</summary>
-/// <remarks>They are read at the first push, so a step without pushes has no cost.</remarks>
+/// <remarks>The first push reads them, so a step without pushes has no cost.</remarks>
 /// <param name="world">The world.</param>
 internal sealed class MotionsBefore(World world)
 {
@@ -11,7 +11,7 @@ internal sealed class MotionsBefore(World world)
     /// <summary>The motions, once they are read.</summary>
     public RigidMotion[] All => _motions;
 
-    /// <summary>Starts a step without pushes.</summary>
+    /// <summary>Starts a step, before any push.</summary>
     public void Begin()
     {
         _isRead = false;

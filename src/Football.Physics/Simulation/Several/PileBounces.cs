@@ -28,14 +28,14 @@ internal sealed class PileBounces
     public void Absorb(PileBounces other) => _bounces += other._bounces;
 
     /// <summary>Resolves all contacts that close fast enough to bounce within the part, in order of time.</summary>
-    /// <remarks>Because they are resolved one after the other, they add no energy.</remarks>
+    /// <remarks>Resolving the bounces one after the other adds no energy.</remarks>
     /// <param name="states">The balls.</param>
     /// <param name="h">Length of the part, s.</param>
     /// <param name="logs">Receive the events of each ball.</param>
     /// <returns>True if a ball bounced.</returns>
     public bool Bounce(BallState[] states, double h, StepLog[] logs)
     {
-        // At most the number of contacts plus eight at one instant, and eight per ball and step.
+        // Limit the impacts to the number of contacts plus eight at one instant, and to eight per ball and step.
         int most = Math.Min(_solver.ContactCount + 8, (8 * _solver.Count) - _bounces);
         bool bounced = false;
         for (int done = 0; done < most; done++)
@@ -99,7 +99,7 @@ internal sealed class PileBounces
             return;
         }
 
-        // Treat an object with a mass as immovable too: against a pile it does not recoil.
+        // Also treat an object with a mass as immovable: it does not recoil from a pile.
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         Collider hit = simulator.World.Colliders[contact.Collider];

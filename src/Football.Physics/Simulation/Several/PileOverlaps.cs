@@ -86,7 +86,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
         Span<Contact> room = stackalloc Contact[ContactSet.Room];
         for (int round = 0; round < MostWays; round++)
         {
-            // Repeat: between walls at a small angle, each round of projections gains little.
+            // Repeat, because each round of projections gains little between walls at a small angle.
             Span<Contact> near = ContactSet.Near(world, in s, 0, room, world.Room);
             if (!IsInside(near))
             {
@@ -157,7 +157,7 @@ internal sealed class PileOverlaps(Simulator[] simulators, PileSolver solver)
                     s.Position = collider.SnapUp(s.Position);
                 }
 
-                // Limit the total displacement by all movers to the limit for a single one.
+                // Limit the total displacement by all movers to the limit for a single mover.
                 double way = (s.Position - from).Length;
                 s.Position = pass == 0 && way > outOfTheWay ? from + (outOfTheWay / way * (s.Position - from)) : s.Position;
             }

@@ -53,7 +53,7 @@ internal sealed class PilePhase
         Vector3d w = atRest ? Vector3d.Zero : s.Spin;
         Vector3d u = v - _around.Wind;
 
-        // Lock the drag law to the branch at the start of the part: its jump is not located here.
+        // Lock the drag law to its branch at the start of the part, because its jump is not located here.
         var at = new Motion(s.Position, in v, in w, s.AirDistance);
         DragBranch branch = _around.BranchAt(in at);
         bool carried = s.Motion != MotionState.Airborne && _world.IsCollider(_world.ColliderOf(s.Carrier, s.Position, s.Time));
@@ -61,7 +61,7 @@ internal sealed class PilePhase
         _around.Air.Evaluate(in ball, branch, out AirFactors air);
         u = air.AirVelocity;
 
-        // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on one surface.
+        // a = L (ω × u) − D u + custom forces. For a supported ball, use only the share of the air that acts on a single surface.
         Vector3d flow = (air.Lift * Vector3d.Cross(in w, in u)) - (air.Drag * u);
         Vector3d acceleration = air.Acceleration + flow;
         if (carried && !_world.SharesAir)
@@ -139,7 +139,7 @@ internal sealed class PilePhase
             return;
         }
 
-        // Project the ball onto the surface exactly. Without slip, set the spin of pure rolling.
+        // Project the ball exactly onto the surface. If there is no slip, set the spin of pure rolling.
         Collider on = _world.Colliders[carrier];
         MotionState before = s.Motion;
         bool same = _world.ColliderOf(s.Carrier, s.Position, s.Time) == carrier;

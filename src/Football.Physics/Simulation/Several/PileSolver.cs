@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>Solves the impulses of all contacts of a pile over a short time, with Coulomb's law at all of them.</summary>
 /// <remarks>
 /// No contact closes by more than its gap, no load is negative, and friction is at most μ times the load.
-/// Method: projected Gauss–Seidel in alternating order by the positions of the balls, with conjugate gradients between the iterations.
+/// The method is projected Gauss–Seidel, in alternating order of the balls' positions, with conjugate gradients between the iterations.
 /// </remarks>
 internal sealed class PileSolver
 {
@@ -58,7 +58,7 @@ internal sealed class PileSolver
         double before = 0;
         for (int round = 0; round < mostRounds && change > settled; round++)
         {
-            // Alternate the order: the load of a ball on top then reaches the ground in one iteration.
+            // Alternate the order, so that the load of a ball on top reaches the ground in one iteration.
             change = 0;
             double square = 0;
             for (int i = 0; i < ContactCount; i++)
@@ -82,8 +82,8 @@ internal sealed class PileSolver
                 return;
             }
 
-            // The change of an iteration approximates a negative gradient: extrapolate along the conjugate direction, except after the last
-            // one.
+            // The change in an iteration approximates a negative gradient: extrapolate along the conjugate direction, except after the last
+            // iteration.
             if (round < mostRounds - 1 && change > settled)
             {
                 Extrapolate(square <= before ? square / before : 0);
@@ -151,7 +151,7 @@ internal sealed class PileSolver
         ref readonly PileMember a = ref Members[contact.First];
         Vector3d n = contact.Normal;
 
-        // u = v₁ − r₁ ω₁ × n − V; for a ball, V = v₂ + r₂ ω₂ × n.
+        // The slip velocity u = v₁ − r₁ ω₁ × n − V; for two balls, V = v₂ + r₂ ω₂ × n.
         Vector3d turning = a.Radius * a.W;
         Vector3d relative = a.V;
         double perMass = a.PerMass;
@@ -211,7 +211,7 @@ internal sealed class PileSolver
     /// <summary>Applies an impulse to the first ball of a contact, and the opposite one to the second.</summary>
     private void Give(in PileContact contact, in Vector3d impulse, in Vector3d rub)
     {
-        // v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
+        // Apply the impulse to both: v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
         Vector3d turned = Vector3d.Cross(in contact.Normal, in rub);
         ref PileMember a = ref Members[contact.First];
         a.V += a.PerMass * impulse;
@@ -248,7 +248,7 @@ internal sealed class PileSolver
             load = Math.Max(load, Contacts[i].Load);
         }
 
-        // Another contact now has the greatest load: undo the resistance at the old one.
+        // The greatest load is now at another contact: undo the resistance at the old one.
         if (bearer != ball.Bearer)
         {
             ball.W -= ball.Rolling + (ball.Bearer < 0 ? Vector3d.Zero : ball.Drilling * Contacts[ball.Bearer].Normal);
@@ -266,7 +266,7 @@ internal sealed class PileSolver
         Vector3d n = contact.Normal;
         double perLoad = contact.Load * ball.PerInertia;
 
-        // About the normal: damping gives ω_n/(1 + c_ω h/I), then drilling friction brings it towards zero by at most b μ_s J_n/I.
+        // About the normal: damping gives ω_n/(1 + c_ω h/I); then drilling friction reduces it by at most b μ_s J_n/I.
         double about = Vector3d.Dot(in ball.W, in n);
         double damped = (about - ball.Drilling) / (1.0 + (h * contact.SpinDamping * ball.PerInertia));
         double most = contact.DrillingLength * contact.Friction * perLoad;
@@ -274,7 +274,7 @@ internal sealed class PileSolver
         double drilled = kept - about;
         ball.Drilling += drilled;
 
-        // Across the normal, if the contact sticks: rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the rolling.
+        // Across the normal, if the contact sticks: the rolling resistance (1 + α)(c₀ + c₁ |v|) r J_n/I, which never reverses the roll.
         double share = contact.RollingFriction + (contact.RollingFrictionBySpeed * (ball.V - contact.Velocity).Length);
         double resistance = contact.Sticks ? (1.0 + ball.InertiaFactor) * share * ball.Radius * perLoad : 0;
         Vector3d rolling = ball.W - (about * n) - ball.Rolling;

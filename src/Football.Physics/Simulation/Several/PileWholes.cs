@@ -89,7 +89,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
             log.Evaluations += system.Evaluations;
             if (log.IsWatched)
             {
-                // A path with a full buffer ends its own step early, but not the pile's.
+                // If its path buffer is full, a ball's own step ends early, but the pile's step continues.
                 log.Show(in ball.Start, in s, ball.First.Acceleration, ball.Last.Acceleration, order);
                 log.Halted = false;
             }

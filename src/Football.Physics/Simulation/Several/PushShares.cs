@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Finds the balls that can reach a pushed object which another ball can reach as well.</summary>
-/// <remarks>Only their steps end at a push.</remarks>
+/// <remarks>Only the steps of these balls end at a push.</remarks>
 /// <param name="pushed">The motions of all objects that balls push.</param>
 /// <param name="simulators">The scenes of the balls.</param>
 /// <param name="before">The balls before the step.</param>
@@ -58,7 +58,7 @@ internal sealed class PushShares(PushedMotions pushed, Simulator[] simulators, B
                     continue;
                 }
 
-                // The first ball shares the object as soon as there is a second one.
+                // Once a second ball pushes the object, the first one shares it too.
                 found |= first >= 0 && (!_shares[first] || !_shares[i]);
                 if (first >= 0)
                 {

@@ -68,7 +68,7 @@ internal sealed class PushedMotions(World world)
         {
             if (_before[m].Velocity != _after[m].Velocity)
             {
-                // The volume swept until the end, with and without the push.
+                // The volume that the object sweeps until the end, both with and without the push.
                 Bounds3d box = world.BoundsOfMover(m, time, end - time);
                 box = box.Union(box.Translated((end - time) * _before[m].Velocity)).Union(box.Translated((end - time) * _after[m].Velocity));
                 meets = box.Expanded(reach).Intersects(new Bounds3d(position, position));
@@ -99,8 +99,8 @@ internal sealed class PushedMotions(World world)
             Vector3d change = _after[_next].Velocity - _first[_next].Velocity;
             if (change != Vector3d.Zero)
             {
-                // Bound the position by extending the motion after the push over the step. The error is at most |ΔV| dt; double it for
-                // opposing pushes.
+                // Bound the position: extend the motion after the push over the entire step. The error is at most |ΔV| dt; double it for opposing
+                // pushes.
                 Bounds3d at = world.BoundsOfMover(_next, time, dt);
                 box = at.Union(at.Translated(dt * _after[_next].Velocity)).Expanded(2.0 * dt * change.Length);
                 _next++;
