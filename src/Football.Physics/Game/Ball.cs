@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>A ball that your game places, kicks and steps; it reports its position, motion and events.</summary>
-/// <remarks>Right-handed axes, y up, forward −z; SI units. Not thread-safe, but its <see cref="Simulator"/> is.</remarks>
+/// <remarks>The axes are right-handed, with y up and −z forward; units are SI. A ball is not thread-safe, but its <see cref="Simulator"/> is.</remarks>
 public sealed class Ball
 {
     private readonly StepLog _log = new();
@@ -99,7 +99,7 @@ public sealed class Ball
     /// <summary>The motion state: airborne, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
-    /// <summary>Places the ball without motion and resets its clock to 0.</summary>
+    /// <summary>Places the ball with zero velocity and spin, and resets its clock to 0.</summary>
     /// <remarks>A ball placed above the ground falls. Bodies keep their current positions and continue to move from there.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
@@ -168,7 +168,8 @@ public sealed class Ball
     /// <param name="direction">The direction of the kick; any length except zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has
+    /// changed.</exception>
     public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);

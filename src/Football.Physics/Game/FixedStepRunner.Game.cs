@@ -18,12 +18,13 @@ public sealed partial class FixedStepRunner
         Kicks.Add(new KickInput(Tick, velocity, spin, ball: ball));
     }
 
-    /// <summary>Queues a kick for the start of this tick's step: speed, direction, and spin relative to the direction.</summary>
+    /// <summary>Queues a kick for the start of this tick's step, given by speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">Speed, m/s; 0 … 1000.</param>
     /// <param name="direction">The direction of the kick; any length except zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has
+    /// changed.</exception>
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
@@ -37,7 +38,8 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Returns the pose in which to draw the ball, at a fraction of the last step.</summary>
     /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events in between. A bouncing
-    /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per step.</remarks>
+    /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per
+    /// step.</remarks>
     /// <param name="fraction">0 is the start of the last step, 1 is its end. The value is clamped to this range.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
@@ -84,8 +86,8 @@ public sealed partial class FixedStepRunner
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
     }
 
-    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes represent it exactly.</summary>
-    /// <remarks>It succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
+    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes can represent the state exactly.</summary>
+    /// <remarks>The method succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
     /// <param name="state">The state: <see cref="State"/>, or one stored by a <see cref="Rollback"/>.</param>
     /// <param name="destination">The destination; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
     /// <param name="ball">The index of the ball; default 0.</param>

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>A kick at a tick. The start state and the kicks reproduce a match; no other data is needed.</summary>
+/// <summary>A kick at a tick. A match can be reproduced from its start state and its kicks.</summary>
 public readonly struct KickInput : IFormattable
 {
     /// <summary>The maximum number of balls.</summary>
@@ -30,7 +30,7 @@ public readonly struct KickInput : IFormattable
         Ball = ball;
     }
 
-    /// <summary>The tick at the start of whose step the ball is kicked.</summary>
+    /// <summary>The tick of the kick: the ball is kicked at the start of this tick's step.</summary>
     public long Tick { get; }
 
     /// <summary>The velocity, in m/s.</summary>
@@ -48,7 +48,7 @@ public readonly struct KickInput : IFormattable
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Returns tick, velocity, spin and player as text, in a given number format.</summary>
+    /// <summary>Returns the tick, velocity, spin and player as text, in a given number format.</summary>
     /// <param name="format">A number format; null or empty for at most three decimals, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)

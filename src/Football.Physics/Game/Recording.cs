@@ -55,7 +55,7 @@ public sealed class Recording
     /// <summary>The first tick.</summary>
     public long StartTick { get; }
 
-    /// <summary>The tick after the last step.</summary>
+    /// <summary>The end tick: the tick after the last step.</summary>
     public long EndTick => StartTick + _count;
 
     /// <summary>The state of the first ball at the start.</summary>
@@ -68,7 +68,7 @@ public sealed class Recording
     public ulong SceneHash { get; private set; }
 
     /// <summary>The version of the library that made the recording.</summary>
-    /// <remarks>Replays are bit-identical only within one version.</remarks>
+    /// <remarks>A replay is bit-identical only with the same version of the library.</remarks>
     public string Version { get; private set; } = LibraryVersion;
 
     /// <summary>The <see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>

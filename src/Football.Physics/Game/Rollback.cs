@@ -2,11 +2,10 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>
 /// <remarks>
-/// It stores every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state is
-/// set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. They come from
-/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws
-/// without <see cref="FixedStepRunner.MoveBodies"/>. It allocates only when events, kicks or positions outgrow their
-/// buffers.
+/// It stores the state at every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state
+/// is set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. These positions come from
+/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws without
+/// <see cref="FixedStepRunner.MoveBodies"/>. A rollback allocates only when events, kicks or positions outgrow their buffers.
 /// </remarks>
 public sealed class Rollback
 {
@@ -71,7 +70,7 @@ public sealed class Rollback
         return _states[PlaceOf(tick) + ball];
     }
 
-    /// <summary>Returns the hash of all states at the start of a tick, which machines can compare.</summary>
+    /// <summary>Returns the hash of all states at the start of a tick, for comparison between machines.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not stored.</exception>
     public ulong HashAt(long tick)

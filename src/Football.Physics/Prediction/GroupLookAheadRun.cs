@@ -4,7 +4,7 @@ namespace FootballPhysics.Prediction;
 /// <remarks>
 /// The finished paths are bit-identical to those of <see cref="SimulatorExtensions.LookAhead(BallGroup, BallState[], LookAheadRequest, Trajectory[])"/>,
 /// for any number of steps per call. The run has its own copies of the balls and of the bodies' motions, so your game may step and kick the
-/// balls of the same group between the calls. It does not notice them: call <see cref="Follows"/>. Not thread-safe.
+/// balls of the same group between the calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Not thread-safe.
 /// </remarks>
 public sealed class GroupLookAheadRun
 {
@@ -16,7 +16,8 @@ public sealed class GroupLookAheadRun
 
     /// <summary>Creates a look-ahead in parts.</summary>
     /// <param name="group">The balls.</param>
-    /// <param name="capacity">The number of path segments that fit for each ball; at least 1, default 512. A ball whose path is full continues without it.</param>
+    /// <param name="capacity">The number of path segments that fit for each ball; at least 1, default 512. A ball whose path is full continues without
+    /// it.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is below 1, or the scene has engine colliders.</exception>
     public GroupLookAheadRun(BallGroup group, int capacity = 512)
@@ -42,7 +43,7 @@ public sealed class GroupLookAheadRun
     /// <summary>The number of steps since the start; all balls take a step together.</summary>
     public long Steps { get; private set; }
 
-    /// <summary>Starts a look-ahead, and cancels one that is running. It takes no step.</summary>
+    /// <summary>Starts a look-ahead without taking a step, and cancels any look-ahead that is running.</summary>
     /// <param name="from">The states of the balls; they are copied.</param>
     /// <param name="request">The duration, and the event that ends it. A plane or a point is not supported.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -133,7 +134,7 @@ public sealed class GroupLookAheadRun
     /// <summary>Stops the look-ahead. The paths keep the part computed so far.</summary>
     public void Cancel() => IsRunning = false;
 
-    /// <summary>Returns true if a ball is still on its path, so that no kick or hit has made the path outdated.</summary>
+    /// <summary>Returns true if a ball is still on its path; false if a kick or a hit has made the path outdated.</summary>
     /// <param name="index">The index of the ball.</param>
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Prediction;
 
 /// <summary>The duration, step and stop conditions of a look-ahead.</summary>
-/// <remarks>It ends at the first condition that is met.</remarks>
+/// <remarks>The look-ahead ends at the first condition that is met.</remarks>
 public sealed record LookAheadRequest
 {
     /// <summary>The maximum duration, in s. Above 0, at most 1e12; default 10.</summary>
@@ -23,13 +23,13 @@ public sealed record LookAheadRequest
 
     /// <summary>A point that ends the look-ahead once the ball has passed it; default none.</summary>
     /// <remarks>
-    /// The ball has passed the point when it is horizontally farther away than at its closest, recedes, and neither wind, spin nor obstacles can bring
-    /// it back.
+    /// The ball has passed the point when its horizontal distance is above the minimum and growing, and neither wind, spin nor obstacles can bring the ball
+    /// back.
     /// </remarks>
     public Vector3d? UntilPassing { get; init; }
 
     /// <summary>The callback that positions the game's bodies for a given time, in s; default null: bodies keep their motion.</summary>
-    /// <remarks>It moves the bodies (<see cref="Scene.Bodies"/>). It is called with the start time and after every step; the bodies are restored
+    /// <remarks>The callback moves the bodies (<see cref="Scene.Bodies"/>). It is called with the start time and after every step; the bodies are restored
     /// after the look-ahead.</remarks>
     public Action<double>? MoveBodies { get; init; }
 

@@ -2,11 +2,11 @@ using System.Globalization;
 
 namespace FootballPhysics.Aiming;
 
-/// <summary>Finds kicks that reach a target after given impacts, for instance one bounce, a wall or a post.</summary>
+/// <summary>Finds kicks that hit given objects before the target, such as the ground, a wall or a post.</summary>
 /// <remarks>
-/// A kick is divided into legs: from the ball to a guess of the first contact, from there to the next contact, and finally to the target. Newton's
-/// method adjusts the kick and the contacts until all legs join (multiple shooting), and the result is simulated. If that finds no hit, kicks in
-/// all directions are tried. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
+/// The search divides a kick into legs: from the ball to an estimated first contact, from there to the next contact, and finally to the target. Newton's method
+/// adjusts the kick and the contacts until all legs join (multiple shooting); the result is then simulated. If it is not a hit, the search tries kicks in all
+/// directions. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class BankShotAimer
 {
