@@ -75,7 +75,7 @@ public sealed class KeeperDive
     }
 
     /// <summary>The shape and surface of a keeper: 1.96 m from feet to hands, about his centre.</summary>
-    /// <remarks>The surface is that of gloves everywhere, which take most of a ball's speed. Evidence: guess.</remarks>
+    /// <remarks>The entire surface has the material of gloves, which absorb most of a ball's speed. The values are guesses.</remarks>
     public static BodyKind Kind { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, -HalfAxis, 0), new Vector3d(0, HalfAxis, 0), Radius),
@@ -83,7 +83,7 @@ public sealed class KeeperDive
     };
 
     /// <summary>The abilities of a good goalkeeper.</summary>
-    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. Evidence: guess.</remarks>
+    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. All values are guesses.</remarks>
     public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
 
     /// <summary>His goal.</summary>

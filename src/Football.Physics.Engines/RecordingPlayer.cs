@@ -8,7 +8,7 @@ public sealed class RecordingPlayer
     private FixedStepRunner _runner;
     private double _ahead;
 
-    /// <summary>Starts at the beginning of a recording.</summary>
+    /// <summary>Creates a player at the beginning of a recording.</summary>
     /// <param name="segment">The recording, of one ball.</param>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <param name="bodiesAt">Positions an engine's colliders for a time, in s; default none.</param>

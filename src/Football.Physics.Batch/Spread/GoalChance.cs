@@ -1,8 +1,8 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Computes how a player's kicks spread on the plane of a goal, and their probability of a goal.</summary>
+/// <summary>Computes how a player's kicks spread on the plane of a goal, and the probability that they score.</summary>
 /// <remarks>
-/// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations check this. Otherwise it
+/// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations verify this. Otherwise it
 /// simulates random kicks, at most <see cref="GoalChanceRequest.Kicks"/>. Equal requests give bit-identical results on every machine. Create one per
 /// scene and reuse it. Not thread-safe.
 /// </remarks>

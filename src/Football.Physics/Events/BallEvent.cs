@@ -65,8 +65,7 @@ public readonly struct BallEvent : IFormattable
     public int OtherBall => _other - 1;
 
     /// <summary>The unit normal of the contact, from the object to the ball.</summary>
-    /// <remarks>Zero for a rest or the end of a contact. For a net or a goal, it is the normal of the plane, towards the side that the ball came from. For a
-    /// zone, it is the outward normal of the shape.</remarks>
+    /// <remarks>Zero for a rest or the end of a contact. For a net or a goal, it is the normal of the plane, towards the side that the ball came from. For a zone, it is the outward normal of the shape.</remarks>
     public Vector3d Normal { get; }
 
     /// <summary>The time since the launch, in s.</summary>

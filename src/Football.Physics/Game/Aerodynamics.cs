@@ -41,8 +41,7 @@ public sealed class Aerodynamics
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The constant buoyancy of the ball, in N: 0.066 upwards for a football, zero if the scene has none.
-    /// <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
+    /// <summary>The constant buoyancy of the ball, in N: 0.066 upwards for a football, zero if the scene has none. <see cref="Evaluate(Vector3d, Vector3d, Vector3d, double, double)"/> does not include it.</summary>
     public Vector3d Buoyancy { get; }
 
     /// <summary>Computes the force and the torque on a ball at one instant.</summary>
@@ -50,8 +49,7 @@ public sealed class Aerodynamics
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s; at most 10 000.</param>
     /// <param name="time">Time, s; 0 … 1e12. Only custom forces and a wind that varies over time depend on it.</param>
-    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m; 0 … 1e45. Only the knuckle force depends on
-    /// it.</param>
+    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m; 0 … 1e45. Only the knuckle force depends on it.</param>
     /// <returns>The force, N, and the torque, N m, for the mass and the moment of inertia of the scene's ball.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
@@ -109,8 +107,8 @@ public sealed class Aerodynamics
 
     /// <summary>Returns the velocity to set at a kick in an engine that uses semi-implicit Euler: the velocity half a step earlier.</summary>
     /// <remarks>
-    /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without this correction, a ball in vacuum
-    /// lands short by the distance that it covers in one step. Call it once per kick.
+    /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without this correction, a ball in vacuum lands short by the
+    /// distance that it covers in one step. Call it once per kick.
     /// </remarks>
     /// <param name="position">Position of the centre, m.</param>
     /// <param name="velocity">The velocity that the kick gives the ball, m/s.</param>
@@ -127,8 +125,7 @@ public sealed class Aerodynamics
         return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
     }
 
-    /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with
-    /// <see cref="KickVelocity"/>.</summary>
+    /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with <see cref="KickVelocity"/>.</summary>
     /// <remarks>
     /// The velocity of such a body is half a step behind its position, so this method evaluates the air forces at a velocity advanced by half a step. Together,
     /// both corrections make the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres at 30

@@ -168,8 +168,7 @@ public sealed class Ball
     /// <param name="direction">The direction of the kick; any length except zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has
-    /// changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);

@@ -23,8 +23,7 @@ public sealed partial class FixedStepRunner
     /// <param name="direction">The direction of the kick; any length except zero.</param>
     /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
     /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has
-    /// changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
@@ -38,8 +37,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Returns the pose in which to draw the ball, at a fraction of the last step.</summary>
     /// <remarks>The position is interpolated linearly from the start of the step to its end, through the exact positions of the events in between. A bouncing
-    /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per
-    /// step.</remarks>
+    /// ball therefore visibly touches the ground. The orientation turns at constant speed along the shorter rotation, which is correct up to half a turn per step.</remarks>
     /// <param name="fraction">0 is the start of the last step, 1 is its end. The value is clamped to this range.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>

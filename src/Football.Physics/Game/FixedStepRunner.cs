@@ -36,10 +36,8 @@ public sealed partial class FixedStepRunner
     /// <summary>Creates a runner at tick 0 with several balls at rest on the ground.</summary>
     /// <remarks>The balls are side by side along x, from the origin. Without ground they start in the air, at height 0.</remarks>
     /// <param name="group">The balls; used by this runner only.</param>
-    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>;
-    /// default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and
-    /// reported.</param>
+    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -50,10 +48,8 @@ public sealed partial class FixedStepRunner
     /// <summary>Creates a runner at tick 0 with a ball at rest on the ground at the origin.</summary>
     /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
-    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>;
-    /// default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and
-    /// reported.</param>
+    /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -87,8 +83,7 @@ public sealed partial class FixedStepRunner
     private static BallGroup Given(BallGroup group) => group ?? throw new ArgumentNullException(nameof(group));
 
     /// <summary>Gets or sets the compiled scene; setting it continues the motion in the new scene.</summary>
-    /// <remarks>Set it between steps; <see cref="Ball.Simulator"/> describes the effect on the ball. Setting it ends the recording, because a recording has one
-    /// scene.</remarks>
+    /// <remarks>Set it between steps; <see cref="Ball.Simulator"/> describes the effect on the ball. Setting it ends the recording, because a recording has one scene.</remarks>
     /// <exception cref="ArgumentNullException">The value is null; nothing has changed.</exception>
     /// <exception cref="InvalidOperationException">It is set while there are several balls; nothing has changed.</exception>
     public Simulator Simulator
@@ -129,8 +124,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
     /// <remarks>It is called once at the start of every step, with the time of the ball's clock in s, and again when steps are resimulated. It moves the bodies
-    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a
-    /// <see cref="Rollback"/> stores those positions.</remarks>
+    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores those positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
@@ -171,8 +165,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>A hash of all settings that must be equal on all machines in a match.</summary>
     /// <remarks>It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first
-    /// message, and reject a peer with a different hash.
-    /// </remarks>
+    /// message, and reject a peer with a different hash.</remarks>
     public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>The length of a step, in s.</summary>
@@ -287,8 +280,7 @@ public sealed partial class FixedStepRunner
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
     /// <returns>The number of steps made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
-    /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are
-    /// dropped.</remarks>
+    /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are dropped.</remarks>
     public int Advance(double frameTime)
     {
         Check.NotNegative(nameof(frameTime), frameTime);
@@ -329,10 +321,9 @@ public sealed partial class FixedStepRunner
     /// <remarks>All <see cref="Kicks"/> are kept, including those for this tick, so that the following steps can be resimulated. To move the ball and discard
     /// its kicks, use <see cref="Place"/>. The time carried over to the next frame is kept too. Interpolation restarts from this state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
-    /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from
-    /// <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it,
-    /// or no ball of this scene can have the state (<see cref="Simulator.Validate"/>). Nothing has changed.</exception>
+    /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it, or no ball of this scene can have the
+    /// state (<see cref="Simulator.Validate"/>). Nothing has changed.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> was never launched; nothing has changed.</exception>
     public void Restore(long tick, in BallState state)
     {
@@ -345,10 +336,9 @@ public sealed partial class FixedStepRunner
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="states">The states at the start of the tick, one per ball, all at the same time.</param>
     /// <exception cref="ArgumentNullException"><paramref name="states"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the clock is so large that a step would not advance it, or no
-    /// ball of this scene can have one of the states (<see cref="Simulator.Validate"/>). Nothing has changed.</exception>
-    /// <exception cref="ArgumentException">The number of states differs from the number of balls, their times differ, or one was never launched. Nothing has
-    /// changed.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the clock is so large that a step would not advance it, or no ball of this scene can have one of the
+    /// states (<see cref="Simulator.Validate"/>). Nothing has changed.</exception>
+    /// <exception cref="ArgumentException">The number of states differs from the number of balls, their times differ, or one was never launched. Nothing has changed.</exception>
     public void RestoreAll(long tick, BallState[] states)
     {
         Check.Within(nameof(tick), tick, 0, Limits.Tick);
@@ -388,8 +378,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Starts a recording at this tick.</summary>
-    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds the recording. Setting
-    /// a state that was not recorded ends the recording.</remarks>
+    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds the recording. Setting a state that was not recorded ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);

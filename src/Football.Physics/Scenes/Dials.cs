@@ -33,8 +33,8 @@ public sealed record Dials
 
     /// <summary>The wear of the ball. 0 … 1; default 0.</summary>
     /// <remarks>
-    /// It moves the drag crisis to Re_c (80/272)^(0.14 w), as a roughness higher by 0.14 would. Use moves the crisis (measured, Appl. Sci. 11, 7204, 2021);
-    /// by how much is a guess. It has no effect if <see cref="ForceSet.Drag"/> does not use the ball's curve.
+    /// A wear of w moves the drag crisis to Re_c (80/272)^(0.14 w); at 1, it acts like a roughness increase of 0.14. Wear is known to move the crisis
+    /// (measured, Appl. Sci. 11, 7204, 2021); the amount is a guess. It has no effect if <see cref="ForceSet.Drag"/> does not use the ball's curve.
     /// </remarks>
     public double Wear { get; init; }
 

@@ -3,10 +3,10 @@ namespace FootballPhysics;
 /// <summary>The part of drag and Magnus force that acts while the ball is on the ground.</summary>
 public enum GroundAerodynamics
 {
-    /// <summary>Only the horizontal part acts (the code listing of the thesis).</summary>
+    /// <summary>Only the horizontal part acts, as in the code listing of the thesis.</summary>
     Horizontal = 0,
 
-    /// <summary>Neither force acts (the text of the thesis). Spin decay still acts.</summary>
+    /// <summary>Neither force acts, as in the text of the thesis. Spin decay still acts.</summary>
     None = 1,
 
     /// <summary>The full forces and torques of the air act.</summary>

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>A material: how the ball bounces off it, slides on it and rolls on it.</summary>
 /// <remarks>
-/// The pitch and every object have one. The default numbers are those of <see cref="MatchTurf"/>; <see cref="Presets"/> lists the presets by name.
+/// The pitch and every object have a material. The default numbers are those of <see cref="MatchTurf"/>; <see cref="Presets"/> lists the presets by name.
 /// Each preset states its evidence: measured, derived, guess (no measurement found), or published (the thesis).
 /// </remarks>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
@@ -49,10 +49,10 @@ public sealed partial record SurfaceMaterial
     /// <remarks>The torque is b μ_s times the normal force.</remarks>
     public double TorsionalPatchRadius { get; init; } = 0.02;
 
-    /// <summary>The minimum speed at which the ball leaves an impact, along the normal, in m/s: a pinball bumper.</summary>
+    /// <summary>The minimum rebound speed along the normal, in m/s, as of a pinball bumper.</summary>
     /// <remarks>
-    /// Relative to the surface. 0 … 1000; always 0 for the ground and between balls; default 0. A ball that lands on top of the object with less than
-    /// <see cref="Ground.MinimumBounceSpeed"/> stays down.
+    /// The speed is relative to the surface. 0 … 1000; always 0 for the ground and between balls; default 0. A ball that lands on top of the object with less
+    /// than <see cref="Ground.MinimumBounceSpeed"/> stays there.
     /// </remarks>
     public double MinimumExitSpeed { get; init; }
 

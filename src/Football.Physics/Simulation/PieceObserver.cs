@@ -4,8 +4,8 @@ namespace FootballPhysics.Prediction;
 /// <remarks>Set it as <see cref="StepLog.Observer"/>.</remarks>
 public abstract class PieceObserver
 {
-    /// <summary>True if pieces need the acceleration at their end. Default false.</summary>
-    /// <remarks>It costs one evaluation per piece. Without it, the pieces are cubic.</remarks>
+    /// <summary>True if pieces must include the acceleration at their end. Default false.</summary>
+    /// <remarks>This costs one force evaluation per piece. Without it, the pieces are cubic.</remarks>
     public virtual bool WantsEndAcceleration => false;
 
     /// <summary>False if the observer ignores the states at the ends of a piece, and always needs the acceleration at its end.</summary>

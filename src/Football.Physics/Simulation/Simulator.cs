@@ -52,7 +52,7 @@ public sealed class Simulator
     /// <summary>The integrator and solver settings.</summary>
     public SolverSettings Settings { get; }
 
-    /// <summary>Height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
+    /// <summary>The height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
     /// <summary>Launches a ball that has the identity orientation.</summary>
@@ -111,8 +111,8 @@ public sealed class Simulator
         return state;
     }
 
-    /// <summary>Names of all surfaces and zones, indexed by <see cref="BallEvent.ColliderIndex"/>.</summary>
-    /// <remarks>Order: the ground, obstacles, posts and bars, bodies, nets, goals, zones.</remarks>
+    /// <summary>The names of all surfaces and zones, indexed by <see cref="BallEvent.ColliderIndex"/>.</summary>
+    /// <remarks>The order is: the ground, obstacles, posts and bars, bodies, nets, goals, zones.</remarks>
     public IReadOnlyList<string> Names => _world.Names;
 
     /// <summary>Returns the name of a surface or zone, such as "ground", "left post" or "goal"; null for a negative index.</summary>
@@ -189,7 +189,7 @@ public sealed class Simulator
         return RestsAt(in still) ? still : placed;
     }
 
-    /// <summary>Advances a ball by one step. Events and counts are added to the log. Allocates nothing.</summary>
+    /// <summary>Advances a ball by one step. Events and counts are added to the log. Does not allocate.</summary>
     /// <remarks>
     /// A step is divided into nearly equal parts if drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (explicit Euler).
     /// For a beach ball at 200 m/s this happens at 20 ms. The parts are counted in <see cref="StepLog.Steps"/>.
@@ -276,7 +276,7 @@ public sealed class Simulator
         throw new ArgumentNullException(nameof(log));
     }
 
-    /// <summary>Advances a ball in equal steps until an event or for a given time.</summary>
+    /// <summary>Advances a ball in equal steps until an event or the end of the duration.</summary>
     /// <param name="state">The ball. If an event ends the run, this is its state just after the event.</param>
     /// <param name="timeStep">
     /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and greater than the rounding of the ball's clock. The
@@ -294,7 +294,7 @@ public sealed class Simulator
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log) =>
         Run(ref state, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Advances a ball until an event or for a given time, and calls back after every step.</summary>
+    /// <summary>Advances a ball until an event or the end of the duration, and calls back after every step.</summary>
     /// <param name="state">The ball, as in the other overload.</param>
     /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
     /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>

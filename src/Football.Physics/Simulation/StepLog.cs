@@ -21,8 +21,8 @@ public sealed partial class StepLog
 
     /// <summary>The number of steps that ended early because they reached the limit of pieces or evaluations.</summary>
     /// <remarks>
-    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball stays at its position for the rest of the step.
-    /// The count is 0 for any realistic football. It can grow if objects press the ball from all sides.
+    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball keeps its position for the rest of the step. The count is 0 for any realistic
+    /// football, but can grow if objects press the ball from all sides.
     /// </remarks>
     public long StalledSteps { get; internal set; }
 
@@ -64,7 +64,7 @@ public sealed partial class StepLog
     /// <summary>The counters of a step that is taken in several calls.</summary>
     internal StepBudget Spent;
 
-    /// <summary>Receives every piece of motion. Default null, which costs nothing.</summary>
+    /// <summary>The observer that receives every piece of motion. Default null, which costs nothing.</summary>
     /// <remarks>A step is one piece, or several if it contains events.</remarks>
     public PieceObserver? Observer
     {

@@ -2,15 +2,13 @@ namespace FootballPhysics;
 
 /// <summary>Several balls in one scene, stepped together. They collide at exact times and in exact order.</summary>
 /// <remarks>
-/// Balls far from one another cost one step each and one comparison. A group caches data between steps, so use it from one thread.
-/// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator may be shared.
-/// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The exception is impacts at
-/// exactly
-/// the same time: the ball with the lower index comes first.
-/// Two balls that close below 1 cm/s are in sustained contact and form a pile. Its balls are solved together and come to rest together.
-/// Up to eight balls among stationary objects take whole steps of the integrator while their contacts keep their modes.
-/// Otherwise the pile takes parts of 2 ms, at most 16 per step. A ball in a resting pile stores its contacts in its state, and wakes if one
-/// is removed.
+/// Balls that are far apart cost one step each and one comparison. A group caches data between steps, so use it from one thread.
+/// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator can be shared between threads.
+/// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The only exception is impacts at exactly the same
+/// time: that of the ball with the lower index comes first. Two balls that approach each other at less than 1 cm/s are in sustained contact and form a pile.
+/// The balls of a pile are solved together and come to rest together. Up to eight balls among stationary objects take whole steps of the integrator while their
+/// contacts keep their modes. Otherwise the pile divides a step into parts of 2 ms, at most 16. A ball in a resting pile stores its contacts in its state, and
+/// wakes if one is removed.
 /// A pile treats objects with a mass as immovable.
 /// </remarks>
 public sealed partial class BallGroup
@@ -113,7 +111,7 @@ public sealed partial class BallGroup
         Step(states, dt, log, StopAt.Time, null);
     }
 
-    /// <summary>Advances all balls in equal steps until an event or for a given time.</summary>
+    /// <summary>Advances all balls in equal steps until an event or the end of the duration.</summary>
     /// <param name="states">The balls: one state per ball, all at the same time. If an event ends the run, these are the states just after
     /// it.</param>
     /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
@@ -129,7 +127,7 @@ public sealed partial class BallGroup
     /// range.</exception>
     public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Advances all balls until an event or for a given time, and calls back after every step.</summary>
+    /// <summary>Advances all balls until an event or the end of the duration, and calls back after every step.</summary>
     /// <param name="states">The balls, as in the other overload.</param>
     /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
     /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
