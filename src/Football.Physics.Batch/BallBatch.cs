@@ -56,7 +56,7 @@ public sealed class BallBatch
     public static bool SupportsSimd(Scene scene) => LaneFlight.Covers(scene);
 
     /// <summary>The number of balls in the last run that were simulated one by one, in double precision.</summary>
-    /// <remarks>It includes all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
+    /// <remarks>This number includes all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
     public int ScalarFallbackCount
     {
         get

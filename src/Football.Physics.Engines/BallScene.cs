@@ -2,9 +2,9 @@ namespace FootballPhysics.Engines;
 
 /// <summary>The scene of one ball in a game engine, built from the objects in the engine's scene.</summary>
 /// <remarks>
-/// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene that is played, and the
-/// scene for predictions, without objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move
-/// the keepers and the nets. To change the objects, create a new ball scene and continue in it.
+/// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene for the game, and the scene for
+/// predictions, which has no objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move the keepers and
+/// the nets. To change the objects, create a new ball scene and continue in it.
 /// </remarks>
 public sealed class BallScene
 {
@@ -36,7 +36,7 @@ public sealed class BallScene
     /// <remarks>Use a different object from <see cref="Colliders"/>, because a prediction must not push anything.</remarks>
     public IEngineColliders? PredictionColliders { get; set; }
 
-    /// <summary>The compiled scene that is played.</summary>
+    /// <summary>The compiled scene in which the ball is played.</summary>
     /// <exception cref="InvalidOperationException">The ball scene is not compiled yet.</exception>
     public Simulator Game => _game ?? throw NotYet();
 

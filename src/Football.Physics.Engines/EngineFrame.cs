@@ -14,7 +14,7 @@ public readonly struct EngineFrame : IEquatable<EngineFrame>
     private EngineFrame(bool mirrored) => _mirrored = mirrored;
 
     /// <summary>The right-handed frame with y up and −z forward, which is the library's own frame.</summary>
-    /// <remarks>It is used by Godot, MonoGame, Stride and glTF. Conversions change nothing.</remarks>
+    /// <remarks>Godot, MonoGame, Stride and glTF use this frame. Conversions change nothing.</remarks>
     public static EngineFrame RightHanded => new(false);
 
     /// <summary>The left-handed frame with y up and z forward, used by Unity.</summary>

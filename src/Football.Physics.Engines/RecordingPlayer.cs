@@ -43,7 +43,7 @@ public sealed class RecordingPlayer
     /// <summary>The state of the ball at the tick shown.</summary>
     public BallState State => _runner.State;
 
-    /// <summary>The pose at which to draw the ball.</summary>
+    /// <summary>The pose in which to draw the ball.</summary>
     public BallPose Pose => _runner.PoseAt(_ahead / Segment.TimeStep);
 
     /// <summary>True if the ball at the tick shown is bit-identical to the recording.</summary>

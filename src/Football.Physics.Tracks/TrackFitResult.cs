@@ -48,7 +48,7 @@ public sealed class TrackFitResult
     public Vector3d Spin => new(_values[6], _values[7], _values[8]);
 
     /// <summary>The sum Σ (observed − fitted)²/noise² over all coordinates.</summary>
-    /// <remarks>It is about <see cref="DegreesOfFreedom"/> if the scene and the noise are correct.</remarks>
+    /// <remarks>The sum is about <see cref="DegreesOfFreedom"/> if the scene and the noise are correct.</remarks>
     public double ChiSquared { get; }
 
     /// <summary>The number of observed coordinates minus the number of parameters.</summary>
@@ -62,7 +62,8 @@ public sealed class TrackFitResult
 
     /// <summary>The spin of another launch that fits the track about as well, in rad/s; null if none was found.</summary>
     /// <remarks>
-    /// Its χ², including the prior, is within 9 of the best, and its spin differs by more than three standard deviations: it bounces differently.
+    /// The χ² of that launch, including the prior, is within 9 of the best, and the spins differ by more than three standard deviations, because the ball
+    /// bounces differently.
     /// </remarks>
     public Vector3d? OtherSpin { get; internal init; }
 
@@ -70,7 +71,8 @@ public sealed class TrackFitResult
     public IReadOnlyList<TrackFitByBall> ByBall { get; internal init; } = [];
 
     /// <summary>The probability of an equal or larger χ² if the scene and the noise are correct, 0 … 1.</summary>
-    /// <remarks>It is computed by the approximation of Wilson and Hilferty. A value below 0.001 means that the scene or the noise is wrong.</remarks>
+    /// <remarks>The probability is computed by the approximation of Wilson and Hilferty. A value below 0.001 means that the scene or the noise is
+    /// wrong.</remarks>
     public double Probability => ProbabilityOf(ChiSquared);
 
     /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
@@ -103,7 +105,7 @@ public sealed class TrackFitResult
 
     /// <summary>Returns the standard deviation of a parameter including the uncertainty of the ball.</summary>
     /// <remarks>
-    /// It combines the noise with the differences between the balls that fit no worse (χ² within 9). Without other balls in the request it equals
+    /// The deviation combines the noise with the differences between the balls that fit no worse (χ² within 9). If the request has no other balls, it equals
     /// <see cref="StandardError"/>.
     /// </remarks>
     /// <param name="index">The index of the parameter, from 0.</param>

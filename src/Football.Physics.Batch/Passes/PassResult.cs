@@ -15,7 +15,7 @@ public readonly struct PassResult
     /// <summary>The index of the team mate who reaches the ball first; −1 if none were given.</summary>
     public int Receiver { get; init; }
 
-    /// <summary>The point and time at which he reaches the ball.</summary>
+    /// <summary>The point and time at which the team mate reaches the ball.</summary>
     /// <remarks>Without team mates, this is the point at which the ball lands, or comes to rest on the ground.</remarks>
     public PathPoint Meeting { get; init; }
 

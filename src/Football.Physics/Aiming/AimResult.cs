@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a kick.</summary>
-/// <remarks>Whatever the status, the result contains the best kick found; its numbers are always finite.</remarks>
+/// <remarks>Whatever the status, the result contains the best kick found, with finite numbers.</remarks>
 public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
@@ -75,10 +75,10 @@ public readonly struct AimResult : IFormattable
     public Vector3d Closest { get; init; }
 
     /// <summary>The arc of a kick that hits. Two kicks at this speed can reach the target, one on each arc.</summary>
-    /// <remarks>It differs from the requested arc if only the other kick is within the bounds.</remarks>
+    /// <remarks>The arc differs from the requested one if only the other kick is within the bounds.</remarks>
     public AimArc Arc { get; init; }
 
-    /// <summary>True if the ball never leaves the ground, but slides or rolls to the target.</summary>
+    /// <summary>True if the ball stays on the ground and slides or rolls to the target.</summary>
     public bool Rolls { get; init; }
 
     /// <summary>The number of iterations performed.</summary>
@@ -116,7 +116,7 @@ public enum AimStatus
     /// <summary>The kick passes within tolerance of the target, and of the waypoint if there is one.</summary>
     Hit = 0,
 
-    /// <summary>No kick within the bounds hits; the result is the closest kick that the method found.</summary>
+    /// <summary>No kick within the bounds hits the target; the result is the closest kick found.</summary>
     OutOfReach = 1,
 
     /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the error of its steps.</summary>

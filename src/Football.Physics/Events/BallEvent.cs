@@ -78,7 +78,7 @@ public readonly struct BallEvent : IFormattable
     public Vector3d VelocityBefore { get; }
 
     /// <summary>The spin just before the event, in rad/s.</summary>
-    /// <remarks>It differs from <see cref="Spin"/> at impacts and, by a negligible amount, at the start of a roll.</remarks>
+    /// <remarks>This value differs from <see cref="Spin"/> at impacts and, by a negligible amount, at the start of a roll.</remarks>
     public Vector3d SpinBefore { get; }
 
     /// <summary>The velocity just after the event, in m/s.</summary>

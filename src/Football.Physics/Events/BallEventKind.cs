@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The kind of an event. If several events happen at one instant, an impact comes first, then its consequences.</summary>
+/// <summary>The kind of an event. If several events happen at one instant, an impact is reported before its consequences.</summary>
 public enum BallEventKind
 {
     /// <summary>The ball hit the ground or an object.</summary>

@@ -2,9 +2,10 @@ namespace FootballPhysics;
 
 /// <summary>Computes the force and torque of the air on a ball that is moved by a physics engine or your own integrator.</summary>
 /// <remarks>
-/// It applies the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in <see cref="Simulator"/>.
-/// Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it.
-/// Ground, obstacles and nets are ignored. It is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene are.
+/// The computation includes the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in
+/// <see cref="Simulator"/>. Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want
+/// it. Ground, obstacles and nets are ignored. The object is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene
+/// are thread-safe.
 /// </remarks>
 public sealed class Aerodynamics
 {
@@ -127,9 +128,9 @@ public sealed class Aerodynamics
 
     /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with <see cref="KickVelocity"/>.</summary>
     /// <remarks>
-    /// The velocity of such a body is half a step behind its position, so this method evaluates the air forces at a velocity advanced by half a step. Together,
-    /// both corrections make the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres at 30
-    /// m. It costs two evaluations.
+    /// The velocity of such a body is half a step behind its position, so this method evaluates the air forces at a velocity advanced by half a step. The two
+    /// corrections together make the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres
+    /// at 30 m. A call costs two evaluations.
     /// </remarks>
     /// <param name="position">Position of the centre, m.</param>
     /// <param name="velocity">The engine's velocity of the body, m/s.</param>

@@ -6,7 +6,7 @@ namespace FootballPhysics;
 public sealed partial class FixedStepRunner
 {
     /// <summary>Queues a kick for the start of this tick's step, as player 0.</summary>
-    /// <remarks><see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this method waits for the step.</remarks>
+    /// <remarks><see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks immediately; this method kicks at the start of the step.</remarks>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <param name="ball">The index of the ball; default 0.</param>

@@ -123,8 +123,9 @@ public sealed partial class FixedStepRunner
     public int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
-    /// <remarks>It is called once at the start of every step, with the time of the ball's clock in s, and again when steps are resimulated. It moves the bodies
-    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores those positions.</remarks>
+    /// <remarks>The callback is called once at the start of every step, with the ball's clock time in s, and again when steps are resimulated. It moves the
+    /// bodies (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a
+    /// <see cref="Rollback"/> stores those positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
@@ -164,8 +165,8 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>A hash of all settings that must be equal on all machines in a match.</summary>
-    /// <remarks>It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first
-    /// message, and reject a peer with a different hash.</remarks>
+    /// <remarks>The hash covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the
+    /// first message, and reject a peer with a different hash.</remarks>
     public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>The length of a step, in s.</summary>
@@ -378,7 +379,8 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Starts a recording at this tick.</summary>
-    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds the recording. Setting a state that was not recorded ends it.</remarks>
+    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds the recording. Setting
+    /// a state that was not recorded ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);

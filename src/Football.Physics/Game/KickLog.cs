@@ -4,7 +4,7 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only when it grows. A serialised kick
+/// The kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only when it grows. A serialised kick
 /// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take no bytes. A 4-byte checksum follows
 /// all kicks.
 /// </remarks>

@@ -7,10 +7,10 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>A recorded segment of a match that can be stored, sent and replayed.</summary>
 /// <remarks>
-/// It contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per
-/// step, and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks it adds a complete state, from which
-/// <see cref="Seek"/> continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws
-/// <see cref="ArgumentException"/>. An engine's colliders are not included either, so you must position them in a replay.
+/// A recording contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per step,
+/// and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks, it stores a complete state, from which <see cref="Seek"/>
+/// continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws <see cref="ArgumentException"/>. Engine
+/// colliders are not included either, so you must position them in a replay.
 /// </remarks>
 public sealed class Recording
 {
@@ -222,8 +222,8 @@ public sealed class Recording
 
     /// <summary>Creates a zip file to attach to a bug report.</summary>
     /// <remarks>
-    /// It contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
-    /// <see cref="ToBytes"/>. <c>football bundle FILE</c> replays it.
+    /// The zip file contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
+    /// <see cref="ToBytes"/>. The command <c>football bundle FILE</c> replays it.
     /// </remarks>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>

@@ -38,7 +38,7 @@ public sealed record BallProperties
 
     /// <summary>The layers that the ball ignores, as a bit set from <see cref="Layers.Of"/>. Default: none.</summary>
     /// <remarks>The ball passes through obstacles, bodies and engine colliders on these layers, for instance a thrower's own hands. Zones on these layers do
-    /// not report it.</remarks>
+    /// not report the ball.</remarks>
     public uint Ignores { get; init; }
 
     /// <summary>The default: a present-day match ball in match play.</summary>
@@ -49,7 +49,7 @@ public sealed record BallProperties
     public static BallProperties Modern { get; } = new();
 
     /// <summary>A match football in the still air of a wind tunnel: the mean of three balls, <see cref="DragCurve.Generic"/>.</summary>
-    /// <remarks>Its name in JSON is "generic".</remarks>
+    /// <remarks>The name in JSON is "generic".</remarks>
     public static BallProperties Tunnel { get; } = new() { DragCurve = DragCurve.Generic };
 
     /// <summary>Adidas Tango 12 (2012).</summary>

@@ -18,8 +18,9 @@ public sealed record Dials
 
     /// <summary>The gauge pressure of the ball, in bar.</summary>
     /// <remarks>
-    /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). It scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The stiffness of a thin
-    /// shell grows with p, so its deformation and its loss fall as 1/√p (derived). It also changes the ball's mass, by the air inside at 20 °C (law).
+    /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). The pressure scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The
+    /// stiffness of a thin shell grows with p, so its deformation and its loss fall as 1/√p (derived). The pressure also changes the ball's mass, through the
+    /// air inside at 20 °C (law).
     /// </remarks>
     public double Pressure { get; init; } = UsualPressure;
 

@@ -99,7 +99,7 @@ public sealed record DragCurve
     /// <remarks>
     /// The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
     /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
-    /// <para>The wind-tunnel balls have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
+    /// <para>The wind-tunnel balls have a derived roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist). Above that, up to
     /// <see cref="Modern"/>, the curve is fitted to the flights of one match.
     /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). Deeper seams, texture and wear also make it rougher
     /// (measured: the crisis moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a

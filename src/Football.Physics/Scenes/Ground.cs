@@ -33,7 +33,7 @@ public sealed record Ground
     /// <summary>The parts of the ground with another material. Default null: one material everywhere.</summary>
     public ISurfacePattern? Pattern { get; init; }
 
-    /// <summary>The part of drag and Magnus force that acts on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
+    /// <summary>The part of drag and Magnus force that acts while the ball is on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
     /// <summary>True if the ground is a level plane.</summary>

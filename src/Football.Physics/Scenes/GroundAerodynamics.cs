@@ -10,6 +10,7 @@ public enum GroundAerodynamics
     None = 1,
 
     /// <summary>The full forces and torques of the air act.</summary>
-    /// <remarks>The part along the normal loads or lifts the ball. On a rolling ball, the part along the ground and the torque change velocity and spin together.</remarks>
+    /// <remarks>The normal component loads or lifts the ball. On a rolling ball, the component along the ground and the torque change velocity and spin
+    /// together.</remarks>
     Full = 2,
 }

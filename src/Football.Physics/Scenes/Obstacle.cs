@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>An object that the ball can hit: a shape with a surface.</summary>
-/// <remarks>It can move at a constant velocity, and its surface can spin.</remarks>
+/// <remarks>An obstacle can move at a constant velocity, and its surface can spin.</remarks>
 public sealed record Obstacle
 {
     /// <summary>The name used in events and messages. Default "obstacle".</summary>

@@ -47,7 +47,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Hard, dry ground (guess).</summary>
-    /// <remarks>In the drop test the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
+    /// <remarks>In FIFA's drop test, the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
     public static SurfaceMaterial HardGround { get; } = DryTurf with
     {
         NormalRestitution = 0.74,
@@ -125,7 +125,7 @@ public sealed partial record SurfaceMaterial
     public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingResistance = 0.03, TorsionalPatchRadius = 0.005 };
 
     /// <summary>A boot or a leg: leather on a limb that yields (guess).</summary>
-    /// <remarks>In measured kicks, e is 0.4 … 0.7 with the mass of the foot included.</remarks>
+    /// <remarks>In measured kicks, e is 0.4 … 0.7, including the effect of the foot's mass.</remarks>
     public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, TorsionalPatchRadius = 0.01 };
 
     /// <summary>A head (guess).</summary>

@@ -121,7 +121,7 @@ public sealed class Simulator
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
     /// <summary>Throws if no ball in this scene can have this state.</summary>
-    /// <remarks>Use it on states read from a file or passed through the C API. It takes a few nanoseconds.</remarks>
+    /// <remarks>Use it on states read from a file or passed through the C API. A call takes a few nanoseconds.</remarks>
     /// <param name="state">The state.</param>
     /// <exception cref="ArgumentOutOfRangeException">
     /// The state was never launched, a value is not finite or is out of range, or the state does not fit this scene: its surface, net or
@@ -407,8 +407,7 @@ public sealed class Simulator
 
     /// <summary>A hash of everything that determines the ball's path in this scene. Compare it between machines.</summary>
     /// <remarks>
-    /// It covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in a value have
-    /// different hashes.
+    /// The hash covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in any value have different hashes.
     /// Custom forces are included only by their type names.
     /// </remarks>
     /// <exception cref="InvalidOperationException">A custom wind field is not finite.</exception>

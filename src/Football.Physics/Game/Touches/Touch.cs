@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a touch: the strike, its effect on the ball, and its chance of success.</summary>
-/// <remarks>Whatever the status, the result contains the best touch found; its numbers are always finite.</remarks>
+/// <remarks>Whatever the status, the result contains the best touch found, with finite numbers.</remarks>
 public readonly struct Touch : IFormattable
 {
     internal Touch(TouchStatus status, in FootStrike strike, in Vector3d place, in Vector3d ballVelocity, double time, double miss, double paceMiss, double chance)

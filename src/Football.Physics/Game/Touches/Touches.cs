@@ -2,8 +2,8 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds a player's touches of the ball: dribbling touch, trap, first-time shot and shielding.</summary>
 /// <remarks>
-/// Each result contains the motion of the foot, the simulated path of the ball, the error against the request, and the chance of success. The touch never gives
-/// the ball more speed or spin than the <see cref="Foot"/> can produce. The game's bodies and an engine's colliders are ignored, because they include the
+/// Each result contains the motion of the foot, the simulated motion of the ball, the deviation from the request, and the chance of success. The touch never
+/// gives the ball more speed or spin than the <see cref="Foot"/> can produce. The game's bodies and an engine's colliders are ignored, because they include the
 /// player's own legs. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class Touches

@@ -101,7 +101,7 @@ public sealed class Interception
         return First;
     }
 
-    /// <summary>Divides the ball's path among the players; each point belongs to the player who can be there first.</summary>
+    /// <summary>Divides the ball's path among the players; each point belongs to the player who can reach it first.</summary>
     /// <remarks>
     /// Call <see cref="Find"/> first: this method uses the same players and path. Only players who can meet the ball at a point compete for that point. Leads
     /// are checked at window edges and at the ends of path segments; a lead that begins and ends between two of these is not found.

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Several balls in one scene, stepped together. They collide at exact times and in exact order.</summary>
 /// <remarks>
-/// Balls that are far apart cost one step each and one comparison. A group caches data between steps, so use it from one thread.
+/// Balls that are far apart cost one step and one comparison each. A group caches data between steps, so use it from one thread.
 /// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator can be shared between threads.
 /// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The only exception is impacts at exactly the same
 /// time: that of the ball with the lower index comes first. Two balls that approach each other at less than 1 cm/s are in sustained contact and form a pile.
