@@ -180,7 +180,7 @@ public sealed class BallScene
 
     /// <summary>Returns the goal that an event belongs to: its opening, a net, a post or the bar.</summary>
     /// <param name="happened">An event of <see cref="Game"/>.</param>
-    /// <returns>The index of the goal; −1 if no goal of this stage is involved.</returns>
+    /// <returns>The index of the goal; −1 if no goal of this ball scene is involved.</returns>
     public int GoalOf(in BallEvent happened)
     {
         World world = Game.World;

@@ -47,7 +47,7 @@ public sealed class KeeperDive
     private Vector3d _target;
 
     /// <summary>Creates a keeper who stands in front of his goal.</summary>
-    /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene that is played.</param>
+    /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene of the game.</param>
     /// <param name="goal">His goal.</param>
     /// <param name="ahead">The scene for predictions, without him.</param>
     /// <param name="feet">The position of his feet, in m.</param>

@@ -206,5 +206,5 @@ public enum TrackVerdict
 /// <param name="Ball">The ball.</param>
 /// <param name="Values">The parameters, in the order of <see cref="TrackFitResult.Names"/>.</param>
 /// <param name="ChiSquared">The χ² of the fit.</param>
-/// <param name="DeltaChiSquared">The increase of χ², including the prior, against the main fit; negative if this ball fits better.</param>
+/// <param name="DeltaChiSquared">The increase of χ², including the prior, over the main fit; negative if this ball fits better.</param>
 public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double DeltaChiSquared);

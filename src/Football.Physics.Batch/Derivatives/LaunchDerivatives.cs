@@ -73,11 +73,11 @@ public sealed class LaunchDerivatives
 
     /// <summary>Runs a ball to an event or a time, and computes the derivatives with respect to its launch.</summary>
     /// <remarks>If an event ends the run, the derivatives are those at the event, and include the change in its time.</remarks>
-    /// <param name="state">The ball, whose current motion is the launch. If an event ends the run, it returns as just after the event.</param>
+    /// <param name="state">The ball, whose current motion is the launch. If an event ends the run, this is the state just after the event.</param>
     /// <param name="timeStep">The length of a step, in s; above 0, at most 1e12. The last step is shortened.</param>
     /// <param name="duration">The longest run, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
-    /// <returns>True if the event ended the run, false if the time was up.</returns>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {

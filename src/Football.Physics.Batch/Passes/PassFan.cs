@@ -62,8 +62,8 @@ public sealed class PassFan
 
     /// <summary>Finds the best pass.</summary>
     /// <param name="request">The passes to try.</param>
-    /// <param name="mates">The team mates at the kick; can be empty.</param>
-    /// <param name="opponents">The opponents at the kick; can be empty.</param>
+    /// <param name="mates">The team mates at the time of the kick; may be empty.</param>
+    /// <param name="opponents">The opponents at the time of the kick; may be empty.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public PassResult Find(PassFanRequest request, Player[] mates, Player[] opponents)

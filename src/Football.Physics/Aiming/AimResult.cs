@@ -119,7 +119,8 @@ public enum AimStatus
     /// <summary>No kick within the bounds hits the target; the result is the closest kick found.</summary>
     OutOfReach = 1,
 
-    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the error of its steps.</summary>
+    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the integration error of the
+    /// search.</summary>
     /// <remarks>The result is the best kick found.</remarks>
     NotConverged = 2,
 

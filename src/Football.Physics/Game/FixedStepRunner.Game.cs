@@ -19,10 +19,10 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Queues a kick for the start of this tick's step, given by speed, direction, and spin relative to the direction.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
+    /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
     /// <param name="direction">The direction of the kick; any length except zero.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin makes it lift.</param>
+    /// <param name="sideSpin">The spin about the vertical, in rad/s: positive is counter-clockwise seen from above, and bends the path to the left.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {

@@ -37,7 +37,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>The balls are side by side along x, from the origin. Without ground they start in the air, at height 0.</remarks>
     /// <param name="group">The balls; used by this runner only.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -49,7 +49,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -124,8 +124,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
     /// <remarks>The callback is called once at the start of every step, with the ball's clock time in s, and again when steps are resimulated. It moves the
-    /// bodies (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a
-    /// <see cref="Rollback"/> stores those positions.</remarks>
+    /// bodies (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores them.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
@@ -279,7 +278,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
-    /// <returns>The number of steps made.</returns>
+    /// <returns>The number of steps taken.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
     /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are dropped.</remarks>
     public int Advance(double frameTime)
@@ -379,8 +378,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Starts a recording at this tick.</summary>
-    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds the recording. Setting
-    /// a state that was not recorded ends it.</remarks>
+    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds it. Setting a state that was not recorded ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);

@@ -137,7 +137,7 @@ public sealed class GroupLookAheadRun
     /// <param name="index">The index of the ball.</param>
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>
-    /// <returns>False also if the ball's time is outside the part computed so far, unless the ball rests at its end.</returns>
+    /// <returns>Also false if the ball's time is outside the part computed so far, unless the ball rests at the end of that part.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball, or <paramref name="tolerance"/> is negative.</exception>
     public bool Follows(int index, in BallState ball, double tolerance = 1e-5)
     {

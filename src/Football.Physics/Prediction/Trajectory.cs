@@ -21,7 +21,7 @@ public sealed partial class Trajectory
     }
 
     /// <summary>Creates a trajectory in a buffer that you provide.</summary>
-    /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when it is full, and <see cref="IsComplete"/> is then false.</param>
+    /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when the buffer is full, and <see cref="IsComplete"/> is then false.</param>
     /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
     public Trajectory(PathSegment[] memory)
@@ -174,7 +174,7 @@ public sealed partial class Trajectory
     }
 
     /// <summary>Returns the closest approach to a point.</summary>
-    /// <param name="point">The point, m.</param>
+    /// <param name="point">The point, in m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
         // Compare squared distances, and take the square root of the best one only.

@@ -42,7 +42,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes earlier, and withdraw them until they come
+    /// on.</exception>
     public KinematicBody Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
     {
         Check.Given(nameof(name), name);
@@ -71,7 +72,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes earlier, and withdraw them until they come
+    /// on.</exception>
     public KinematicBody Add(string name, BodyKind kind, int layer = 0)
     {
         Check.Given(nameof(kind), kind);

@@ -87,7 +87,7 @@ public sealed record Scene
     public static Scene HighAltitude => s_highAltitude ??= new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
     /// <summary>Creates the default scene with a steady wind.</summary>
-    /// <param name="wind">Wind velocity, in m/s.</param>
+    /// <param name="wind">The wind velocity, in m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
     /// <summary>The motions of the obstacles with a finite mass, shared by the scenes of several balls. Default: the simulator creates its own.</summary>

@@ -25,8 +25,8 @@ public abstract class PieceObserver
 
     /// <summary>Called after every piece with the full state at both ends.</summary>
     /// <param name="before">The ball at the start of the piece.</param>
-    /// <param name="after">The ball at its end.</param>
+    /// <param name="after">The ball at the end of the piece.</param>
     /// <param name="piece">The piece.</param>
-    /// <returns>As <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
+    /// <returns>The same as for <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
     public virtual bool Add(in BallState before, in BallState after, in PathSegment piece) => Add(in piece);
 }

@@ -22,8 +22,8 @@ public sealed record SolverSettings
     public static SolverSettings Default { get; } = new();
 
     /// <summary>Returns the cheapest integrator and step for an accuracy: RK4 with steps of 80 ms, 40 ms or 5 ms.</summary>
-    /// <param name="accuracy">Maximum error of a shot from the kick to the impact.</param>
-    /// <param name="timeStep">The longest step to use, s. Shorter steps are more accurate.</param>
+    /// <param name="accuracy">The maximum error of a shot from the kick to the impact.</param>
+    /// <param name="timeStep">The longest step to use, in s. Shorter steps are more accurate.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is not a value of the enumeration.</exception>
     public static SolverSettings For(Accuracy accuracy, out double timeStep)
     {

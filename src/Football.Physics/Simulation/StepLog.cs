@@ -4,8 +4,8 @@ namespace FootballPhysics;
 public sealed partial class StepLog
 {
     /// <summary>Creates an empty log.</summary>
-    /// <param name="eventCapacity">Initial capacity for events, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
-    /// <param name="mostEvents">Maximum number of events kept, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
+    /// <param name="eventCapacity">The initial capacity for events, at least 1; default 32. It grows to at most <paramref name="mostEvents"/>.</param>
+    /// <param name="mostEvents">The maximum number of events kept, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public StepLog(int eventCapacity = 32, int mostEvents = EventBuffer.DefaultMost) => Events = new EventBuffer(eventCapacity, mostEvents);

@@ -46,7 +46,7 @@ public sealed partial class BallGroup
     /// <summary>Creates a group of different balls.</summary>
     /// <param name="scene">The scene of all balls. Its own ball is not used.</param>
     /// <param name="balls">The balls; 1 … 10 000.</param>
-    /// <param name="settings">Integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="settings">The integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
     /// <param name="contact">The material of contacts between two balls; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException">The scene, the balls or one of them is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
@@ -91,7 +91,7 @@ public sealed partial class BallGroup
 
     /// <summary>Advances all balls by one step.</summary>
     /// <param name="states">The balls: one state per ball, all at the same time. Unchanged if an exception is thrown.</param>
-    /// <param name="dt">Time to advance, s: 0 … 1e12.</param>
+    /// <param name="dt">The time to advance, in s; 0 … 1e12.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
@@ -114,9 +114,9 @@ public sealed partial class BallGroup
     /// <summary>Advances all balls in equal steps until an event or the end of the duration.</summary>
     /// <param name="states">The balls: one state per ball, all at the same time. If an event ends the run, these are the states just after
     /// it.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
+    /// <param name="timeStep">The length of a step, in s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
     /// shortened.</param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run: the first impact of any ball, or rest of all balls at the end of a step.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
@@ -129,8 +129,8 @@ public sealed partial class BallGroup
 
     /// <summary>Advances all balls until an event or the end of the duration, and calls back after every step.</summary>
     /// <param name="states">The balls, as in the other overload.</param>
-    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="timeStep">The length of a step, in s, as in the other overload.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <param name="afterStep">Called after every step, when the states are those at its end; null for no callback.</param>
@@ -177,7 +177,7 @@ public sealed partial class BallGroup
     }
 
     /// <summary>Returns the compiled scene of a ball.</summary>
-    /// <param name="ball">Index of the ball.</param>
+    /// <param name="ball">The index of the ball.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public Simulator SimulatorOf(int ball)
     {
