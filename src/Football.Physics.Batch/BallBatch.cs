@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene, each from its launch to the first impact or a time limit.</summary>
 /// <remarks>
-/// Each result depends only on its own launch: not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
+/// Each result depends only on its own launch, not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
 /// reuse it: a run on one thread does not allocate. Not thread-safe; set <see cref="BatchSettings.Threads"/> to use several threads.
 /// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. Lanes do not support custom forces, variable wind, knuckle
 /// forces or moving objects. The ground must be level and uniform, and the laws must all be of one kind. The exceptions listed at

@@ -23,7 +23,7 @@ public sealed class BatchAims
     public int Capacity => Speed.Length;
 
     /// <summary>The positions of the balls, in m; components within ±1e6.</summary>
-    /// <remarks>If the ball would be below the ground there, the position is raised vertically until the ball rests on the ground.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3dColumns From { get; }
 
     /// <summary>The targets, in m; components within ±1e6.</summary>

@@ -2,10 +2,10 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>The ball of a scene in the terms of robot soccer (RoboCup Small Size League): the two-phase model of a straight kick and the fixed-loss model of a chip.</summary>
 /// <remarks>
-/// The definitions are those of the league's vision software, in <c>messages_robocup_ssl_geometry.proto</c> of RoboCup-SSL/ssl-vision. Accelerations are negative
-/// and in m/s². TIGERs Mannheim's <c>BallParameters</c> use mm/s²: multiply by 1000.
-/// <para>The numbers come from a simulated kick and a simulated chip. The air is included, so they depend on the speed: use the typical speed of your kicks.
-/// Wind, obstacles, bodies, goals and nets of the scene are left out, and the ground is level.</para>
+/// The definitions are those of the league's vision software, in <c>messages_robocup_ssl_geometry.proto</c> of RoboCup-SSL/ssl-vision. Accelerations are
+/// negative and in m/s². TIGERs Mannheim's <c>BallParameters</c> use mm/s²: multiply by 1000.
+/// <para>The numbers come from a simulated kick and a simulated chip. The air is included, so the numbers depend on the speed: use the typical speed of your
+/// kicks. Wind, obstacles, bodies, goals and nets of the scene are left out, and the ground is level.</para>
 /// </remarks>
 public sealed record RobotSoccerModel
 {

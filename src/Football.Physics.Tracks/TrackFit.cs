@@ -2,10 +2,10 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates the launch of a ball and, on request, scene parameters, from tracked positions.</summary>
 /// <remarks>
-/// Least squares by the Gauss–Newton method, damped (Levenberg–Marquardt) if a step does not help. The derivatives are secants whose width is the uncertainty,
-/// because paths have kinks where a ball just stops slipping, or just bounces once more. The uncertainty is measured along each axis until the cost has risen,
-/// so it is valid even if the cost is not quadratic. For example, the product of spin and lift may be accurate although neither factor is. Not thread-safe:
-/// create one per thread.
+/// Least squares by the Gauss–Newton method, damped (Levenberg–Marquardt) if a step does not help. The derivatives are secants as wide as the uncertainty,
+/// because paths have kinks where a ball only just stops slipping, or only just bounces once more. The uncertainty is measured by moving along each axis until
+/// the cost has risen, so it is valid even if the cost is not quadratic. For example, the product of spin and lift may be accurate although neither factor is.
+/// Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class TrackFit
 {

@@ -62,8 +62,8 @@ public sealed class TrackFitResult
 
     /// <summary>The spin of another launch that fits the track about as well, in rad/s; null if none was found.</summary>
     /// <remarks>
-    /// The χ² of that launch, including the prior, is within 9 of the best, and the spins differ by more than three standard deviations, because the ball
-    /// bounces differently.
+    /// The χ² of that launch, including the prior, is within 9 of the best, and its spin differs by more than three standard deviations. The ball bounces
+    /// differently in the two fits.
     /// </remarks>
     public Vector3d? OtherSpin { get; internal init; }
 

@@ -4,10 +4,10 @@ namespace FootballPhysics.Batch;
 /// <remarks>
 /// A team mate must reach a pass in the air before it lands, and a pass on the ground before it comes to rest. SIMD lanes simulate the passes in the air;
 /// passes on the ground are simulated step by step. At each step, the search bounds the earliest time at which any team mate can reach each pass, and detects
-/// certain interceptions. It then judges the kicks on their exact paths, in the order of these bounds, until no other can be better. The result is the same as
-/// if every kick were judged.
-/// <para>Without team mates, it returns the kick that no opponent can reach and that lands, or comes to rest on the ground, closest to a target. A pass
-/// that first hits an object of the scene, such as a post, a board or a net, is rejected.
+/// certain interceptions. It then evaluates the kicks on their exact paths, in the order of these bounds, until no other kick can be better. The result is the
+/// same as if every kick were evaluated.
+/// <para>Without team mates, the search considers kicks that no opponent can reach, and returns the one that lands, or comes to rest on the ground, closest to
+/// a target. A pass that first hits an object of the scene, such as a post, a board or a net, is rejected.
 /// Create one per scene and reuse it: searches with the same duration do not allocate. Not thread-safe. The constructor throws for scenes that
 /// lanes do not support (see <see cref="BallBatch"/>), and for scenes with bodies or engine colliders.</para>
 /// </remarks>

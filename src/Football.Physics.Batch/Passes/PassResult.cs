@@ -20,8 +20,7 @@ public readonly struct PassResult
     public PathPoint Meeting { get; init; }
 
     /// <summary>The lead over the fastest opponent, in s; infinite if no opponent can reach the ball.</summary>
-    /// <remarks>Opponents are considered until the ball lands, or until a pass on the ground comes to rest, for at most
-    /// <see cref="PassFanRequest.Duration"/>.</remarks>
+    /// <remarks>Opponents are considered until the ball lands, or comes to rest on the ground, for at most <see cref="PassFanRequest.Duration"/>.</remarks>
     public double TimeMargin { get; init; }
 
     /// <summary>The number of simulated kicks.</summary>

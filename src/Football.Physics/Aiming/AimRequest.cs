@@ -5,11 +5,11 @@ namespace FootballPhysics.Aiming;
 public sealed record AimRequest
 {
     /// <summary>The position of the ball, in m; components within ±1e6. Default: the origin.</summary>
-    /// <remarks>If the ball would be below the ground there, the position is raised vertically until the ball rests on the ground.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3d From { get; init; }
 
     /// <summary>The target, in m; components within ±1e6. Required.</summary>
-    /// <remarks>If the ball would be below the ground there, the position is raised vertically until the ball rests on the ground.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>The velocity of the target, in m/s; at most 1000. Default: at rest.</summary>

@@ -4,8 +4,8 @@ namespace FootballPhysics;
 
 /// <summary>An event within a step, with its exact time and position.</summary>
 /// <remarks>
-/// For an impact, the velocity is that just after the impulse, even if the ball then stays on the surface and loses the normal component. A rest event reports
-/// the velocity and spin at which the ball came to rest.
+/// For an impact, the velocity is that just after the impulse. If the ball then stays on the surface, it loses the normal component of this velocity. A rest
+/// event reports the velocity and spin at which the ball came to rest.
 /// </remarks>
 public readonly struct BallEvent : IFormattable
 {

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>A buffer of events in order of time. A step fills the buffer; read it after the step.</summary>
 /// <remarks>
-/// The buffer never grows beyond <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it, and it does not release memory. If more
+/// The buffer never grows beyond <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it. It does not release memory. If more
 /// events occur, it keeps the first and the most recent ones; <see cref="Dropped"/> is the number of the others.
 /// </remarks>
 public sealed class EventBuffer

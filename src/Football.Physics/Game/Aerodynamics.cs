@@ -2,10 +2,9 @@ namespace FootballPhysics;
 
 /// <summary>Computes the force and torque of the air on a ball that is moved by a physics engine or your own integrator.</summary>
 /// <remarks>
-/// The computation includes the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in
-/// <see cref="Simulator"/>. Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want
-/// it. Ground, obstacles and nets are ignored. The object is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene
-/// are thread-safe.
+/// The result includes drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in <see cref="Simulator"/>. Gravity
+/// is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it. Ground, obstacles and nets are
+/// ignored. The object is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene are thread-safe.
 /// </remarks>
 public sealed class Aerodynamics
 {
@@ -128,11 +127,12 @@ public sealed class Aerodynamics
         return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
     }
 
-    /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with <see cref="KickVelocity"/>.</summary>
+    /// <summary>Computes the force and the torque for the next step of an engine that uses semi-implicit Euler, after a kick with
+    /// <see cref="KickVelocity"/>.</summary>
     /// <remarks>
-    /// The velocity of such a body is half a step behind its position, so this method evaluates the air forces at a velocity advanced by half a step. The two
-    /// corrections together make the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres
-    /// at 30 m. A call costs two evaluations.
+    /// In such an engine, the velocity is half a step behind the position. This method therefore evaluates the air forces at a velocity advanced by half a
+    /// step. The two corrections together make the engine's steps second-order accurate. At 240 steps per second, the path differs from the library's flight by
+    /// millimetres at 30 m. A call costs two evaluations.
     /// </remarks>
     /// <param name="position">The position of the centre, in m.</param>
     /// <param name="velocity">The engine's velocity of the body, in m/s.</param>

@@ -21,7 +21,7 @@ public sealed partial class FixedStepRunner
     /// <summary>Queues a kick for the start of this tick's step, given by speed, direction, and spin relative to the direction.</summary>
     /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
     /// <param name="direction">The direction of the kick; any length except zero.</param>
-    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin makes it lift.</param>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin lifts it.</param>
     /// <param name="sideSpin">The spin about the vertical, in rad/s: positive is counter-clockwise seen from above, and bends the path to the left.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>
 /// <remarks>All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. With bodies, this is true only if
-/// <see cref="MoveBodies"/> positions them for every step: if you move them once per frame, the frame rate affects the result. Games with their own fixed
+/// <see cref="MoveBodies"/> positions them for every step. If you move them once per frame, the frame rate affects the result. Games with their own fixed
 /// update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw <see cref="Position"/>
 /// and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When a kick arrives late, it restores an earlier state and resimulates with
 /// the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
@@ -37,7 +37,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>The balls are side by side along x, from the origin. Without ground they start in the air, at height 0.</remarks>
     /// <param name="group">The balls; used by this runner only.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Excess time is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -49,7 +49,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Excess time is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -123,8 +123,8 @@ public sealed partial class FixedStepRunner
     public int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
-    /// <remarks>The callback is called once at the start of every step, with the ball's clock time in s, and again when steps are resimulated. It moves the
-    /// bodies (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores them.</remarks>
+    /// <remarks>The callback is called at the start of every step, also of resimulated ones, with the ball's clock time in s. It moves the bodies
+    /// (<see cref="Scene.Bodies"/>) and engine colliders. Default null: bodies keep moving as last set, and a <see cref="Rollback"/> stores their positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
@@ -378,7 +378,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Starts a recording at this tick.</summary>
-    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds it. Setting a state that was not recorded ends it.</remarks>
+    /// <remarks>Each step adds a state hash; the kicks are in <see cref="Kicks"/>. A rollback rewinds the recording; setting an unrecorded state ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);

@@ -64,11 +64,11 @@ public sealed record Foot
 
     /// <summary>Computes the strike that gives a ball a velocity and a spin, or comes as close as possible.</summary>
     /// <remarks>
-    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction, and friction limits the rest: see
-    /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/>; <see cref="FootStrike.Spin"/> is the resulting spin. If
-    /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed. The change in spin is
-    /// then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed. <see cref="FootStrike.FastEnough"/> is false
-    /// in both cases.
+    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction (see
+    /// <see cref="FootStrike.SpinAlongImpulse"/>), and friction limits the rest (see <see cref="FootStrike.EnoughFriction"/>). <see cref="FootStrike.Spin"/> is
+    /// the resulting spin. If the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed.
+    /// The change in spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
+    /// <see cref="FootStrike.FastEnough"/> is false in both cases.
     /// </remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">The velocity v of the ball before the strike, in m/s.</param>

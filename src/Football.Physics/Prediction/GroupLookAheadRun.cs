@@ -3,8 +3,8 @@ namespace FootballPhysics.Prediction;
 /// <summary>A look-ahead of several balls in parts: each call takes a limited number of steps, and the next call resumes there.</summary>
 /// <remarks>
 /// The finished paths are bit-identical to those of <see cref="SimulatorExtensions.LookAhead(BallGroup, BallState[], LookAheadRequest, Trajectory[])"/>,
-/// for any number of steps per call. The run has its own copies of the balls and of the bodies' motions, so your game may step and kick the
-/// balls of the same group between the calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Not thread-safe.
+/// for any number of steps per call. The run has its own copies of the balls and of the bodies' motions. Your game may therefore step and kick the balls of the
+/// same group between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Not thread-safe.
 /// </remarks>
 public sealed class GroupLookAheadRun
 {

@@ -9,9 +9,9 @@ public sealed record LookAheadRequest
 
     /// <summary>The length of a step, in s. Above 0, at least 1e-12 of the duration; default 0.08.</summary>
     /// <remarks>
-    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air: with them, a step above 40 ms is divided until
-    /// a step and its two halves agree to 1 µm. If a force is too stiff for this, the look-ahead throws. With the game's own integrator and step, the
-    /// prediction is bit-identical to the later simulation.
+    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air. With them, a step above 40 ms is divided until a step and
+    /// its two halves agree to 1 µm. If a force is too stiff for this, the look-ahead throws. With the game's own integrator and step, the prediction is
+    /// bit-identical to the later simulation.
     /// </remarks>
     public double TimeStep { get; init; } = 0.08;
 
@@ -23,8 +23,7 @@ public sealed record LookAheadRequest
 
     /// <summary>A point that ends the look-ahead once the ball has passed it; default none.</summary>
     /// <remarks>
-    /// The ball has passed the point when its horizontal distance is above the minimum and growing, and neither wind, spin nor obstacles can bring the ball
-    /// back.
+    /// The ball has passed the point when their horizontal distance is growing after its minimum, and neither wind, spin nor obstacles can bring the ball back.
     /// </remarks>
     public Vector3d? UntilPassing { get; init; }
 

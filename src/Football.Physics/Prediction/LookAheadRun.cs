@@ -3,8 +3,8 @@ namespace FootballPhysics.Prediction;
 /// <summary>A look-ahead in parts: each call takes a limited number of steps, and the next call resumes there.</summary>
 /// <remarks>
 /// The finished path is bit-identical to that of <see cref="SimulatorExtensions.LookAhead(Simulator, in BallState, LookAheadRequest, Trajectory)"/>,
-/// for any number of steps per call. The run has its own copy of the ball and of the bodies' motions, so your game may step, kick and move
-/// bodies between the calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Calls do not allocate. Not thread-safe.
+/// for any number of steps per call. The run has its own copy of the ball and of the bodies' motions. Your game may therefore step and kick the ball and move
+/// bodies between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Calls do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class LookAheadRun
 {

@@ -4,7 +4,7 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds kicks that hit given objects before the target, such as the ground, a wall or a post.</summary>
 /// <remarks>
-/// The search divides a kick into legs: from the ball to an estimated first contact, from there to the next contact, and finally to the target. Newton's method
+/// The search divides a kick into legs: from the ball to an estimated first contact, on to the next contacts, and finally to the target. Newton's method
 /// adjusts the kick and the contacts until all legs join (multiple shooting); the result is then simulated. If it is not a hit, the search tries kicks in all
 /// directions. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
 /// </remarks>

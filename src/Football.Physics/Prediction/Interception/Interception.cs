@@ -2,9 +2,9 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Finds which players can meet the ball on a predicted path, and when.</summary>
 /// <remarks>
-/// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path: bounds on the speeds and
-/// accelerations of ball and player ensure that no window or gap of a microsecond or more is missed. Interval ends are accurate to a nanosecond. The accuracy
-/// of the path itself depends on the look-ahead.
+/// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path. Bounds on the speeds and accelerations
+/// of ball and player ensure that no window or gap of a microsecond or more is missed. Interval ends are accurate to a nanosecond. The accuracy of the path
+/// itself depends on the look-ahead.
 /// </remarks>
 public sealed class Interception
 {

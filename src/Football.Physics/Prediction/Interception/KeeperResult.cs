@@ -17,14 +17,14 @@ public readonly struct KeeperResult
     /// <remarks>A goal is scored through this opening; see <see cref="BallEventKind.Goal"/>.</remarks>
     public bool IsOnTarget { get; init; }
 
-    /// <summary>The left end of the part of the goal line that the keeper can cover before the ball crosses, in m to the right of the centre.</summary>
+    /// <summary>The left end of the part of the goal line that the keeper can cover in time, in m to the right of the centre.</summary>
     /// <remarks>Greater than <see cref="ReachRight"/> if the keeper cannot cover any of the line.</remarks>
     public double ReachLeft { get; init; }
 
-    /// <summary>The right end of the part of the goal line that the keeper can cover before the ball crosses, in m to the right of the centre.</summary>
+    /// <summary>The right end of the part of the goal line that the keeper can cover in time, in m to the right of the centre.</summary>
     public double ReachRight { get; init; }
 
-    /// <summary>The height up to which the keeper covers the line, in m: the height of his reach or of the bar, whichever is lower.</summary>
+    /// <summary>The height up to which the keeper covers the line, in m: his reach or the bar, whichever is lower.</summary>
     public double ReachHeight { get; init; }
 
     /// <summary>True if the keeper can meet the ball before it crosses the line.</summary>
