@@ -123,7 +123,7 @@ public sealed partial class FixedStepRunner
     public int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
-    /// <remarks>The callback is called at the start of every step, also of resimulated ones, with the ball's clock time in s. It moves the bodies
+    /// <remarks>The callback is called at the start of every step, including resimulated steps, with the ball's clock time in s. It moves the bodies
     /// (<see cref="Scene.Bodies"/>) and engine colliders. Default null: bodies keep moving as last set, and a <see cref="Rollback"/> stores their positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 

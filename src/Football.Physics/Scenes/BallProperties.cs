@@ -23,7 +23,7 @@ public sealed record BallProperties
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
     /// <summary>The factor that scales the restitution of every surface; below 1 for a soft ball.</summary>
-    /// <remarks>0 … 1.2; default 1. The product is at most 1, except on a bumper.</remarks>
+    /// <remarks>0 … 1.2; default 1. The scaled restitution is at most 1, except on a bumper.</remarks>
     public double Bounce { get; init; } = 1;
 
     /// <summary>The drag curve without spin; only <see cref="AerodynamicModel.Measured"/> uses it.</summary>

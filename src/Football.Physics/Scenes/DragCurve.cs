@@ -40,7 +40,7 @@ public sealed record DragCurve
     public double RiseFrom { get; init; } = 230_000;
 
     /// <summary>Re₁, the Reynolds number at which drag has risen to <see cref="Risen"/>. Default 510 000.</summary>
-    /// <remarks>At least <see cref="RiseFrom"/> + <see cref="Width"/>. The default is derived as for <see cref="Subcritical"/>.</remarks>
+    /// <remarks>The value must be at least <see cref="RiseFrom"/> + <see cref="Width"/>. The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double RiseTo { get; init; } = 510_000;
 
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>

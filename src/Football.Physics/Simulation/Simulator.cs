@@ -404,7 +404,7 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Displaced"/>
     internal void Displaced(ref BallState s, in Vector3d from, StepLog log) => _stepper.Displaced(ref s, in from, log);
 
-    /// <summary>A hash of everything that determines the ball's path in this scene. Compare it between machines.</summary>
+    /// <summary>A hash of everything that determines the ball's path in this scene. Compare the hash between machines.</summary>
     /// <remarks>
     /// The hash covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in any value have different hashes.
     /// Custom forces are included only by their type names.

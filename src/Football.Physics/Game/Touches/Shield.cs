@@ -10,10 +10,10 @@ public sealed record ShieldRequest
     public IReadOnlyList<Player> Opponents { get; init; } = [];
 
     /// <summary>The maximum distance of the ball from the player, in m. Above 0, at most 10; default 0.6.</summary>
-    /// <remarks>The default is his reach without a step.</remarks>
+    /// <remarks>The default is the player's reach without a step.</remarks>
     public double MaximumDistance { get; init; } = 0.6;
 
-    /// <summary>The radius of his body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
+    /// <summary>The radius of the player's body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
     public double BodyRadius { get; init; } = 0.3;
 
     /// <summary>The time from which the opponents' reaction times are measured, in s. Default 0.</summary>

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>A wind that grows with the height above the ground, with or without gusts.</summary>
+/// <summary>A wind whose speed increases with the height above the ground, with or without gusts.</summary>
 /// <remarks>
 /// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀). The wind is a pure function of position, time and the seed of the gusts. Inside a stadium bowl, it
 /// is only a rough approximation.

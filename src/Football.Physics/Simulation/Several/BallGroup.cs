@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Several balls in one scene, stepped together. They collide at exact times and in exact order.</summary>
+/// <summary>Several balls in one scene, stepped together. They collide at exact times and in the exact order.</summary>
 /// <remarks>
 /// Balls that are far apart cost one step and one comparison each. A group caches data between steps, so use it from one thread.
 /// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator can be shared between threads.
