@@ -2,11 +2,12 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene, each from its launch to the first impact or a time limit.</summary>
 /// <remarks>
-/// Each result depends only on its own launch: not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
+/// Each result depends only on its own launch, not on the other launches, their order, the number of threads or the SIMD width. Create one per scene and
 /// reuse it: a run on one thread does not allocate. Not thread-safe; set <see cref="BatchSettings.Threads"/> to use several threads.
-/// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. Lanes support neither custom forces, variable wind and knuckle
-/// forces nor moving objects. The ground must be level and uniform, and the laws must be of one kind. The exceptions of <see cref="BatchPrecision.Single"/>, and every ball that
-/// may hit a goal or an obstacle, are simulated the same way. <see cref="ScalarFallbackCount"/> counts these balls.</para>
+/// <para>Scenes that SIMD lanes do not support are simulated ball by ball, in double precision. Lanes do not support custom forces, variable wind, knuckle
+/// forces or moving objects. The ground must be level and uniform, and the laws must all be of one kind. The exceptions listed at
+/// <see cref="BatchPrecision.Single"/>, and balls that may hit a goal or an obstacle, are also simulated ball by ball. <see cref="ScalarFallbackCount"/> is the
+/// number of these balls.</para>
 /// </remarks>
 public sealed class BallBatch
 {
@@ -55,7 +56,7 @@ public sealed class BallBatch
     public static bool SupportsSimd(Scene scene) => LaneFlight.Covers(scene);
 
     /// <summary>The number of balls in the last run that were simulated one by one, in double precision.</summary>
-    /// <remarks>These are all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
+    /// <remarks>This number includes all balls if lanes do not support the scene or <see cref="BatchSettings.Precision"/>.</remarks>
     public int ScalarFallbackCount
     {
         get
@@ -79,8 +80,9 @@ public sealed class BallBatch
     /// <param name="cancellation">Cancels the run between two groups of balls; default never.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled. Some flights may have been written.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some flights may have been written.</exception>
-    /// <remarks>Exceptions of custom forces pass through unchanged, for any number of threads; some flights may have been written.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range. Some flights may have been
+    /// written.</exception>
+    /// <remarks>Exceptions from custom forces propagate unchanged, for any number of threads; some flights may already have been written.</remarks>
     public void Fly(BatchLaunches launches, BatchFlights flights, int count, double duration = 30, IProgress<int>? progress = null, CancellationToken cancellation = default)
     {
         _launches = launches ?? throw new ArgumentNullException(nameof(launches));

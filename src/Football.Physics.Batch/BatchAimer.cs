@@ -3,9 +3,10 @@ namespace FootballPhysics.Batch;
 /// <summary>Finds many kicks in one scene at once: the batch version of <see cref="Aimer"/>.</summary>
 /// <remarks>
 /// Elevation and azimuth start from a closed form, and Newton iterations with SIMD flights refine them. An <see cref="Aimer"/> handles requests that do not
-/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. They count as hits only if their measured miss does.
-/// <para>The true miss of a hit is within the tolerance, down to 1 mm. Each result depends only on its own request: not on the others, the number of threads or the
-/// SIMD width. On one thread, only the fallback allocates. Not thread-safe, but it can use several threads itself.</para>
+/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. Their kicks are hits only if the measured miss is within the
+/// tolerance.
+/// <para>The true miss of a hit is within the tolerance, for tolerances down to 1 mm. Each result depends only on its own request: not on the others, the
+/// number of threads or the SIMD width. On one thread, only the fallback allocates. Not thread-safe, but it can use several threads itself.</para>
 /// </remarks>
 public sealed class BatchAimer
 {
@@ -40,7 +41,7 @@ public sealed class BatchAimer
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The number of the last requests that the single aimer handled.</summary>
+    /// <summary>The number of requests in the last call that an <see cref="Aimer"/> handled.</summary>
     public int ScalarFallbackCount
     {
         get
@@ -55,7 +56,7 @@ public sealed class BatchAimer
         }
     }
 
-    /// <summary>The number of SIMD flights for the last requests.</summary>
+    /// <summary>The number of SIMD flights in the last call.</summary>
     public long Flights
     {
         get

@@ -2,8 +2,8 @@ using System.Globalization;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Many aiming requests, as arrays. Points are for the ball's centre.</summary>
-/// <remarks>All requests use the low arc, and targets at rest.</remarks>
+/// <summary>Many aiming requests, as arrays. All points refer to the ball's centre.</summary>
+/// <remarks>All requests use the low arc and a target at rest.</remarks>
 public sealed class BatchAims
 {
     /// <summary>Creates a set of requests; all numbers are 0 until set.</summary>
@@ -23,7 +23,7 @@ public sealed class BatchAims
     public int Capacity => Speed.Length;
 
     /// <summary>The positions of the balls, in m; components within ±1e6.</summary>
-    /// <remarks>A position in the ground is raised straight up to the surface.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3dColumns From { get; }
 
     /// <summary>The targets, in m; components within ±1e6.</summary>
@@ -44,7 +44,7 @@ public sealed class BatchAims
     /// <summary>The highest elevation, in degrees. At least the lowest, at most 90; default 45.</summary>
     public double MaximumElevationDegrees { get; init; } = 45;
 
-    /// <summary>The distance from the target that counts as a hit, in m. Above 0; default 0.01.</summary>
+    /// <summary>The maximum distance from the target for a hit, in m. Above 0; default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>Sets a request.</summary>

@@ -17,7 +17,7 @@ public sealed class BatchLaunches
     public int Capacity => Position.Length;
 
     /// <summary>The positions of the centres, in m; components within ±1e6.</summary>
-    /// <remarks>A ball in the ground is raised straight up to the surface.</remarks>
+    /// <remarks>A ball below the surface of the ground is raised vertically until it touches the ground.</remarks>
     public Vector3dColumns Position { get; }
 
     /// <summary>The velocities, in m/s; at most 1000.</summary>

@@ -64,6 +64,6 @@ public sealed class BatchResults
     /// <summary>The number of samples written for each path.</summary>
     public int[] SampleCount { get; }
 
-    /// <summary>The sampled positions, in m. Those of ball i start at index i × <see cref="Samples"/>.</summary>
+    /// <summary>The sampled positions, in m. The samples of ball i start at index i × <see cref="Samples"/>.</summary>
     public Vector3dColumns Places { get; }
 }

@@ -37,7 +37,7 @@ public sealed record BatchSettings
         };
     }
 
-    /// <summary>Checks every setting.</summary>
+    /// <summary>Throws if a setting is out of range.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
     public void Validate()
     {

@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene to a plane, to rest or to a time, with their paths.</summary>
 /// <remarks>
-/// It simulates ball by ball in double precision, on several threads. Each result depends only on its own launch. For flights to the first impact,
+/// The balls are simulated one by one in double precision, on several threads. Each result depends only on its own launch. For flights to the first impact,
 /// <see cref="BallBatch"/> is much faster. Not thread-safe, but it can use several threads itself.
 /// </remarks>
 public sealed class BatchSimulator

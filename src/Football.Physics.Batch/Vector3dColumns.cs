@@ -26,7 +26,7 @@ public sealed class Vector3dColumns
     /// <summary>The number of vectors.</summary>
     public int Length => X.Length;
 
-    /// <summary>Gets or sets one vector.</summary>
+    /// <summary>Gets or sets the vector at an index.</summary>
     /// <param name="index">The index, 0 … <see cref="Length"/> − 1.</param>
     /// <exception cref="IndexOutOfRangeException"><paramref name="index"/> is out of range.</exception>
     public Vector3d this[int index]

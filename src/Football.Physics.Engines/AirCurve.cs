@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>The air coefficients of a scene by speed and spin, to show next to the numbers of a preset.</summary>
+/// <summary>The air coefficients of a scene as functions of speed and spin, for display next to the numbers of a preset.</summary>
 public static class AirCurve
 {
     /// <summary>Calculates the drag coefficient C_D from the drag on the ball.</summary>

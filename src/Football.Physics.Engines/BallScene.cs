@@ -2,9 +2,9 @@ namespace FootballPhysics.Engines;
 
 /// <summary>The scene of one ball in a game engine, built from the objects in the engine's scene.</summary>
 /// <remarks>
-/// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene that is played, and the
-/// scene for predictions, without objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move
-/// the keepers and the nets. To change the objects, create a new stage and continue in it.
+/// Components of the engine add goals, boards, walls, keepers and colliders. <see cref="Compile"/> then creates the scene for the game, and the scene for
+/// predictions, which has no objects that react to the ball. Call <see cref="BeforeStep"/> and <see cref="AfterStep"/> around each step to move the keepers and
+/// the nets. To change the objects, create a new ball scene and continue in it.
 /// </remarks>
 public sealed class BallScene
 {
@@ -17,7 +17,7 @@ public sealed class BallScene
     private Simulator? _ahead;
     private NetBulges? _bulges;
 
-    /// <summary>Creates an empty stage.</summary>
+    /// <summary>Creates a ball scene without added objects.</summary>
     /// <param name="scene">The ball, air, forces and ground; default <see cref="Scene.Default"/>.</param>
     /// <param name="settings">The solver settings; default <see cref="SolverSettings.Default"/>.</param>
     public BallScene(Scene? scene = null, SolverSettings? settings = null)
@@ -36,16 +36,16 @@ public sealed class BallScene
     /// <remarks>Use a different object from <see cref="Colliders"/>, because a prediction must not push anything.</remarks>
     public IEngineColliders? PredictionColliders { get; set; }
 
-    /// <summary>The compiled scene that is played.</summary>
-    /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
+    /// <summary>The compiled scene in which the ball is played.</summary>
+    /// <exception cref="InvalidOperationException">The ball scene is not compiled yet.</exception>
     public Simulator Game => _game ?? throw NotYet();
 
     /// <summary>The compiled scene for predictions, without keepers, because they react to the ball.</summary>
-    /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is not compiled yet.</exception>
     public Simulator Ahead => _ahead ?? throw NotYet();
 
     /// <summary>The bulges of all nets, for drawing.</summary>
-    /// <exception cref="InvalidOperationException">The stage is not compiled yet.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is not compiled yet.</exception>
     public NetBulges Bulges => _bulges ?? throw NotYet();
 
     /// <summary>The goals, in the order in which they were added.</summary>
@@ -58,7 +58,7 @@ public sealed class BallScene
     /// <param name="goal">The goal.</param>
     /// <returns>The index of the goal.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="goal"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is already compiled.</exception>
     public int Add(Goal goal)
     {
         Check.Given(nameof(goal), goal);
@@ -81,10 +81,10 @@ public sealed class BallScene
         return nearest;
     }
 
-    /// <summary>Adds a static obstacle, such as a board or a player of a wall.</summary>
+    /// <summary>Adds a static obstacle, such as a board or a player in a wall.</summary>
     /// <param name="obstacle">The obstacle.</param>
     /// <exception cref="ArgumentNullException"><paramref name="obstacle"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is already compiled.</exception>
     public void Add(Obstacle obstacle)
     {
         Check.Given(nameof(obstacle), obstacle);
@@ -96,7 +96,7 @@ public sealed class BallScene
     /// <param name="name">The name of the player, for events.</param>
     /// <param name="feet">The position of his feet, in m.</param>
     /// <exception cref="ArgumentNullException"><paramref name="name"/> is null.</exception>
-    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is already compiled.</exception>
     public void AddPlayer(string name, Vector3d feet)
     {
         Check.Given(nameof(name), name);
@@ -110,7 +110,7 @@ public sealed class BallScene
     /// <param name="abilities">His abilities; default null: <see cref="KeeperDive.Typical"/>.</param>
     /// <returns>The index of the keeper.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such goal.</exception>
-    /// <exception cref="InvalidOperationException">The stage is already compiled.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is already compiled.</exception>
     public int AddKeeper(int goal, Vector3d feet, Player? abilities = null)
     {
         Check.Index(nameof(goal), goal, _goals.Count);
@@ -119,9 +119,9 @@ public sealed class BallScene
         return _planned.Count - 1;
     }
 
-    /// <summary>Validates the stage, and compiles both scenes.</summary>
+    /// <summary>Validates the ball scene, and compiles the scenes for the game and for predictions.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
-    /// <exception cref="InvalidOperationException">The stage is already compiled, or it has keepers and its scene has bodies.</exception>
+    /// <exception cref="InvalidOperationException">The ball scene is already compiled, or it has keepers and its scene has bodies.</exception>
     public void Compile()
     {
         RequireOpen();
@@ -152,7 +152,7 @@ public sealed class BallScene
     }
 
     /// <summary>Converts the state of the ball from <see cref="Game"/> to <see cref="Ahead"/>, as the start of a prediction.</summary>
-    /// <remarks>A ball that rests on a keeper or an engine's collider is in the air there.</remarks>
+    /// <remarks>In the converted state, a ball that rests on a keeper or an engine's collider is in the air.</remarks>
     /// <param name="ball">The state of the ball in <see cref="Game"/>.</param>
     public BallState PredictionState(in BallState ball)
     {
@@ -180,7 +180,7 @@ public sealed class BallScene
 
     /// <summary>Returns the goal that an event belongs to: its opening, a net, a post or the bar.</summary>
     /// <param name="happened">An event of <see cref="Game"/>.</param>
-    /// <returns>The index of the goal; −1 if no goal of this stage is involved.</returns>
+    /// <returns>The index of the goal; −1 if no goal of this ball scene is involved.</returns>
     public int GoalOf(in BallEvent happened)
     {
         World world = Game.World;

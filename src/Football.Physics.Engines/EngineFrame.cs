@@ -4,8 +4,8 @@ namespace FootballPhysics.Engines;
 /// <remarks>
 /// The library is right-handed: x right, y up, −z forward. A left-handed engine with y up and z forward (Unity) shows the same world mirrored in the
 /// xy plane. Positions and velocities are polar vectors: the mirror negates z. Spins and the vector part of a rotation are axial vectors: the mirror
-/// negates x and y. Each conversion is its own inverse and exact, except that a negated component is never −0. So an engine's 0 and the library's 0
-/// are the same kick.
+/// negates x and y. Each conversion is its own inverse and exact, except that a negated component is never −0. A 0 from the engine therefore gives the same
+/// kick as a 0 in the library.
 /// </remarks>
 public readonly struct EngineFrame : IEquatable<EngineFrame>
 {
@@ -14,7 +14,7 @@ public readonly struct EngineFrame : IEquatable<EngineFrame>
     private EngineFrame(bool mirrored) => _mirrored = mirrored;
 
     /// <summary>The right-handed frame with y up and −z forward, which is the library's own frame.</summary>
-    /// <remarks>Used by Godot, MonoGame, Stride and glTF. Nothing changes.</remarks>
+    /// <remarks>Godot, MonoGame, Stride and glTF use this frame. Conversions change nothing.</remarks>
     public static EngineFrame RightHanded => new(false);
 
     /// <summary>The left-handed frame with y up and z forward, used by Unity.</summary>

@@ -2,9 +2,9 @@ namespace FootballPhysics.Engines;
 
 /// <summary>A goalkeeper as a body of the scene: he stands in front of his goal and dives for shots.</summary>
 /// <remarks>
-/// <see cref="Interception.FindSave"/> decides if and where he can meet the ball. He notices a kick when the ball leaves its predicted path, reacts,
-/// and moves his hands to the ball. If he cannot reach the ball, he dives as far as he can. Then he returns. He only watches the ball and has no
-/// memory of the match. <see cref="Follow"/> does not allocate.
+/// <see cref="Interception.FindSave"/> decides if and where he can meet the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
+/// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball and has
+/// no memory of the match. <see cref="Follow"/> does not allocate.
 /// </remarks>
 public sealed class KeeperDive
 {
@@ -47,7 +47,7 @@ public sealed class KeeperDive
     private Vector3d _target;
 
     /// <summary>Creates a keeper who stands in front of his goal.</summary>
-    /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene that is played.</param>
+    /// <param name="body">His body, of kind <see cref="Kind"/>, in the scene of the game.</param>
     /// <param name="goal">His goal.</param>
     /// <param name="ahead">The scene for predictions, without him.</param>
     /// <param name="feet">The position of his feet, in m.</param>
@@ -75,7 +75,7 @@ public sealed class KeeperDive
     }
 
     /// <summary>The shape and surface of a keeper: 1.96 m from feet to hands, about his centre.</summary>
-    /// <remarks>The surface is that of gloves everywhere, which take most of a ball's speed. Evidence: guess.</remarks>
+    /// <remarks>The entire surface has the material of gloves, which absorb most of a ball's speed. The values are guesses.</remarks>
     public static BodyKind Kind { get; } = new()
     {
         Shape = new CapsuleShape(new Vector3d(0, -HalfAxis, 0), new Vector3d(0, HalfAxis, 0), Radius),
@@ -83,7 +83,7 @@ public sealed class KeeperDive
     };
 
     /// <summary>The abilities of a good goalkeeper.</summary>
-    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. Evidence: guess.</remarks>
+    /// <remarks>Reaction 0.2 s, acceleration 8 m/s², speed at most 5 m/s, reach 1.9 m in a dive, height 2.6 m. All values are guesses.</remarks>
     public static Player Typical => new() { Reaction = 0.2, Acceleration = 8, Speed = 5, Reach = 1.9, MaximumHeight = 2.6 };
 
     /// <summary>His goal.</summary>

@@ -2,8 +2,8 @@ namespace FootballPhysics.Engines;
 
 /// <summary>The bulges of a scene's nets for one ball, for drawing.</summary>
 /// <remarks>
-/// A bulge is as deep as the ball is in the net. When the ball recedes faster than the net, or has left it, the net flattens at its own rate, which
-/// follows from <see cref="Net.Damping"/>. The simulation does not depend on this object: update it after every step, or less often.
+/// The depth of a bulge is the depth of the ball in the net. When the ball recedes faster than the net, or has left it, the net flattens at a rate given by
+/// <see cref="Net.Damping"/>. The simulation does not depend on this object: update it after every step, or less often.
 /// </remarks>
 public sealed class NetBulges
 {

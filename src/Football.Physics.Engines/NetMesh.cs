@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>A net as points and threads, for drawing; it hangs flat, and bulges at a ball.</summary>
+/// <summary>A net as points and threads, for drawing. It hangs flat, and bulges where a ball presses it.</summary>
 public sealed class NetMesh
 {
     /// <summary>The width of a bulge, in m: at this distance from its centre, the depth is 1/e.</summary>

@@ -8,7 +8,7 @@ public sealed class RecordingPlayer
     private FixedStepRunner _runner;
     private double _ahead;
 
-    /// <summary>Starts at the beginning of a recording.</summary>
+    /// <summary>Creates a player at the beginning of a recording.</summary>
     /// <param name="segment">The recording, of one ball.</param>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <param name="bodiesAt">Positions an engine's colliders for a time, in s; default none.</param>
@@ -43,7 +43,7 @@ public sealed class RecordingPlayer
     /// <summary>The state of the ball at the tick shown.</summary>
     public BallState State => _runner.State;
 
-    /// <summary>The pose at which to draw the ball.</summary>
+    /// <summary>The pose in which to draw the ball.</summary>
     public BallPose Pose => _runner.PoseAt(_ahead / Segment.TimeStep);
 
     /// <summary>True if the ball at the tick shown is bit-identical to the recording.</summary>

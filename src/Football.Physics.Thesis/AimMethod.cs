@@ -4,7 +4,8 @@ namespace FootballPhysics.Thesis;
 public enum AimMethod
 {
     /// <summary>The method of <see cref="Aimer"/>, for one or two points.</summary>
-    /// <remarks>It uses a closed-form start, quasi-Newton on the crossing of the target's plane, a bracketed fallback, and a final check.</remarks>
+    /// <remarks>The method starts from a closed form. It then uses quasi-Newton iterations on the crossing of the target's plane, a bracketed fallback, and a
+    /// final check.</remarks>
     Direct = 0,
 
     /// <summary>The thesis' Method A (4.1): rotate the velocity by the angle between the ball's path and the target.</summary>

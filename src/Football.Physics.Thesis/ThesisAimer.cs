@@ -2,7 +2,8 @@ namespace FootballPhysics.Thesis;
 
 /// <summary>Finds kicks by the methods of the thesis, for comparison.</summary>
 /// <remarks>
-/// It uses the game's own integrator and steps, and judges kicks between frames. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
+/// The searches use the game's own integrator and steps, and evaluate kicks between frames. Create one per scene and reuse it: searches do not allocate. Not
+/// thread-safe.
 /// </remarks>
 public sealed class ThesisAimer
 {

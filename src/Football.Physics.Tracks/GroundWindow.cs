@@ -1,7 +1,7 @@
 namespace FootballPhysics.Tracks;
 
 /// <summary>A time interval in which the ball slides or rolls on the ground untouched, with its resistance.</summary>
-/// <remarks>The resistance is the force along the ground divided by the normal force, without the share of the air.</remarks>
+/// <remarks>The resistance is the force along the ground divided by the normal force, excluding the force of the air.</remarks>
 public sealed record GroundWindow
 {
     /// <summary><see cref="MotionState.Sliding"/> or <see cref="MotionState.Rolling"/>.</summary>

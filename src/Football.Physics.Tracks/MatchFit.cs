@@ -2,7 +2,7 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Fits a complete match track: flights, impacts, touches and ground, with a common wind, ball and surface.</summary>
 /// <remarks>
-/// Dynamic programming divides the track. All flights found in it are fitted simultaneously by least squares (damped Gauss–Newton). Each flight has
+/// Dynamic programming divides the track into pieces. All flights found in it are fitted simultaneously by least squares (damped Gauss–Newton). Each flight has
 /// its own launch and spin; wind and drag are common. The impacts determine the surface. A track error or a touch affects only its own piece. The
 /// result is deterministic. Not thread-safe: create one per thread.
 /// </remarks>
@@ -25,7 +25,7 @@ public sealed class MatchFit
 
     private readonly Scene _scene;
 
-    /// <summary>Prepares for tracks of balls in a scene.</summary>
+    /// <summary>Creates a fit for tracks of balls in a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public MatchFit(Scene? scene = null)

@@ -15,7 +15,7 @@ public sealed record MatchFitRequest
     public bool Crisis { get; init; }
 
     /// <summary>True to estimate a factor of the Magnus force. Default false.</summary>
-    /// <remarks>It can only be determined together with the spin of each flight.</remarks>
+    /// <remarks>The factor can only be determined together with the spin of each flight.</remarks>
     public bool Lift { get; init; }
 
     /// <summary>True to estimate the surface: restitution, its increase at grazing impacts, and friction. Default true.</summary>
@@ -27,7 +27,7 @@ public sealed record MatchFitRequest
     /// <summary>The prior standard deviation of each component of the wind, in m/s. Above 0; default 3.</summary>
     public double WindDeviation { get; init; } = 3;
 
-    /// <summary>The prior standard deviation of the factors of drag and lift, about 1. Above 0; default 0.3.</summary>
+    /// <summary>The prior standard deviation of the drag and lift factors, whose prior mean is 1. Above 0; default 0.3.</summary>
     public double FactorDeviation { get; init; } = 0.3;
 
     /// <summary>The prior standard deviation of the critical Reynolds number. Above 0; default 40 000.</summary>

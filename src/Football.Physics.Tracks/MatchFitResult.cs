@@ -51,11 +51,11 @@ public sealed class MatchFitResult
     public IReadOnlyList<GroundWindow> Windows { get; internal init; } = [];
 
     /// <summary>The mean speed of the rolling intervals, in m/s, at which c₀ + c₁ v is most accurate.</summary>
-    /// <remarks>0 if there are none.</remarks>
+    /// <remarks>0 if there are no rolling intervals.</remarks>
     public double RollingSpeed { get; internal init; }
 
     /// <summary>The standard deviation of c₀ + c₁ v at <see cref="RollingSpeed"/>.</summary>
-    /// <remarks>Those of c₀ and c₁ alone are larger, because the two are correlated.</remarks>
+    /// <remarks>The standard deviations of c₀ and c₁ alone are larger, because the two are correlated.</remarks>
     public double RollingDeviation { get; internal init; }
 
     /// <summary>Returns the value of a parameter.</summary>

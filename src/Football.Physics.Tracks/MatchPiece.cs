@@ -1,7 +1,7 @@
 namespace FootballPhysics.Tracks;
 
 /// <summary>A piece of a match track: a flight, an impact, a touch, ground contact, or an unexplained part.</summary>
-/// <remarks>The frame has y up; SI units.</remarks>
+/// <remarks>The y axis points up, and units are SI.</remarks>
 public sealed record MatchPiece
 {
     /// <summary>The kind of the piece.</summary>
@@ -42,7 +42,7 @@ public sealed record MatchPiece
     public Vector3d VelocityDeviation { get; init; }
 
     /// <summary>The standard deviation of each component of <see cref="Spin"/>, in rad/s.</summary>
-    /// <remarks>If the track does not determine the spin, it is the prior deviation.</remarks>
+    /// <remarks>If the track does not determine the spin, this is the prior deviation.</remarks>
     public Vector3d SpinDeviation { get; init; }
 
     /// <summary>The restitution of an impact: the ratio of the normal speeds after and before.</summary>
@@ -50,14 +50,14 @@ public sealed record MatchPiece
     public double? Restitution { get; init; }
 
     /// <summary>The ratio of the speeds along the ground after and before an impact; 0 for other pieces.</summary>
-    /// <remarks>1 if there was no such speed before.</remarks>
+    /// <remarks>1 if the ball had no such speed before the impact.</remarks>
     public double SpeedRetained { get; init; }
 
     /// <summary>The track points of the piece.</summary>
     public IReadOnlyList<TrackPoint> Observed { get; init; } = [];
 
     /// <summary>The fitted positions at each of <see cref="Observed"/>, in m.</summary>
-    /// <remarks>Flights use the laws of flight, other pieces cubics in time.</remarks>
+    /// <remarks>Flights are fitted by the laws of flight, other pieces by cubics in time.</remarks>
     public IReadOnlyList<Vector3d> Fitted { get; init; } = [];
 
     /// <summary>The duration, in s.</summary>

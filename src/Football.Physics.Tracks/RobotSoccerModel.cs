@@ -2,10 +2,10 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>The ball of a scene in the terms of robot soccer (RoboCup Small Size League): the two-phase model of a straight kick and the fixed-loss model of a chip.</summary>
 /// <remarks>
-/// The definitions are those of the league's vision software, in <c>messages_robocup_ssl_geometry.proto</c> of RoboCup-SSL/ssl-vision. Accelerations are negative
-/// and in m/s². TIGERs Mannheim's <c>BallParameters</c> use mm/s²: multiply by 1000.
-/// <para>The numbers come from a simulated kick and a simulated chip. The air is included, so they depend on the speed: use the typical speed of your kicks.
-/// Wind, obstacles, bodies, goals and nets of the scene are left out, and the ground is level.</para>
+/// The definitions are those of the league's vision software, in <c>messages_robocup_ssl_geometry.proto</c> of RoboCup-SSL/ssl-vision. Accelerations are
+/// negative and in m/s². TIGERs Mannheim's <c>BallParameters</c> use mm/s²: multiply by 1000.
+/// <para>The numbers come from a simulated kick and a simulated chip. The air is included, so the numbers depend on the speed: use the typical speed of your
+/// kicks. Wind, obstacles, bodies, goals and nets of the scene are left out, and the ground is level.</para>
 /// </remarks>
 public sealed record RobotSoccerModel
 {
@@ -23,7 +23,7 @@ public sealed record RobotSoccerModel
     /// <summary>The mean acceleration while the ball slides, in m/s²; negative (<c>acc_slide</c>).</summary>
     public double SlideAcceleration { get; private init; }
 
-    /// <summary>The constant acceleration that rolls the ball as far as it rolls, in m/s²; negative (<c>acc_roll</c>).</summary>
+    /// <summary>The constant acceleration with which the ball would roll the same distance, in m/s²; negative (<c>acc_roll</c>).</summary>
     public double RollAcceleration { get; private init; }
 
     /// <summary>The fraction of the initial speed at which the ball begins to roll (<c>k_switch</c>).</summary>
@@ -33,7 +33,8 @@ public sealed record RobotSoccerModel
     /// <summary>The fraction of the horizontal speed that the first hop of a chip keeps (<c>damping_xy_first_hop</c>).</summary>
     public double FirstHopDamping { get; private init; }
 
-    /// <summary>The fraction that each of the other hops keeps (<c>damping_xy_other_hops</c>): their geometric mean, or 1 without other hops.</summary>
+    /// <summary>The fraction of the horizontal speed that each later hop keeps (<c>damping_xy_other_hops</c>): the geometric mean, or 1 without later
+    /// hops.</summary>
     public double OtherHopsDamping { get; private init; }
 
     /// <summary>The fraction of the vertical speed that a hop keeps (<c>damping_z</c>): the geometric mean of the hops of a chip.</summary>

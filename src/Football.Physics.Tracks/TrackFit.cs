@@ -2,10 +2,10 @@ namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates the launch of a ball and, on request, scene parameters, from tracked positions.</summary>
 /// <remarks>
-/// Least squares by the Gauss–Newton method, damped (Levenberg–Marquardt) if a step does not help. The derivatives are secants as wide as the
-/// uncertainty, because paths have kinks where a ball just stops slipping, or just bounces once more. The uncertainty is measured along each axis
-/// until the cost has risen, so it is valid even if the cost is not quadratic. For example, the product of spin and lift may be accurate although
-/// neither factor is. Not thread-safe: create one per thread.
+/// Least squares by the Gauss–Newton method, damped (Levenberg–Marquardt) if a step does not help. The derivatives are secants as wide as the uncertainty,
+/// because paths have kinks where a ball only just stops slipping, or only just bounces once more. The uncertainty is measured by moving along each axis until
+/// the cost has risen, so it is valid even if the cost is not quadratic. For example, the product of spin and lift may be accurate although neither factor is.
+/// Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class TrackFit
 {
@@ -28,7 +28,7 @@ public sealed class TrackFit
 
     private readonly Scene _scene;
 
-    /// <summary>Prepares for tracks of balls in a scene.</summary>
+    /// <summary>Creates a fit for tracks of balls in a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFit(Scene? scene = null)

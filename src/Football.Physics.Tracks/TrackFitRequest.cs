@@ -25,10 +25,10 @@ public sealed record TrackFitRequest
     /// <remarks>A track reveals little about spin along the velocity.</remarks>
     public double SpinDeviation { get; init; } = 60;
 
-    /// <summary>The prior standard deviation of the factors of drag, lift, restitution and friction, about 1. Above 0; default 0.3.</summary>
+    /// <summary>The prior standard deviation of the factors of drag, lift, restitution and friction, whose prior mean is 1. Above 0; default 0.3.</summary>
     public double FactorDeviation { get; init; } = 0.3;
 
-    /// <summary>Other balls that the tracked ball may have been. Default none.</summary>
+    /// <summary>Other balls that could be the tracked ball. Default none.</summary>
     /// <remarks>
     /// The fit is repeated with each of them, for <see cref="TrackFitResult.DeviationOverBalls"/>. The standard errors of a single fit contain only
     /// the noise: with a wrong ball they are four to twelve times too small.

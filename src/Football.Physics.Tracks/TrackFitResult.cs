@@ -1,7 +1,7 @@
 namespace FootballPhysics.Tracks;
 
 /// <summary>The launch estimated from a track, with its uncertainty.</summary>
-/// <remarks>Parameters are ordered: position, velocity and spin of the launch, then the requested factors.</remarks>
+/// <remarks>The parameters are, in order: position, velocity and spin of the launch, then the requested factors.</remarks>
 public sealed class TrackFitResult
 {
     /// <summary>1/√2: the track contributes as much information as the prior.</summary>
@@ -35,7 +35,7 @@ public sealed class TrackFitResult
     /// <summary>The names of the parameters.</summary>
     public IReadOnlyList<string> Names => _model.Names;
 
-    /// <summary>The time of the launch, which is that of the first track point, in s.</summary>
+    /// <summary>The time of the launch, in s; equal to that of the first track point.</summary>
     public double Time { get; }
 
     /// <summary>The position at the launch, in m.</summary>
@@ -48,7 +48,7 @@ public sealed class TrackFitResult
     public Vector3d Spin => new(_values[6], _values[7], _values[8]);
 
     /// <summary>The sum Σ (observed − fitted)²/noise² over all coordinates.</summary>
-    /// <remarks>It is about <see cref="DegreesOfFreedom"/> if scene and noise are correct.</remarks>
+    /// <remarks>The sum is about <see cref="DegreesOfFreedom"/> if the scene and the noise are correct.</remarks>
     public double ChiSquared { get; }
 
     /// <summary>The number of observed coordinates minus the number of parameters.</summary>
@@ -62,15 +62,17 @@ public sealed class TrackFitResult
 
     /// <summary>The spin of another launch that fits the track about as well, in rad/s; null if none was found.</summary>
     /// <remarks>
-    /// Its χ², including the prior, is within 9, and its spin differs by more than three standard deviations: it has another bounce.
+    /// The χ² of that launch, including the prior, is within 9 of the best, and its spin differs by more than three standard deviations. The ball bounces
+    /// differently in the two fits.
     /// </remarks>
     public Vector3d? OtherSpin { get; internal init; }
 
     /// <summary>The fits with the other balls (<see cref="TrackFitRequest.OtherBalls"/>).</summary>
     public IReadOnlyList<TrackFitByBall> ByBall { get; internal init; } = [];
 
-    /// <summary>The probability of an equal or larger χ² if scene and noise are correct, 0 … 1.</summary>
-    /// <remarks>By the approximation of Wilson and Hilferty. A value below 0.001 means that scene or noise are wrong.</remarks>
+    /// <summary>The probability of an equal or larger χ² if the scene and the noise are correct, 0 … 1.</summary>
+    /// <remarks>The probability is computed by the approximation of Wilson and Hilferty. A value below 0.001 means that the scene or the noise is
+    /// wrong.</remarks>
     public double Probability => ProbabilityOf(ChiSquared);
 
     /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
@@ -103,7 +105,7 @@ public sealed class TrackFitResult
 
     /// <summary>Returns the standard deviation of a parameter including the uncertainty of the ball.</summary>
     /// <remarks>
-    /// It combines the noise with the differences between the balls that fit no worse (χ² within 9). Without other balls in the request it equals
+    /// The deviation combines the noise with the differences between the balls that fit no worse (χ² within 9). If the request has no other balls, it equals
     /// <see cref="StandardError"/>.
     /// </remarks>
     /// <param name="index">The index of the parameter, from 0.</param>
@@ -190,7 +192,7 @@ public enum TrackVerdict
     /// <summary>χ² is smaller than noise produces once in 1000 tracks: the actual noise is smaller than stated.</summary>
     NoiseOverestimated = 2,
 
-    /// <summary>Another launch, with another bounce, fits about as well.</summary>
+    /// <summary>Another launch, which bounces differently, fits about as well.</summary>
     Ambiguous = 3,
 
     /// <summary>One of the other balls fits better.</summary>
@@ -204,5 +206,5 @@ public enum TrackVerdict
 /// <param name="Ball">The ball.</param>
 /// <param name="Values">The parameters, in the order of <see cref="TrackFitResult.Names"/>.</param>
 /// <param name="ChiSquared">The χ² of the fit.</param>
-/// <param name="DeltaChiSquared">The increase of χ², including the prior, against the main fit; negative if this ball fits better.</param>
+/// <param name="DeltaChiSquared">The increase of χ², including the prior, over the main fit; negative if this ball fits better.</param>
 public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double DeltaChiSquared);

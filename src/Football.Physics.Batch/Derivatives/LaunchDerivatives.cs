@@ -1,10 +1,10 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Computes the derivatives of a ball's motion by its launch, in a single run.</summary>
+/// <summary>Computes the derivatives of a ball's motion with respect to its launch, in a single run.</summary>
 /// <remarks>
-/// Along plain flight it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. Slides, rolls, nets and all
-/// else are differentiated by differences of the steps.
-/// <para>The run is the simulator's own, step by step. Create one per thread and reuse it: runs do not allocate.</para>
+/// In free flight, it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. All other motion, such as
+/// slides, rolls and nets, is differentiated by finite differences of the steps.
+/// <para>The run takes the simulator's own steps. Create one per thread and reuse it: runs do not allocate.</para>
 /// </remarks>
 public sealed class LaunchDerivatives
 {
@@ -37,47 +37,47 @@ public sealed class LaunchDerivatives
     /// <summary>The simulator.</summary>
     public Simulator Simulator { get; }
 
-    /// <summary>The derivative of the final position by the launch position.</summary>
+    /// <summary>The derivative of the final position with respect to the launch position.</summary>
     public Matrix3d PositionByPosition => _observer.Tangent.Block(0, 0);
 
-    /// <summary>The derivative of the final position by the launch velocity, in s.</summary>
+    /// <summary>The derivative of the final position with respect to the launch velocity, in s.</summary>
     public Matrix3d PositionByVelocity => _observer.Tangent.Block(0, MotionVector.Velocity);
 
-    /// <summary>The derivative of the final position by the launch spin, in m s/rad.</summary>
+    /// <summary>The derivative of the final position with respect to the launch spin, in m s/rad.</summary>
     /// <remarks>Under the published laws it is meaningless without spin, because their lift is not smooth there.</remarks>
     public Matrix3d PositionBySpin => _observer.Tangent.Block(0, MotionVector.Spin);
 
-    /// <summary>The derivative of the final velocity by the launch position, in 1/s.</summary>
-    /// <remarks>At an event, the final velocity is that just before it.</remarks>
+    /// <summary>The derivative of the final velocity with respect to the launch position, in 1/s.</summary>
+    /// <remarks>If an event ends the run, the final velocity is that just before the event.</remarks>
     public Matrix3d VelocityByPosition => _observer.Tangent.Block(MotionVector.Velocity, 0);
 
-    /// <summary>The derivative of the final velocity by the launch velocity.</summary>
-    /// <remarks>At an event, the final velocity is that just before it.</remarks>
+    /// <summary>The derivative of the final velocity with respect to the launch velocity.</summary>
+    /// <remarks>If an event ends the run, the final velocity is that just before the event.</remarks>
     public Matrix3d VelocityByVelocity => _observer.Tangent.Block(MotionVector.Velocity, MotionVector.Velocity);
 
-    /// <summary>The derivative of the final velocity by the launch spin, in m/rad.</summary>
-    /// <remarks>At an event, the final velocity is that just before it.</remarks>
+    /// <summary>The derivative of the final velocity with respect to the launch spin, in m/rad.</summary>
+    /// <remarks>If an event ends the run, the final velocity is that just before the event.</remarks>
     public Matrix3d VelocityBySpin => _observer.Tangent.Block(MotionVector.Velocity, MotionVector.Spin);
 
-    /// <summary>The derivative of the end time by the launch position, in s/m; zero if no event ended the run.</summary>
+    /// <summary>The derivative of the end time with respect to the launch position, in s/m; zero if no event ended the run.</summary>
     public Vector3d TimeByPosition { get; private set; }
 
-    /// <summary>The derivative of the end time by the launch velocity, in s²/m.</summary>
+    /// <summary>The derivative of the end time with respect to the launch velocity, in s²/m.</summary>
     public Vector3d TimeByVelocity { get; private set; }
 
-    /// <summary>The derivative of the end time by the launch spin, in s²/rad.</summary>
+    /// <summary>The derivative of the end time with respect to the launch spin, in s²/rad.</summary>
     public Vector3d TimeBySpin { get; private set; }
 
     /// <summary>The events of the last run, in order of time.</summary>
     public EventBuffer Events => _log.Events;
 
-    /// <summary>Runs a ball to an event or a time, and computes the derivatives by its launch.</summary>
-    /// <remarks>If an event ends the run, the derivatives are those at the event, including the change of its time.</remarks>
-    /// <param name="state">The ball, whose current motion is the launch. If an event ends the run, it returns as just after the event.</param>
+    /// <summary>Runs a ball to an event or a time, and computes the derivatives with respect to its launch.</summary>
+    /// <remarks>If an event ends the run, the derivatives are those at the event, and include the change in its time.</remarks>
+    /// <param name="state">The ball, whose current motion is the launch. If an event ends the run, this is the state just after the event.</param>
     /// <param name="timeStep">The length of a step, in s; above 0, at most 1e12. The last step is shortened.</param>
     /// <param name="duration">The longest run, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
-    /// <returns>True if the event ended the run, false if the time was up.</returns>
+    /// <returns>True if the event ended the run; false if the time ran out.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt)
     {

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>A 3×3 matrix, such as the derivative of one vector by another.</summary>
-/// <remarks>For a derivative, entry (i, j) is the change of component i with component j of the other vector.</remarks>
+/// <summary>A 3×3 matrix, such as the derivative of one vector with respect to another.</summary>
+/// <remarks>For a derivative, entry (i, j) is the derivative of component i with respect to component j of the other vector.</remarks>
 public readonly struct Matrix3d
 {
     /// <summary>Creates a matrix from its rows.</summary>

@@ -2,11 +2,12 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Finds the pass that a team mate can reach earliest, before any opponent, in the air or on the ground.</summary>
 /// <remarks>
-/// A pass in the air must be reached before it lands, a pass on the ground before it rests. SIMD lanes simulate the passes in the air; passes on
-/// the ground are stepped. At each step, the search bounds the earliest time at which any team mate can reach each pass, and detects certain interceptions. It then judges the kicks on
-/// their exact paths, in the order of these bounds, until no other can be better. The result equals that of judging every kick.
-/// <para>Without team mates, it returns the kick that no opponent can reach and that lands, or comes to rest on the ground, closest to a target. A pass
-/// that first hits an object of the scene, such as a post, a board or a net, does not count.
+/// A team mate must reach a pass in the air before it lands, and a pass on the ground before it comes to rest. SIMD lanes simulate the passes in the air;
+/// passes on the ground are simulated step by step. At each step, the search bounds the earliest time at which any team mate can reach each pass, and detects
+/// certain interceptions. It then evaluates the kicks on their exact paths, in the order of these bounds, until no other kick can be better. The result is the
+/// same as if every kick were evaluated.
+/// <para>Without team mates, the search considers kicks that no opponent can reach, and returns the one that lands, or comes to rest on the ground, closest to
+/// a target. A pass that first hits an object of the scene, such as a post, a board or a net, is rejected.
 /// Create one per scene and reuse it: searches with the same duration do not allocate. Not thread-safe. The constructor throws for scenes that
 /// lanes do not support (see <see cref="BallBatch"/>), and for scenes with bodies or engine colliders.</para>
 /// </remarks>
@@ -61,8 +62,8 @@ public sealed class PassFan
 
     /// <summary>Finds the best pass.</summary>
     /// <param name="request">The passes to try.</param>
-    /// <param name="mates">The team mates at the kick; can be empty.</param>
-    /// <param name="opponents">The opponents at the kick; can be empty.</param>
+    /// <param name="mates">The team mates at the time of the kick; may be empty.</param>
+    /// <param name="opponents">The opponents at the time of the kick; may be empty.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public PassResult Find(PassFanRequest request, Player[] mates, Player[] opponents)

@@ -2,7 +2,8 @@ namespace FootballPhysics.Batch;
 
 /// <summary>The passes to try: kicks of all speeds, elevations and directions of a fan.</summary>
 /// <remarks>
-/// A kick of a ball on the ground stays on the ground if its upward speed is below <see cref="Ground.MinimumBounceSpeed"/>, as at elevation 0. It slides, then rolls.
+/// A ball kicked from the ground stays on the ground if its upward speed is below <see cref="Ground.MinimumBounceSpeed"/>, as at elevation 0. It then slides,
+/// and later rolls.
 /// </remarks>
 public sealed record PassFanRequest
 {
@@ -17,7 +18,7 @@ public sealed record PassFanRequest
     /// <summary>The position of the ball, in m; components within ±1e6.</summary>
     public required Vector3d From { get; init; }
 
-    /// <summary>The central direction. Only its horizontal part counts, which must not be zero.</summary>
+    /// <summary>The central direction. Only its horizontal part is used, which must not be zero.</summary>
     public required Vector3d Direction { get; init; }
 
     /// <summary>The angle of the entire fan, in degrees. 0 … 360; default 90.</summary>
@@ -54,7 +55,7 @@ public sealed record PassFanRequest
     public double Margin { get; init; } = 0.1;
 
     /// <summary>The target if there are no team mates, in m.</summary>
-    /// <remarks>The pass should land there, or on the ground come to rest there. Default: the position of the ball.</remarks>
+    /// <remarks>A pass in the air should land there; a pass on the ground should come to rest there. Default: the position of the ball.</remarks>
     public Vector3d? Target { get; init; }
 
     /// <summary>The time within which a player must reach the ball, in s. Above 0, at most 60; default 8.</summary>

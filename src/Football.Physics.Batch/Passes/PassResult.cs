@@ -15,19 +15,19 @@ public readonly struct PassResult
     /// <summary>The index of the team mate who reaches the ball first; −1 if none were given.</summary>
     public int Receiver { get; init; }
 
-    /// <summary>The point and time at which he reaches the ball.</summary>
-    /// <remarks>Without team mates: where it lands, or comes to rest on the ground.</remarks>
+    /// <summary>The point and time at which the team mate reaches the ball.</summary>
+    /// <remarks>Without team mates, this is the point at which the ball lands, or comes to rest on the ground.</remarks>
     public PathPoint Meeting { get; init; }
 
     /// <summary>The lead over the fastest opponent, in s; infinite if no opponent can reach the ball.</summary>
-    /// <remarks>Opponents count until the ball lands, or on the ground until it rests, for at most <see cref="PassFanRequest.Duration"/>.</remarks>
+    /// <remarks>Opponents are considered until the ball lands, or comes to rest on the ground, for at most <see cref="PassFanRequest.Duration"/>.</remarks>
     public double TimeMargin { get; init; }
 
     /// <summary>The number of simulated kicks.</summary>
     public int Kicks { get; init; }
 
     /// <summary>The number of kicks that a team mate seems to reach before any opponent.</summary>
-    /// <remarks>Without team mates: those that no opponent seems to reach.</remarks>
+    /// <remarks>Without team mates, this is the number of kicks that no opponent seems to reach.</remarks>
     public int Open { get; init; }
 
     /// <inheritdoc/>

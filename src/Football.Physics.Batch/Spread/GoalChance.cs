@@ -1,8 +1,8 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>Computes how a player's kicks spread on the plane of a goal, and their probability of a goal.</summary>
+/// <summary>Computes how a player's kicks spread on the plane of a goal, and the probability that they score.</summary>
 /// <remarks>
-/// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations check this. Otherwise it
+/// If the spread is small, the derivatives of the intended kick map it to an ellipse; test kicks at two standard deviations verify this. Otherwise it
 /// simulates random kicks, at most <see cref="GoalChanceRequest.Kicks"/>. Equal requests give bit-identical results on every machine. Create one per
 /// scene and reuse it. Not thread-safe.
 /// </remarks>
@@ -60,7 +60,7 @@ public sealed partial class GoalChance
     /// <param name="spin">The intended spin, in rad/s.</param>
     /// <param name="spread">The spread of the player's kicks.</param>
     /// <param name="goal">The goal.</param>
-    /// <param name="keeper">The goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
+    /// <param name="keeper">The goalkeeper at the time of the kick, with the reach and heights of his dive; default none.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     public GoalChanceResult Find(Vector3d position, Vector3d velocity, Vector3d spin, KickSpread spread, Goal goal, Player? keeper = null) =>
@@ -72,7 +72,7 @@ public sealed partial class GoalChance
     /// <param name="spin">The intended spin, in rad/s.</param>
     /// <param name="spread">The spread of the player's kicks.</param>
     /// <param name="goal">The goal.</param>
-    /// <param name="keeper">The goalkeeper at the kick, with the reach and heights of his dive; default none.</param>
+    /// <param name="keeper">The goalkeeper at the time of the kick, with the reach and heights of his dive; default none.</param>
     /// <param name="count">The number of kicks; 2 … 100 000 000, default 2000.</param>
     /// <param name="seed">The seed of the random kicks; equal seeds give equal kicks.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>

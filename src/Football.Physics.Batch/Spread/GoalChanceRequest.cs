@@ -24,11 +24,12 @@ public sealed record GoalChanceRequest
     /// <summary>The goal.</summary>
     public required Goal Goal { get; init; }
 
-    /// <summary>The goalkeeper at the kick, with the reach and heights of his dive; default none.</summary>
+    /// <summary>The goalkeeper at the time of the kick, with the reach and heights of his dive; default none.</summary>
     public Player? Keeper { get; init; }
 
     /// <summary>The number of kicks to simulate if derivatives are not accurate. 2 … 100 000 000; default 2000.</summary>
-    /// <remarks>A kick takes 2 to 6 µs; kicks near the frame of the goal take longest. The error falls at least with the square root of the number.</remarks>
+    /// <remarks>A kick takes 2 to 6 µs; kicks near the frame of the goal take longest. The error falls at least in proportion to the inverse square root of the
+    /// number.</remarks>
     public int Kicks { get; init; } = DefaultKicks;
 
     /// <summary>The seed of the random kicks; default 0. Equal seeds give equal kicks.</summary>

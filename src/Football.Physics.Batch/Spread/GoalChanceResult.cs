@@ -6,14 +6,14 @@ public readonly record struct GoalChanceResult
     /// <summary>The method that computed the result.</summary>
     public GoalChanceMethod Method { get; init; }
 
-    /// <summary>The number of simulated kicks: random kicks, or with derivatives the test kicks.</summary>
+    /// <summary>The number of simulated kicks: the random kicks, or the test kicks if derivatives were used.</summary>
     public int Kicks { get; init; }
 
-    /// <summary>The standard error of <see cref="Scores"/> from the finite number of kicks, 0 … 1; with derivatives 0.</summary>
+    /// <summary>The standard error of <see cref="Scores"/> from the finite number of kicks, 0 … 1; 0 if derivatives were used.</summary>
     /// <remarks>The error of derivatives is not random; it is at most about 0.005.</remarks>
     public double StandardError { get; init; }
 
-    /// <summary>The share of the kicks that cross the plane, 0 … 1; the numbers below refer to these.</summary>
+    /// <summary>The share of the kicks that cross the plane, 0 … 1; the following statistics refer to these kicks.</summary>
     public double Crosses { get; init; }
 
     /// <summary>The mean offset to the right of the goal's centre, in m, as the goalkeeper sees it.</summary>

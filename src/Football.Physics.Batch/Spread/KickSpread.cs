@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The spread of a player's kicks: normal deviations of speed, direction and spin, with correlations.</summary>
+/// <summary>The spread of a player's kicks: normally distributed errors of speed, direction and spin, with correlations.</summary>
 public sealed record KickSpread
 {
     /// <summary>The number of variables that spread: relative speed, elevation, azimuth, relative spin.</summary>
@@ -36,8 +36,9 @@ public sealed record KickSpread
     /// <summary>The correlation of azimuth and spin. −1 … 1; default 0.</summary>
     public double AzimuthWithSpin { get; init; }
 
-    /// <summary>Checks every number.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the correlations contradict each other; the message names field, value and range.</exception>
+    /// <summary>Throws if a number is out of range, or if the correlations contradict each other.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the correlations contradict each other; the message names field, value and
+    /// range.</exception>
     public void Validate() => Factor(new double[Count * Count]);
 
     /// <summary>Draws one kick: the intended one with random errors of speed, direction and spin.</summary>

@@ -5,15 +5,15 @@ namespace FootballPhysics.Aiming;
 public sealed record AimRequest
 {
     /// <summary>The position of the ball, in m; components within ±1e6. Default: the origin.</summary>
-    /// <remarks>A position too low for the ball is raised vertically until the ball rests on the ground.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3d From { get; init; }
 
     /// <summary>The target, in m; components within ±1e6. Required.</summary>
-    /// <remarks>A position too low for the ball is raised vertically until the ball rests on the ground.</remarks>
+    /// <remarks>If the ball would overlap the ground there, the position is raised vertically onto it.</remarks>
     public Vector3d Target { get; init; } = new(double.NaN, double.NaN, double.NaN);
 
     /// <summary>The velocity of the target, in m/s; at most 1000. Default: at rest.</summary>
-    /// <remarks>Used by <see cref="Aimer"/> without a waypoint.</remarks>
+    /// <remarks>Used by <see cref="Aimer"/> if the request has no waypoint.</remarks>
     public Vector3d TargetVelocity { get; init; }
 
     /// <summary>A waypoint that the ball must pass before the target, in m; default none.</summary>
@@ -23,11 +23,11 @@ public sealed record AimRequest
     public double Speed { get; init; } = 25;
 
     /// <summary>The topspin, in rad/s. Within ±10 000; default 0.</summary>
-    /// <remarks>With a waypoint it is only the initial value of the search.</remarks>
+    /// <remarks>With a waypoint, this is only the initial value of the search.</remarks>
     public double TopSpin { get; init; }
 
     /// <summary>The sidespin, in rad/s. Within ±10 000; default 0.</summary>
-    /// <remarks>With a waypoint it is only the initial value of the search.</remarks>
+    /// <remarks>With a waypoint, this is only the initial value of the search.</remarks>
     public double SideSpin { get; init; }
 
     /// <summary>The minimum elevation, in degrees. −90 … 90; default 0.</summary>
@@ -42,7 +42,7 @@ public sealed record AimRequest
     /// <summary>The maximum sidespin of a kick with a waypoint, in rad/s. 0 … 10 000; default 40.</summary>
     public double MaximumSideSpin { get; init; } = 40;
 
-    /// <summary>The distance from the target that counts as a hit, in m. Above 0; default 0.01.</summary>
+    /// <summary>The maximum distance from the target for a hit, in m. Above 0; default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>The tolerance at the waypoint, in m. Above 0; default 0.1.</summary>
@@ -50,8 +50,8 @@ public sealed record AimRequest
 
     /// <summary>The maximum number of iterations. At least 1; default 60.</summary>
     /// <remarks>
-    /// In <see cref="Aimer"/>, a flight and its correction are one iteration; in searches over elevations, directions and times, 16 flights are.
-    /// After this number of iterations, or 200 000 path segments, the search gives up.
+    /// In <see cref="Aimer"/>, one iteration is a flight and its correction. In searches over elevations, directions or times, one iteration is 16 flights. The
+    /// search gives up after this number of iterations or 200 000 path segments.
     /// </remarks>
     public int MaximumIterations { get; init; } = 60;
 
@@ -64,7 +64,7 @@ public sealed record AimRequest
 
     /// <summary>True if the search may change the spin to bend a kick around an obstacle. Default false.</summary>
     /// <remarks>
-    /// The spin stays within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>. Used by <see cref="Aimer"/> without a waypoint.
+    /// The spin stays within <see cref="MaximumTopSpin"/> and <see cref="MaximumSideSpin"/>. Used by <see cref="Aimer"/> if the request has no waypoint.
     /// </remarks>
     public bool SpinIsFree { get; init; }
 

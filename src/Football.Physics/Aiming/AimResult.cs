@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a kick.</summary>
-/// <remarks>Whatever the status, it contains the best kick found, and that kick is finite.</remarks>
+/// <remarks>Whatever the status, the result contains the best kick found, with finite numbers.</remarks>
 public readonly struct AimResult : IFormattable
 {
     private const double Degrees = 180.0 / Math.PI;
@@ -62,7 +62,7 @@ public readonly struct AimResult : IFormattable
     public double SideSpin => Spin.Y;
 
     /// <summary>The distance from the ball to the target at the closest approach before the first impact, in m.</summary>
-    /// <remarks>It is an estimate if no measurement was requested. If the arrival time is fixed, it is the distance at that time.</remarks>
+    /// <remarks>If no measurement was requested, this is an estimate. If the arrival time is fixed, this is the distance at that time.</remarks>
     public double Miss { get; init; }
 
     /// <summary>The distance from the ball to the waypoint at the closest approach, in m; null without a waypoint.</summary>
@@ -74,14 +74,14 @@ public readonly struct AimResult : IFormattable
     /// <summary>The position of the ball at the closest approach, in m.</summary>
     public Vector3d Closest { get; init; }
 
-    /// <summary>If the kick hits, its arc: two kicks at this speed can reach the target, one on each arc.</summary>
-    /// <remarks>It differs from the requested arc if only the other kick is within the bounds.</remarks>
+    /// <summary>The arc of a kick that hits. Two kicks at this speed can reach the target, one on each arc.</summary>
+    /// <remarks>The arc differs from the requested one if only the other kick is within the bounds.</remarks>
     public AimArc Arc { get; init; }
 
-    /// <summary>True if the ball never leaves the ground, but slides or rolls to the target.</summary>
+    /// <summary>True if the ball stays on the ground and slides or rolls to the target.</summary>
     public bool Rolls { get; init; }
 
-    /// <summary>The number of iterations of the method.</summary>
+    /// <summary>The number of iterations performed.</summary>
     public int Iterations { get; init; }
 
     /// <summary>The number of forward simulations, not including the measurement of the miss.</summary>
@@ -116,10 +116,11 @@ public enum AimStatus
     /// <summary>The kick passes within tolerance of the target, and of the waypoint if there is one.</summary>
     Hit = 0,
 
-    /// <summary>No kick within the bounds hits; the result is the closest kick that the method found.</summary>
+    /// <summary>No kick within the bounds hits the target; the result is the closest kick found.</summary>
     OutOfReach = 1,
 
-    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the error of its steps.</summary>
+    /// <summary>The search reached <see cref="AimRequest.MaximumIterations"/>, or the remaining miss is smaller than the integration error of the
+    /// search.</summary>
     /// <remarks>The result is the best kick found.</remarks>
     NotConverged = 2,
 

@@ -15,8 +15,8 @@ public sealed partial class Aimer
     private ArrivalTimes? _arrivals;
 
     /// <summary>Finds the kick that arrives at a target at a given speed.</summary>
-    /// <remarks>If a kick along the ground can reach a target on the ground at this speed, it is used. Otherwise the kick flies, and the speed is
-    /// that just before the ball touches the ground.</remarks>
+    /// <remarks>If the target is on the ground and a kick along the ground can arrive at this speed, that kick is used. Otherwise the kick flies, and the speed
+    /// applies just before the ball touches the ground.</remarks>
     /// <param name="request">The request, without a waypoint; its speed is the maximum allowed.</param>
     /// <param name="speed">The speed of the ball at the target, in m/s; above 0, at most 1000.</param>
     /// <returns>The kick; its velocity contains its speed. Out of reach if no kick arrives at this speed.</returns>

@@ -120,7 +120,7 @@ public sealed partial class Aimer
         return result;
     }
 
-    /// <summary>Runs every kind of search once, so that no frame of a game has to compile the code.</summary>
+    /// <summary>Runs every kind of search once, so that the code is compiled before your game needs it.</summary>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public void WarmUp()
     {

@@ -4,8 +4,8 @@ namespace FootballPhysics;
 
 /// <summary>An event within a step, with its exact time and position.</summary>
 /// <remarks>
-/// For an impact, the velocity is taken right after the impulse, even if the ball then stays down and loses its normal part. A rest reports the velocity and
-/// spin at which the ball came to rest.
+/// For an impact, the velocity is that just after the impulse. If the ball then stays on the surface, it loses the normal component of this velocity. A rest
+/// event reports the velocity and spin at which the ball came to rest.
 /// </remarks>
 public readonly struct BallEvent : IFormattable
 {
@@ -50,10 +50,10 @@ public readonly struct BallEvent : IFormattable
     /// <summary>The kind of the event.</summary>
     public BallEventKind Kind => (BallEventKind)_kind;
 
-    /// <summary>The index of the object that was hit, or passed, or that supports the ball; −1 if there is none.</summary>
+    /// <summary>The index of the object that the ball hit or passed, or that supports the ball; −1 if there is none.</summary>
     /// <remarks>
-    /// 0 is the ground, followed by the obstacles in order, the posts and crossbars of the goals, the bodies, all nets, the goals and the zones. An engine collider
-    /// has a much larger number, a hash of its name. The simulator returns the name of an index.
+    /// Index 0 is the ground, followed by the obstacles in order, the posts and crossbars of the goals, the bodies, all nets, the goals and the zones. The
+    /// index of an engine collider is much larger: a hash of its name. The simulator returns the name for an index.
     /// </remarks>
     public int ColliderIndex { get; internal init; }
 
@@ -78,7 +78,7 @@ public readonly struct BallEvent : IFormattable
     public Vector3d VelocityBefore { get; }
 
     /// <summary>The spin just before the event, in rad/s.</summary>
-    /// <remarks>It differs from <see cref="Spin"/> at impacts, and by a vanishing slip at the start of a roll.</remarks>
+    /// <remarks>This value differs from <see cref="Spin"/> at impacts and, by a negligible amount, at the start of a roll.</remarks>
     public Vector3d SpinBefore { get; }
 
     /// <summary>The velocity just after the event, in m/s.</summary>
@@ -98,10 +98,10 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>The speed of the ball along the normal just before the event, in m/s.</summary>
-    /// <remarks>Use it to scale the volume of a bounce sound. It ignores the velocity of the object.</remarks>
+    /// <remarks>Use it to scale the volume of a bounce sound. The velocity of the object is ignored.</remarks>
     public double ApproachSpeed => Math.Abs(Vector3d.Dot(VelocityBefore, Normal));
 
-    /// <summary>The speed of the ball's centre that the event removed, in m/s.</summary>
+    /// <summary>The speed that the ball's centre lost in the event, in m/s.</summary>
     public double SpeedLost => VelocityBefore.Length - Velocity.Length;
 
     /// <summary>Returns the slip of the ball's contact point just before the event, in m/s.</summary>
@@ -124,10 +124,11 @@ public readonly struct BallEvent : IFormattable
     }
 
     /// <summary>The energy that a bumper added, in J; 0 for all other events.</summary>
-    /// <remarks>½ m (w'² − w²), where w is the speed along the normal relative to the bumper. If the bumper has a mass M, m/(1 + m/M) replaces m.</remarks>
+    /// <remarks>The energy is ½ m (w'² − w²), where w is the speed along the normal relative to the bumper. If the bumper has a mass M, m/(1 + m/M) replaces
+    /// m.</remarks>
     public double AddedEnergy { get; internal init; }
 
-    /// <summary>Returns the kinetic and rotational energy that the event removed, in J.</summary>
+    /// <summary>Returns the translational and rotational energy that the ball lost in the event, in J.</summary>
     /// <param name="ball">The ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="ball"/> is null.</exception>
     public double EnergyLost(BallProperties ball)
@@ -143,10 +144,10 @@ public readonly struct BallEvent : IFormattable
         return 0.5 * ((ball.Mass * linear) + (ball.MomentOfInertia * angular));
     }
 
-    /// <summary>Formats kind, time, position and velocity.</summary>
+    /// <summary>Formats the kind, time, position and velocity.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Formats kind, time, position and velocity with a number format.</summary>
+    /// <summary>Formats the kind, time, position and velocity with a number format.</summary>
     /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)

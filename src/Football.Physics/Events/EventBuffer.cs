@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace FootballPhysics;
 
-/// <summary>A buffer of events in the order of their times. A step writes it; read it after the step.</summary>
+/// <summary>A buffer of events in order of time. A step fills the buffer; read it after the step.</summary>
 /// <remarks>
-/// It grows up to <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it, and keeps its memory. If more events happen, it keeps the first
-/// and the most recent ones, and <see cref="Dropped"/> counts the rest.
+/// The buffer never grows beyond <see cref="MaximumCount"/> events (80 kB by default), even if you never clear it. It does not release memory. If more
+/// events occur, it keeps the first and the most recent ones; <see cref="Dropped"/> is the number of the others.
 /// </remarks>
 public sealed class EventBuffer
 {
@@ -35,13 +35,13 @@ public sealed class EventBuffer
     /// <summary>The number of events in the buffer.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The number of events dropped between the first ones and the last <see cref="TailCount"/>.</summary>
+    /// <summary>The number of events dropped between the first events and the last <see cref="TailCount"/> events.</summary>
     public long Dropped { get; private set; }
 
     /// <summary>The events, first to last; valid until the next step or <see cref="Clear"/>.</summary>
     public ReadOnlySpan<BallEvent> Span => _events.AsSpan(0, Count);
 
-    /// <summary>Gets one event.</summary>
+    /// <summary>Gets the event at an index.</summary>
     /// <param name="index">The index, from 0 to <see cref="Count"/> − 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The index is out of range.</exception>
     public ref readonly BallEvent this[int index]
@@ -60,7 +60,7 @@ public sealed class EventBuffer
     /// <summary>The number of impacts since the last <see cref="Clear"/>, including dropped ones.</summary>
     public long Impacts { get; private set; }
 
-    /// <summary>Removes all events; keeps the memory.</summary>
+    /// <summary>Removes all events, but keeps the memory.</summary>
     public void Clear()
     {
         Count = 0;

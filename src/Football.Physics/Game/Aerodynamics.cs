@@ -1,10 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>Computes the air's force and torque on a ball that an engine's rigid body or your own integrator moves.</summary>
+/// <summary>Computes the force and torque of the air on a ball that is moved by a physics engine or your own integrator.</summary>
 /// <remarks>
-/// It applies the scene's drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in <see cref="Simulator"/>.
-/// Gravity is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it.
-/// Ground, obstacles and nets are ignored. It is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene are.
+/// The result includes drag, Magnus force, spin decay, wind, knuckle force and custom forces, by the same laws as a flight in <see cref="Simulator"/>. Gravity
+/// is not included, because engines apply their own. Buoyancy is not included either: add <see cref="Buoyancy"/> if you want it. Ground, obstacles and nets are
+/// ignored. The object is immutable and does not allocate. It is thread-safe if the wind and the custom forces of the scene are thread-safe.
 /// </remarks>
 public sealed class Aerodynamics
 {
@@ -45,12 +45,14 @@ public sealed class Aerodynamics
     public Vector3d Buoyancy { get; }
 
     /// <summary>Computes the force and the torque on a ball at one instant.</summary>
-    /// <param name="position">Position of the centre, m; components within ±1e6. Only custom forces and a wind that varies by position depend on it.</param>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
-    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
-    /// <param name="time">Time, s; 0 … 1e12. Only custom forces and a wind that varies over time depend on it.</param>
-    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m; 0 … 1e45. Only the knuckle force depends on it.</param>
-    /// <returns>The force, N, and the torque, N m, for the mass and the moment of inertia of the scene's ball.</returns>
+    /// <param name="position">The position of the centre, in m; components within ±1e6. Only custom forces and a wind that varies by position depend on
+    /// it.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
+    /// <param name="spin">The spin, in rad/s; at most 10 000.</param>
+    /// <param name="time">The time, in s; 0 … 1e12. Only custom forces and a wind that varies over time depend on it.</param>
+    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, in m; 0 … 1e45. Only the knuckle force depends on
+    /// it.</param>
+    /// <returns>The force, in N, and the torque, in N m, for the mass and the moment of inertia of the scene's ball.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public ForceAndTorque Evaluate(Vector3d position, Vector3d velocity, Vector3d spin, double time = 0, double airDistance = 0)
@@ -62,12 +64,12 @@ public sealed class Aerodynamics
     }
 
     /// <summary>Computes the force and the torque on many balls at one instant. The balls do not affect each other.</summary>
-    /// <param name="positions">Positions of the centres, m.</param>
-    /// <param name="velocities">Velocities, m/s; one per ball.</param>
-    /// <param name="spins">Spins, rad/s; one per ball.</param>
-    /// <param name="time">Time, s.</param>
+    /// <param name="positions">The positions of the centres, in m.</param>
+    /// <param name="velocities">The velocities, in m/s; one per ball.</param>
+    /// <param name="spins">The spins, in rad/s; one per ball.</param>
+    /// <param name="time">The time, in s.</param>
     /// <param name="loads">Receives the force and the torque of each ball.</param>
-    /// <param name="airDistances">Distances flown through the air, m; one per ball. Empty means 0 for all balls.</param>
+    /// <param name="airDistances">The distances flown through the air, in m; one per ball. Empty means 0 for all balls.</param>
     /// <exception cref="ArgumentException">The spans do not have the same length.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it. Nothing has been written.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite. The loads of earlier balls have been written.</exception>
@@ -105,17 +107,17 @@ public sealed class Aerodynamics
         }
     }
 
-    /// <summary>Returns the velocity to set at a kick if an engine uses the semi-implicit Euler method: the velocity half a step earlier.</summary>
+    /// <summary>Returns the velocity to set at a kick in an engine that uses semi-implicit Euler: the velocity half a step earlier.</summary>
     /// <remarks>
     /// Such an engine adds a whole step of acceleration before it moves the body, which is half a step too much. Without this correction, a ball in vacuum lands short by the
     /// distance that it covers in one step. Call it once per kick.
     /// </remarks>
-    /// <param name="position">Position of the centre, m.</param>
-    /// <param name="velocity">The velocity that the kick gives the ball, m/s.</param>
-    /// <param name="spin">The spin that the kick gives the ball, rad/s.</param>
-    /// <param name="step">Length of the engine's step, s; 0 … 1.</param>
-    /// <param name="gravity">The engine's gravitational acceleration, m/s².</param>
-    /// <param name="time">Time, s.</param>
+    /// <param name="position">The position of the centre, in m.</param>
+    /// <param name="velocity">The velocity that the kick gives the ball, in m/s.</param>
+    /// <param name="spin">The spin that the kick gives the ball, in rad/s.</param>
+    /// <param name="step">The length of the engine's step, in s; 0 … 1.</param>
+    /// <param name="gravity">The engine's gravitational acceleration, in m/s².</param>
+    /// <param name="time">The time, in s.</param>
     /// <returns>v − ½ Δt (g + F/m), with the force F of the air at the kick.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public Vector3d KickVelocity(Vector3d position, Vector3d velocity, Vector3d spin, double step, Vector3d gravity, double time = 0)
@@ -125,19 +127,21 @@ public sealed class Aerodynamics
         return velocity - (0.5 * step * (gravity + (Evaluate(position, velocity, spin, time).Force / _mass)));
     }
 
-    /// <summary>Computes the force and the torque for the next step of an engine that uses the semi-implicit Euler method, for a ball kicked with <see cref="KickVelocity"/>.</summary>
+    /// <summary>Computes the force and the torque for the next step of an engine that uses semi-implicit Euler, after a kick with
+    /// <see cref="KickVelocity"/>.</summary>
     /// <remarks>
-    /// The velocity of such a body is half a step behind its position, so this method evaluates the air half a step ahead of that velocity. Together, both corrections make
-    /// the engine's steps second-order accurate: at 240 steps per second, the path differs from the library's flight by millimetres at 30 m. It costs two evaluations.
+    /// In such an engine, the velocity is half a step behind the position. This method therefore evaluates the air forces at a velocity advanced by half a
+    /// step. The two corrections together make the engine's steps second-order accurate. At 240 steps per second, the path differs from the library's flight by
+    /// millimetres at 30 m. A call costs two evaluations.
     /// </remarks>
-    /// <param name="position">Position of the centre, m.</param>
-    /// <param name="velocity">The engine's velocity of the body, m/s.</param>
-    /// <param name="spin">Spin, rad/s.</param>
-    /// <param name="step">Length of the engine's step, s; 0 … 1.</param>
-    /// <param name="gravity">The engine's gravitational acceleration, m/s².</param>
-    /// <param name="time">Time, s.</param>
-    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, m.</param>
-    /// <returns>The force, N, and the torque, N m.</returns>
+    /// <param name="position">The position of the centre, in m.</param>
+    /// <param name="velocity">The engine's velocity of the body, in m/s.</param>
+    /// <param name="spin">The spin, in rad/s.</param>
+    /// <param name="step">The length of the engine's step, in s; 0 … 1.</param>
+    /// <param name="gravity">The engine's gravitational acceleration, in m/s².</param>
+    /// <param name="time">The time, in s.</param>
+    /// <param name="airDistance">The distance that the ball has flown through the air since the kick, in m.</param>
+    /// <returns>The force, in N, and the torque, in N m.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">A custom force is not finite.</exception>
     public ForceAndTorque EvaluateForStep(

@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics;
 
 /// <summary>A ball that your game places, kicks and steps; it reports its position, motion and events.</summary>
-/// <remarks>Right-handed axes, y up, forward −z; SI units. Not thread-safe, but its <see cref="Simulator"/> is.</remarks>
+/// <remarks>The axes are right-handed, with y up and −z forward; units are SI. A ball is not thread-safe, but its <see cref="Simulator"/> is.</remarks>
 public sealed class Ball
 {
     private readonly StepLog _log = new();
@@ -99,7 +99,7 @@ public sealed class Ball
     /// <summary>The motion state: airborne, sliding, rolling or at rest.</summary>
     public MotionState Motion => _state.Motion;
 
-    /// <summary>Places the ball without motion and resets its clock to 0.</summary>
+    /// <summary>Places the ball with zero velocity and spin, and resets its clock to 0.</summary>
     /// <remarks>A ball placed above the ground falls. Bodies keep their current positions and continue to move from there.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A component is out of range; nothing has changed.</exception>
@@ -114,8 +114,8 @@ public sealed class Ball
     /// <summary>Places the ball with a velocity and a spin, and resets its clock to 0.</summary>
     /// <remarks>Bodies keep their current positions and continue to move from there.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
-    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
+    /// <param name="spin">The spin in the world frame, in rad/s; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void Launch(Vector3d position, Vector3d velocity, Vector3d spin)
     {
@@ -144,18 +144,19 @@ public sealed class Ball
     public void Kick(in AimResult kick) => Kick(kick.Velocity, kick.Spin);
 
     /// <summary>Kicks the ball from its current position.</summary>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000. A <see cref="Vector3"/> converts implicitly.</param>
-    /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000. A <see cref="Vector3"/> converts implicitly.</param>
+    /// <param name="spin">The spin in the world frame, in rad/s; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     [OverloadResolutionPriority(1)]
     public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
 
     /// <summary>Kicks the ball at a speed and two angles, with spin relative to the kick direction.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
-    /// <param name="elevationDegrees">Angle above the horizontal, degrees; −90 … 90.</param>
-    /// <param name="azimuthDegrees">Angle from −z, counter-clockwise seen from above (to the left), degrees; −360 … 360.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
+    /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
+    /// <param name="elevationDegrees">The angle above the horizontal, in degrees; −90 … 90.</param>
+    /// <param name="azimuthDegrees">The angle from −z, counter-clockwise seen from above (to the left), in degrees; −360 … 360.</param>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin makes it
+    /// lift.</param>
+    /// <param name="sideSpin">The spin about the vertical, in rad/s: positive is counter-clockwise seen from above, and bends the path to the left.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; nothing has changed.</exception>
     public void Kick(double speed, double elevationDegrees, double azimuthDegrees, double topSpin = 0, double sideSpin = 0)
     {
@@ -164,11 +165,13 @@ public sealed class Ball
     }
 
     /// <summary>Kicks the ball at a speed in a direction, with spin relative to that direction.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
+    /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
     /// <param name="direction">The direction of the kick; any length except zero.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin makes it
+    /// lift.</param>
+    /// <param name="sideSpin">The spin about the vertical, in rad/s: positive is counter-clockwise seen from above, and bends the path to the left.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has
+    /// changed.</exception>
     public void Kick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
         Check.Within(nameof(speed), speed, 0, Limits.Speed);
@@ -177,7 +180,7 @@ public sealed class Ball
     }
 
     /// <summary>Advances the ball by one frame; <see cref="Events"/> then holds the events of that frame.</summary>
-    /// <param name="dt">Frame time, s: 0 … 1e12.</param>
+    /// <param name="dt">The frame time, in s; 0 … 1e12.</param>
     /// <remarks>Does not allocate. An exception from a custom force propagates; the ball keeps its state from before the step, without
     /// events.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">

@@ -6,7 +6,7 @@ namespace FootballPhysics;
 public sealed partial class FixedStepRunner
 {
     /// <summary>Queues a kick for the start of this tick's step, as player 0.</summary>
-    /// <remarks><see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks at once; this method waits for the step.</remarks>
+    /// <remarks><see cref="Ball.Kick(Vector3d, Vector3d)"/> kicks immediately; this method kicks at the start of the step.</remarks>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
     /// <param name="ball">The index of the ball; default 0.</param>
@@ -18,11 +18,11 @@ public sealed partial class FixedStepRunner
         Kicks.Add(new KickInput(Tick, velocity, spin, ball: ball));
     }
 
-    /// <summary>Queues a kick for the start of this tick's step: speed, direction, and spin relative to the direction.</summary>
-    /// <param name="speed">Speed, m/s; 0 … 1000.</param>
+    /// <summary>Queues a kick for the start of this tick's step, given by speed, direction, and spin relative to the direction.</summary>
+    /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
     /// <param name="direction">The direction of the kick; any length except zero.</param>
-    /// <param name="topSpin">Spin about the horizontal axis across the kick, rad/s: positive dips, negative (backspin) lifts.</param>
-    /// <param name="sideSpin">Spin about the vertical, rad/s: positive is counter-clockwise seen from above, and bends to the left.</param>
+    /// <param name="topSpin">The spin about the horizontal axis across the kick, in rad/s: topspin (positive) makes the ball dip, backspin lifts it.</param>
+    /// <param name="sideSpin">The spin about the vertical, in rad/s: positive is counter-clockwise seen from above, and bends the path to the left.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or <paramref name="topSpin"/> is nonzero for a vertical kick; nothing has changed.</exception>
     public void QueueKick(double speed, Vector3d direction, double topSpin = 0, double sideSpin = 0)
     {
@@ -84,8 +84,8 @@ public sealed partial class FixedStepRunner
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
     }
 
-    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes represent it exactly.</summary>
-    /// <remarks>It succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
+    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes can represent the state exactly.</summary>
+    /// <remarks>The method succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
     /// <param name="state">The state: <see cref="State"/>, or one stored by a <see cref="Rollback"/>.</param>
     /// <param name="destination">The destination; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
     /// <param name="ball">The index of the ball; default 0.</param>

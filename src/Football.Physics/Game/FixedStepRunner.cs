@@ -2,10 +2,10 @@ namespace FootballPhysics;
 
 /// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>
 /// <remarks>All steps have the same length and kicks belong to ticks, so the trajectory is bit-identical at any frame rate. With bodies, this is true only if
-/// <see cref="MoveBodies"/> positions them for every step: bodies moved once per frame move at different times at another frame rate. Games with
-/// their own fixed update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw
-/// <see cref="Position"/> and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When a kick arrives late, it resimulates
-/// from there with the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
+/// <see cref="MoveBodies"/> positions them for every step. If you move them once per frame, the frame rate affects the result. Games with their own fixed
+/// update call <see cref="Step"/> there and draw <see cref="PoseAt"/>. Other games call <see cref="Advance"/> once per frame and draw <see cref="Position"/>
+/// and <see cref="Orientation"/>. A <see cref="Rollback"/> stores the last states. When a kick arrives late, it restores an earlier state and resimulates with
+/// the kicks in <see cref="Kicks"/>. Steps and drawing do not allocate; a recording and the two logs grow.</remarks>
 public sealed partial class FixedStepRunner
 {
     /// <summary>The largest <see cref="QuantizationInterval"/>.</summary>
@@ -37,7 +37,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>The balls are side by side along x, from the origin. Without ground they start in the air, at height 0.</remarks>
     /// <param name="group">The balls; used by this runner only.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Excess time is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="group"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(BallGroup group, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -49,7 +49,7 @@ public sealed partial class FixedStepRunner
     /// <remarks>Without ground, the ball starts in the air, with its centre at the origin.</remarks>
     /// <param name="simulator">The compiled scene.</param>
     /// <param name="timeStep">The length of a step, in s; from a millionth of <paramref name="maximumFrameTime"/> to <paramref name="maximumFrameTime"/>; default 0.01.</param>
-    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Time beyond it is dropped, and reported.</param>
+    /// <param name="maximumFrameTime">The maximum simulated time per frame, in s; above 0, at most 1e12; default 0.25. Excess time is dropped and reported.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public FixedStepRunner(Simulator simulator, double timeStep = 0.01, double maximumFrameTime = 0.25)
@@ -123,8 +123,8 @@ public sealed partial class FixedStepRunner
     public int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
-    /// <remarks>It is called once at the start of every step, with the time of the ball's clock in s, and again when steps are resimulated. It moves the bodies
-    /// (<see cref="Scene.Bodies"/>) and the engine's colliders. Default null: bodies continue from the positions that the game last set, and a <see cref="Rollback"/> stores those positions.</remarks>
+    /// <remarks>The callback is called at the start of every step, including resimulated steps, with the ball's clock time in s. It moves the bodies
+    /// (<see cref="Scene.Bodies"/>) and engine colliders. Default null: bodies keep moving as last set, and a <see cref="Rollback"/> stores their positions.</remarks>
     public Action<double>? MoveBodies { get; set; }
 
     /// <summary>Gets or sets the age, in ticks, at which past kicks are discarded. 1 … 1e15; default 36 000.</summary>
@@ -163,9 +163,9 @@ public sealed partial class FixedStepRunner
         }
     }
 
-    /// <summary>A hash of all settings that must be equal on two machines before a match.</summary>
-    /// <remarks>It covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the first message, and reject a peer with a different hash.
-    /// </remarks>
+    /// <summary>A hash of all settings that must be equal on all machines in a match.</summary>
+    /// <remarks>The hash covers the scene and settings of every ball, the step, <see cref="QuantizationInterval"/> and the library version. Send it with the
+    /// first message, and reject a peer with a different hash.</remarks>
     public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>The length of a step, in s.</summary>
@@ -174,7 +174,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The maximum simulated time per frame, in s.</summary>
     public double MaximumFrameTime { get; }
 
-    /// <summary>The number of steps made; the current state is that at the start of this tick.</summary>
+    /// <summary>The number of completed steps; the current state is the state at the start of this tick.</summary>
     public long Tick { get; private set; }
 
     /// <summary>The state of the first ball at the start of this tick; copy it to take a snapshot.</summary>
@@ -192,7 +192,7 @@ public sealed partial class FixedStepRunner
     /// <summary>The time since the ball was placed, in s.</summary>
     public double Time => _states[0].Time;
 
-    /// <summary>The kicks by tick, past and future.</summary>
+    /// <summary>The past and future kicks, sorted by tick.</summary>
     /// <remarks>A kick added for an earlier tick takes effect when the game rolls back to that tick.</remarks>
     public KickLog Kicks { get; }
 
@@ -249,7 +249,7 @@ public sealed partial class FixedStepRunner
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public BallPose PoseOf(int ball) => PoseAt(Fraction, ball);
 
-    /// <summary>Places the ball without motion at this tick, and discards its pending kicks.</summary>
+    /// <summary>Places the ball with zero velocity and spin at this tick, and discards its pending kicks.</summary>
     /// <remarks>The clock restarts at 0; with several balls, the common clock continues. A ball placed above the ground falls. Pending kicks were aimed
     /// from the old position, so those for this tick and later ones are removed.</remarks>
     /// <param name="position">The position of the centre, in m; components within ±1e6. A ball that overlaps the ground is raised onto it.</param>
@@ -278,7 +278,7 @@ public sealed partial class FixedStepRunner
 
     /// <summary>Takes as many steps as fit in the frame time; the remainder is carried over to the next frame.</summary>
     /// <param name="frameTime">The time since the last frame, in s; finite, not negative.</param>
-    /// <returns>The number of steps made.</returns>
+    /// <returns>The number of steps taken.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frameTime"/> is negative or not finite; nothing has changed.</exception>
     /// <remarks>An exception from a custom force propagates. The runner then stays before the failed step, and the remaining whole steps of the frame are dropped.</remarks>
     public int Advance(double frameTime)
@@ -309,7 +309,7 @@ public sealed partial class FixedStepRunner
         return steps;
     }
 
-    /// <summary>Makes one step, independent of the frame time.</summary>
+    /// <summary>Takes one step, independent of the frame time.</summary>
     /// <remarks>An exception from a custom force propagates; the runner then stays before the step, without events.</remarks>
     public void Step()
     {
@@ -318,8 +318,8 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Sets the tick and the state, to roll back, join a running match, or move the ball.</summary>
-    /// <remarks><see cref="Kicks"/> stay, including those for this tick, so that the following steps can be resimulated; use <see cref="Place"/> to move the
-    /// ball without its kicks. The time carried over to the next frame stays too. Interpolation restarts from this state.</remarks>
+    /// <remarks>All <see cref="Kicks"/> are kept, including those for this tick, so that the following steps can be resimulated. To move the ball and discard
+    /// its kicks, use <see cref="Place"/>. The time carried over to the next frame is kept too. Interpolation restarts from this state.</remarks>
     /// <param name="tick">The tick; 0 … 1e15.</param>
     /// <param name="state">The state at its start: a copy of <see cref="State"/>, or one from <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tick"/> is out of range, the state's clock is so large that a step would not advance it, or no ball of this scene can have the
@@ -378,7 +378,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Starts a recording at this tick.</summary>
-    /// <remarks>Every step adds a hash of the state; the kicks are those in <see cref="Kicks"/>. A rollback within the recording rewinds it. A state that was not recorded ends it.</remarks>
+    /// <remarks>Each step adds a state hash; the kicks are in <see cref="Kicks"/>. A rollback rewinds the recording; setting an unrecorded state ends it.</remarks>
     public Recording Record()
     {
         Recording = new Recording(this);

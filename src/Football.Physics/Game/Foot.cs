@@ -1,6 +1,6 @@
 namespace FootballPhysics.Aiming;
 
-/// <summary>A foot, head or hand that strikes a ball; computes the kick from its motion, and the inverse.</summary>
+/// <summary>A foot, head or hand that strikes a ball. Computes the kick from the foot's motion, and the motion for a wanted kick.</summary>
 /// <remarks>
 /// The foot touches the ball at −r n, where n is the unit normal into the ball. It has velocity U and effective mass M. With 1/m_n = 1/m + 1/M, 1/m_t
 /// = (1 + 1/α)/m + 1/M, c = v − U and the slip s = c_t + r n × ω of the ball on the foot, the impulse on the ball is J = J_n n − J_t ŝ with J_n = −(1
@@ -64,10 +64,10 @@ public sealed record Foot
 
     /// <summary>Computes the strike that gives a ball a velocity and a spin, or comes as close as possible.</summary>
     /// <remarks>
-    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction, and friction limits the rest: see
-    /// <see cref="FootStrike.SpinAlongImpulse"/> and <see cref="FootStrike.EnoughFriction"/>; <see cref="FootStrike.Spin"/> is the resulting spin. If
-    /// the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed. Its change of
-    /// spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
+    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction (see
+    /// <see cref="FootStrike.SpinAlongImpulse"/>), and friction limits the rest (see <see cref="FootStrike.EnoughFriction"/>). <see cref="FootStrike.Spin"/> is
+    /// the resulting spin. If the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed.
+    /// The change in spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
     /// <see cref="FootStrike.FastEnough"/> is false in both cases.
     /// </remarks>
     /// <param name="ball">The ball.</param>

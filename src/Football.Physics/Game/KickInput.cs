@@ -2,18 +2,18 @@ using System.Globalization;
 
 namespace FootballPhysics.Netcode;
 
-/// <summary>A kick at a tick. The start state and the kicks reproduce a match; no other data is needed.</summary>
+/// <summary>A kick at a tick. A match can be reproduced from its start state and its kicks.</summary>
 public readonly struct KickInput : IFormattable
 {
     /// <summary>The maximum number of balls.</summary>
     internal const int MostBalls = 10_000;
 
     /// <summary>Creates a kick.</summary>
-    /// <param name="tick">The tick at the start of whose step the ball is kicked; 0 … 1e15.</param>
+    /// <param name="tick">The tick of the kick: the ball is kicked at the start of this tick's step. 0 … 1e15.</param>
     /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
     /// <param name="spin">Spin, rad/s, world frame; at most 10 000.</param>
-    /// <param name="player">The player who kicks, 0 or more; default 0. If two kick at one tick, the one with the higher number is applied last and
-    /// wins on every machine.</param>
+    /// <param name="player">The player who kicks, 0 or more; default 0. If two players kick at one tick, the kick of the higher number is applied last and wins
+    /// on every machine.</param>
     /// <param name="ball">The index of the ball, below 10 000; default 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public KickInput(long tick, Vector3d velocity, Vector3d spin, int player = 0, int ball = 0)
@@ -30,7 +30,7 @@ public readonly struct KickInput : IFormattable
         Ball = ball;
     }
 
-    /// <summary>The tick at the start of whose step the ball is kicked.</summary>
+    /// <summary>The tick of the kick: the ball is kicked at the start of this tick's step.</summary>
     public long Tick { get; }
 
     /// <summary>The velocity, in m/s.</summary>
@@ -48,7 +48,7 @@ public readonly struct KickInput : IFormattable
     /// <inheritdoc/>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Returns tick, velocity, spin and player as text, in a given number format.</summary>
+    /// <summary>Returns the tick, velocity, spin and player as text, in a given number format.</summary>
     /// <param name="format">A number format; null or empty for at most three decimals, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)

@@ -4,7 +4,7 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Kicks sorted by tick: the schedule of a <see cref="FixedStepRunner"/> and the input log of a match.</summary>
 /// <remarks>
-/// Kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only to grow. A serialised kick
+/// The kicks are sorted by tick, then player, then ball, regardless of the order in which they arrive. The log allocates only when it grows. A serialised kick
 /// takes about 28 bytes if its numbers are single-precision values, and about 52 otherwise. Numbers that are 0 take no bytes. A 4-byte checksum follows
 /// all kicks.
 /// </remarks>
@@ -64,11 +64,11 @@ public sealed class KickLog
     /// <returns>True if there was such a kick.</returns>
     public bool Remove(long tick, int player = 0, int ball = 0) => _kicks.Remove(tick, player, ball);
 
-    /// <summary>Removes the kicks before a tick, for instance those beyond the reach of a rollback.</summary>
+    /// <summary>Removes the kicks before a tick, for instance those too old for a rollback.</summary>
     /// <param name="tick">The first tick to keep.</param>
     public void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
 
-    /// <summary>Removes the kicks at a tick and later, for instance when the ball is moved.</summary>
+    /// <summary>Removes the kicks at or after a tick, for instance when the ball is moved.</summary>
     /// <param name="tick">The first tick to remove.</param>
     public void RemoveFrom(long tick)
     {
@@ -80,7 +80,7 @@ public sealed class KickLog
         }
     }
 
-    /// <summary>Returns the index of the first kick at a tick or later; <see cref="Count"/> if there is none.</summary>
+    /// <summary>Returns the index of the first kick at or after a tick; <see cref="Count"/> if there is none.</summary>
     /// <param name="tick">The tick.</param>
     public int FirstAt(long tick) => _kicks.CountBefore(tick, 0, 0);
 

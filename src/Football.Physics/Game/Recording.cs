@@ -7,10 +7,10 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>A recorded segment of a match that can be stored, sent and replayed.</summary>
 /// <remarks>
-/// It contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per
-/// step, and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks it adds a complete state, from which
-/// <see cref="Seek"/> continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws
-/// <see cref="ArgumentException"/>. An engine's colliders are not included either, so you must position them in a replay.
+/// A recording contains the start state, the kicks, the positions of the game's bodies, and a hash of the balls after every step. It grows by 8 bytes per step,
+/// and by about 30 to 100 bytes for each moved body. Every <see cref="KeyframeTicks"/> ticks, it stores a complete state, from which <see cref="Seek"/>
+/// continues. The scene is not included, only its hash: replay it with the same scene; a different scene throws <see cref="ArgumentException"/>. Engine
+/// colliders are not included either, so you must position them in a replay.
 /// </remarks>
 public sealed class Recording
 {
@@ -55,7 +55,7 @@ public sealed class Recording
     /// <summary>The first tick.</summary>
     public long StartTick { get; }
 
-    /// <summary>The tick after the last step.</summary>
+    /// <summary>The end tick: the tick after the last step.</summary>
     public long EndTick => StartTick + _count;
 
     /// <summary>The state of the first ball at the start.</summary>
@@ -68,7 +68,7 @@ public sealed class Recording
     public ulong SceneHash { get; private set; }
 
     /// <summary>The version of the library that made the recording.</summary>
-    /// <remarks>Replays are bit-identical only within one version.</remarks>
+    /// <remarks>A replay is bit-identical only with the same version of the library.</remarks>
     public string Version { get; private set; } = LibraryVersion;
 
     /// <summary>The <see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>
@@ -222,8 +222,8 @@ public sealed class Recording
 
     /// <summary>Creates a zip file to attach to a bug report.</summary>
     /// <remarks>
-    /// It contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
-    /// <see cref="ToBytes"/>. <c>football bundle FILE</c> replays it.
+    /// The zip file contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
+    /// <see cref="ToBytes"/>. The command <c>football bundle FILE</c> replays it.
     /// </remarks>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>

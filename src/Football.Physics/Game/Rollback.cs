@@ -2,11 +2,10 @@ namespace FootballPhysics.Netcode;
 
 /// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>
 /// <remarks>
-/// It stores every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state is
-/// set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. They come from
-/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws
-/// without <see cref="FixedStepRunner.MoveBodies"/>. It allocates only when events, kicks or positions outgrow their
-/// buffers.
+/// The state is stored at every step of the runner, in <see cref="FixedStepRunner.Step"/> and in <see cref="FixedStepRunner.Advance"/>. If the runner's state
+/// is set from outside, the history restarts there. Resimulation needs the past positions of the game's bodies. These positions come from
+/// <see cref="FixedStepRunner.MoveBodies"/>, or from the positions stored for the last ticks. If an engine's colliders moved, resimulation throws without
+/// <see cref="FixedStepRunner.MoveBodies"/>. A rollback allocates only when events, kicks or positions outgrow their buffers.
 /// </remarks>
 public sealed class Rollback
 {
@@ -71,7 +70,7 @@ public sealed class Rollback
         return _states[PlaceOf(tick) + ball];
     }
 
-    /// <summary>Returns the hash of all states at the start of a tick, which machines can compare.</summary>
+    /// <summary>Returns the hash of all states at the start of a tick, for comparison between machines.</summary>
     /// <param name="tick">From <see cref="OldestTick"/> to the runner's tick.</param>
     /// <exception cref="ArgumentOutOfRangeException">The tick is not stored.</exception>
     public ulong HashAt(long tick)
@@ -82,7 +81,7 @@ public sealed class Rollback
     }
 
     /// <summary>Adds or replaces a kick, and resimulates the steps since its tick.</summary>
-    /// <remarks>It replaces a kick with the same player, tick and ball.</remarks>
+    /// <remarks>The new kick replaces any kick with the same player, tick and ball.</remarks>
     /// <param name="kick">The kick; its tick is <see cref="OldestTick"/> or later. A future kick waits for its tick.</param>
     /// <returns>The first tick whose state changed; null if all are bit-identical.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tick is no longer stored; nothing has changed.</exception>
@@ -179,8 +178,8 @@ public sealed class Rollback
 
     /// <summary>Resimulates the last ticks from a stored state, and compares the results.</summary>
     /// <remarks>
-    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Likely causes are a custom
-    /// force or a body that depends on more than time, and a moving engine collider.
+    /// Use it in tests, at every tick of a match. A difference means that the simulation depends on data outside the state. Likely causes are a custom force or
+    /// a body that depends on more than time, or a moving engine collider.
     /// </remarks>
     /// <param name="ticks">The number of ticks to go back; 1 … <see cref="Ticks"/>. If fewer ticks are stored, only those are resimulated.</param>
     /// <returns>The first tick, ball and field that differ; null if all are bit-identical.</returns>

@@ -2,9 +2,9 @@ namespace FootballPhysics;
 
 /// <summary>The available one-step methods.</summary>
 /// <remarks>
-/// Velocity Verlet is missing because its advantage needs an acceleration that depends on position alone. Drag and Magnus force depend on velocity and
-/// spin, so the new acceleration needs the new velocity, and vice versa. Solved by iteration, Verlet costs as much as midpoint; solved by extrapolation, it is
-/// less accurate than midpoint.
+/// Velocity Verlet is not included, because it is useful only if the acceleration depends on position alone. Drag and Magnus force depend on velocity and
+/// spin, so the new acceleration needs the new velocity, and vice versa. With iteration, Verlet costs as much as midpoint; with extrapolation, it is less
+/// accurate than midpoint.
 /// </remarks>
 public enum Integrator
 {

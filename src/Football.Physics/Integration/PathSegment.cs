@@ -5,7 +5,7 @@ namespace FootballPhysics.Prediction;
 /// <summary>A segment of smooth motion between two events, with a path that can be evaluated at any time.</summary>
 /// <remarks>
 /// With RK4 the path is the quintic Hermite interpolant of the positions, velocities and accelerations at both ends. Its error is 1e-8 m for a step of 40 ms.
-/// With methods of lower order it is the quadratic that the method itself integrates.
+/// With lower-order methods, the path is the quadratic that the method itself integrates.
 /// </remarks>
 public readonly struct PathSegment
 {
@@ -155,7 +155,7 @@ public readonly struct PathSegment
     /// <summary>The position at the end, in m.</summary>
     public Vector3d EndPosition => _endPosition;
 
-    /// <summary>The velocity at the end, before an impact that may follow, in m/s.</summary>
+    /// <summary>The velocity at the end, in m/s; if the segment ends with an impact, the velocity before it.</summary>
     public Vector3d EndVelocity => _endVelocity;
 
     /// <summary>The acceleration at the end, in m/s².</summary>

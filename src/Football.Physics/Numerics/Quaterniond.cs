@@ -86,7 +86,7 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     /// <summary>The angle above which a double resolves no fraction of a turn, in rad.</summary>
     private const double NoDigits = 1e15;
 
-    /// <summary>Returns the rotation of a rotation vector: its length is the angle, its direction the axis.</summary>
+    /// <summary>Returns the rotation for a rotation vector, whose length is the angle and whose direction is the axis.</summary>
     /// <param name="rotation">The rotation vector, in rad.</param>
     public static Quaterniond FromRotationVector(in Vector3d rotation)
     {
@@ -154,7 +154,8 @@ public readonly struct Quaterniond : IEquatable<Quaterniond>, IFormattable
     }
 
     /// <summary>Returns the constant spin that turns this orientation into another, in rad/s.</summary>
-    /// <remarks>Use it to compute the spin of a bone from two frames of an animation. It takes the shorter of the two turns, at most π.</remarks>
+    /// <remarks>Use it to compute the spin of a bone from two frames of an animation. Of the two possible rotations, the method uses the shorter one, of at
+    /// most π.</remarks>
     /// <param name="next">The later orientation.</param>
     /// <param name="duration">The time between the two orientations, in s; above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="duration"/> is not above 0.</exception>

@@ -4,12 +4,12 @@ namespace FootballPhysics;
 public readonly struct SymmetricMatrix3d
 {
     /// <summary>Creates a matrix from its six entries.</summary>
-    /// <param name="xx">Row x, column x.</param>
-    /// <param name="xy">Row x, column y.</param>
-    /// <param name="xz">Row x, column z.</param>
-    /// <param name="yy">Row y, column y.</param>
-    /// <param name="yz">Row y, column z.</param>
-    /// <param name="zz">Row z, column z.</param>
+    /// <param name="xx">The entry in row x, column x.</param>
+    /// <param name="xy">The entry in row x, column y.</param>
+    /// <param name="xz">The entry in row x, column z.</param>
+    /// <param name="yy">The entry in row y, column y.</param>
+    /// <param name="yz">The entry in row y, column z.</param>
+    /// <param name="zz">The entry in row z, column z.</param>
     public SymmetricMatrix3d(double xx, double xy, double xz, double yy, double yz, double zz)
     {
         XX = xx;
@@ -23,22 +23,22 @@ public readonly struct SymmetricMatrix3d
     /// <summary>The zero matrix.</summary>
     public static SymmetricMatrix3d Zero => default;
 
-    /// <summary>Row x, column x.</summary>
+    /// <summary>The entry in row x, column x.</summary>
     public double XX { get; }
 
-    /// <summary>Row x, column y.</summary>
+    /// <summary>The entry in row x, column y.</summary>
     public double XY { get; }
 
-    /// <summary>Row x, column z.</summary>
+    /// <summary>The entry in row x, column z.</summary>
     public double XZ { get; }
 
-    /// <summary>Row y, column y.</summary>
+    /// <summary>The entry in row y, column y.</summary>
     public double YY { get; }
 
-    /// <summary>Row y, column z.</summary>
+    /// <summary>The entry in row y, column z.</summary>
     public double YZ { get; }
 
-    /// <summary>Row z, column z.</summary>
+    /// <summary>The entry in row z, column z.</summary>
     public double ZZ { get; }
 
     /// <summary>Returns the Hessian of the distance from a point: (1 − nnᵀ)/l.</summary>

@@ -7,7 +7,8 @@ using System.Text.Json.Serialization;
 namespace FootballPhysics;
 
 /// <summary>A vector of three doubles: bit-identical arithmetic on every runtime.</summary>
-/// <remarks>It uses + − × ÷ √ only. A <see cref="Vector3"/> converts implicitly; <see cref="ToVector3"/> converts back.</remarks>
+/// <remarks>The arithmetic uses only +, −, ×, ÷ and √. A <see cref="Vector3"/> converts implicitly to this type; <see cref="ToVector3"/> converts
+/// back.</remarks>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
 public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
 {

@@ -6,9 +6,9 @@ public enum CrossingDirection
     /// <summary>Either direction.</summary>
     Any = 0,
 
-    /// <summary>Along the plane's normal.</summary>
+    /// <summary>In the direction of the plane's normal.</summary>
     AlongNormal = 1,
 
-    /// <summary>Against the plane's normal.</summary>
+    /// <summary>Opposite to the plane's normal.</summary>
     AgainstNormal = 2,
 }

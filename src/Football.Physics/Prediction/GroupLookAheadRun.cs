@@ -3,8 +3,8 @@ namespace FootballPhysics.Prediction;
 /// <summary>A look-ahead of several balls in parts: each call takes a limited number of steps, and the next call resumes there.</summary>
 /// <remarks>
 /// The finished paths are bit-identical to those of <see cref="SimulatorExtensions.LookAhead(BallGroup, BallState[], LookAheadRequest, Trajectory[])"/>,
-/// for any number of steps per call. The run has its own copies of the balls and of the bodies' motions, so your game may step and kick the
-/// balls of the same group between the calls. It does not notice them: call <see cref="Follows"/>. Not thread-safe.
+/// for any number of steps per call. The run has its own copies of the balls and of the bodies' motions. Your game may therefore step and kick the balls of the
+/// same group between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Not thread-safe.
 /// </remarks>
 public sealed class GroupLookAheadRun
 {
@@ -42,7 +42,7 @@ public sealed class GroupLookAheadRun
     /// <summary>The number of steps since the start; all balls take a step together.</summary>
     public long Steps { get; private set; }
 
-    /// <summary>Starts a look-ahead, and cancels one that is running. It takes no step.</summary>
+    /// <summary>Starts a look-ahead without taking a step, and cancels any look-ahead that is running.</summary>
     /// <param name="from">The states of the balls; they are copied.</param>
     /// <param name="request">The duration, and the event that ends it. A plane or a point is not supported.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -133,11 +133,11 @@ public sealed class GroupLookAheadRun
     /// <summary>Stops the look-ahead. The paths keep the part computed so far.</summary>
     public void Cancel() => IsRunning = false;
 
-    /// <summary>Returns true if a ball is still on its path, so that no kick or hit has made the path outdated.</summary>
+    /// <summary>Returns true if a ball is still on its path; false if a kick or a hit has made the path outdated.</summary>
     /// <param name="index">The index of the ball.</param>
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>
-    /// <returns>False also if the ball's time is outside the part computed so far, unless the ball rests at its end.</returns>
+    /// <returns>Also false if the ball's time is outside the part computed so far, unless the ball rests at the end of that part.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball, or <paramref name="tolerance"/> is negative.</exception>
     public bool Follows(int index, in BallState ball, double tolerance = 1e-5)
     {

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Prediction;
 
 /// <summary>The duration, step and stop conditions of a look-ahead.</summary>
-/// <remarks>It ends at the first condition that is met.</remarks>
+/// <remarks>The look-ahead ends at the first condition that is met.</remarks>
 public sealed record LookAheadRequest
 {
     /// <summary>The maximum duration, in s. Above 0, at most 1e12; default 10.</summary>
@@ -9,9 +9,9 @@ public sealed record LookAheadRequest
 
     /// <summary>The length of a step, in s. Above 0, at least 1e-12 of the duration; default 0.08.</summary>
     /// <remarks>
-    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air: with them, a step above 40 ms is divided until
-    /// a step and its two halves agree to 1 µm. If a force is too stiff for this, the look-ahead throws. With the game's own integrator and step, the
-    /// prediction is bit-identical to the later simulation.
+    /// With RK4, the default is accurate to a few micrometres. Custom forces may be stiffer than air. With them, a step above 40 ms is divided until a step and
+    /// its two halves agree to 1 µm. If a force is too stiff for this, the look-ahead throws. With the game's own integrator and step, the prediction is
+    /// bit-identical to the later simulation.
     /// </remarks>
     public double TimeStep { get; init; } = 0.08;
 
@@ -23,13 +23,12 @@ public sealed record LookAheadRequest
 
     /// <summary>A point that ends the look-ahead once the ball has passed it; default none.</summary>
     /// <remarks>
-    /// The ball has passed the point when it is horizontally farther away than at its closest, recedes, and neither wind, spin nor obstacles can bring
-    /// it back.
+    /// The ball has passed the point when their horizontal distance is growing after its minimum, and neither wind, spin nor obstacles can bring the ball back.
     /// </remarks>
     public Vector3d? UntilPassing { get; init; }
 
     /// <summary>The callback that positions the game's bodies for a given time, in s; default null: bodies keep their motion.</summary>
-    /// <remarks>It moves the bodies (<see cref="Scene.Bodies"/>). It is called with the start time and after every step; the bodies are restored
+    /// <remarks>The callback moves the bodies (<see cref="Scene.Bodies"/>). It is called with the start time and after every step; the bodies are restored
     /// after the look-ahead.</remarks>
     public Action<double>? MoveBodies { get; init; }
 

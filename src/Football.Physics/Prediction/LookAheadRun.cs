@@ -3,8 +3,8 @@ namespace FootballPhysics.Prediction;
 /// <summary>A look-ahead in parts: each call takes a limited number of steps, and the next call resumes there.</summary>
 /// <remarks>
 /// The finished path is bit-identical to that of <see cref="SimulatorExtensions.LookAhead(Simulator, in BallState, LookAheadRequest, Trajectory)"/>,
-/// for any number of steps per call. The run has its own copy of the ball and of the bodies' motions, so your game may step, kick and move
-/// bodies between the calls. It does not notice them: call <see cref="Follows"/>. Calls do not allocate. Not thread-safe.
+/// for any number of steps per call. The run has its own copy of the ball and of the bodies' motions. Your game may therefore step and kick the ball and move
+/// bodies between calls. The run does not notice such changes: call <see cref="Follows"/> to detect them. Calls do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class LookAheadRun
 {
@@ -35,10 +35,10 @@ public sealed class LookAheadRun
     public bool IsRunning { get; private set; }
 
     /// <summary>The number of steps since the start.</summary>
-    /// <remarks>A step that a stiff custom force divides counts once for each length that is tried.</remarks>
+    /// <remarks>If a stiff custom force divides a step, the step is counted once for each length that is tried.</remarks>
     public long Steps { get; private set; }
 
-    /// <summary>Starts a look-ahead, and cancels one that is running. It takes no step.</summary>
+    /// <summary>Starts a look-ahead without taking a step, and cancels any look-ahead that is running.</summary>
     /// <param name="from">The state of the ball; it is copied.</param>
     /// <param name="request">The duration and the stop conditions.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>
@@ -115,10 +115,10 @@ public sealed class LookAheadRun
     /// <summary>Stops the look-ahead. The path keeps the part computed so far.</summary>
     public void Cancel() => IsRunning = false;
 
-    /// <summary>Returns true if a ball is still on the path, so that no kick or hit has made the path outdated.</summary>
+    /// <summary>Returns true if a ball is still on the path; false if a kick or a hit has made the path outdated.</summary>
     /// <param name="ball">The current state of the ball.</param>
     /// <param name="tolerance">The maximum distance from the path, in m; not negative, default 1e-5. For velocities it is multiplied by 100/s.</param>
-    /// <returns>False also if the ball's time is outside the part computed so far, unless the ball rests at its end.</returns>
+    /// <returns>Also false if the ball's time is outside the part computed so far, unless the ball rests at the end of that part.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="tolerance"/> is negative.</exception>
     public bool Follows(in BallState ball, double tolerance = 1e-5)
     {

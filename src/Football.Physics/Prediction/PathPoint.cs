@@ -22,7 +22,7 @@ public readonly struct PathPoint : IFormattable
     /// <summary>The velocity, in m/s.</summary>
     public Vector3d Velocity { get; }
 
-    /// <summary>The distance from the queried plane or object, in m: 0 for a plane, the distance of the closest approach otherwise.</summary>
+    /// <summary>The distance from the queried plane or object, in m: 0 for a plane, otherwise the distance at the closest approach.</summary>
     public double Distance { get; }
 
     /// <summary>Returns time and position as text, such as "1.25 s: (0, 1.5, −20)".</summary>

@@ -65,7 +65,7 @@ internal sealed class PathRecorder : PieceObserver
                 time, length, in position, in velocity, in acceleration, end.Position, end.Velocity, in atEnd, MotionState.Airborne, degree));
         }
 
-        // If the step starts where the open piece ends, it has computed the acceleration that the piece lacks.
+        // If the step starts where the open segment ends, it has computed the acceleration that this segment lacks.
         if (_open >= 0 && _openEnd.Time == time && _openEnd.Position == position && _openEnd.Flight.Velocity == velocity && _openEnd.Flight.SpinRate == spin)
         {
             PathSegment.Close(ref _pieces[_open], in acceleration);
@@ -83,7 +83,7 @@ internal sealed class PathRecorder : PieceObserver
         _open = _owner.Count++;
         PathSegment.Write(ref _pieces[_open], time, length, in position, in velocity, in acceleration, end.Position, in end.Flight.Velocity, degree);
 
-        // Copy only the values that an acceleration depends on.
+        // Copy only the values on which an acceleration depends.
         _openStepper = stepper;
         _openLength = length;
         _openEnd.Time = end.Time;
@@ -163,7 +163,7 @@ internal sealed class PathRecorder : PieceObserver
 
         _pieces[_owner.Count++] = piece;
 
-        // End at the last segment that fits, at the plane, or when the ball comes no closer to the point.
+        // End at the last segment that fits, at the plane, or when the ball no longer approaches the point.
         return IsFull() || (_untilPlane && piece.Crosses(_plane.Point, _plane.Normal, out _)) || (_untilPassing && _passing!.HasPassed(in piece));
     }
 }

@@ -74,9 +74,9 @@ public static class SimulatorExtensions
         }
     }
 
-    /// <summary>Compiles the code and builds the tables in advance, so that no frame of your game has to do so.</summary>
+    /// <summary>Compiles the code and builds the tables in advance, so that no frame of your game is delayed.</summary>
     /// <remarks>
-    /// It simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
+    /// The method simulates hidden balls through steps, impacts, slides, rolls and look-aheads. With just-in-time compilation, the first impact, roll and
     /// look-ahead cost milliseconds each. Call it while a level loads. It has no visible effect, but calls custom forces. A runtime optimises
     /// frequently called code only after about a tenth of a second. A second call at the end of loading therefore makes the first roll and look-ahead
     /// several times faster.

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A predicted path of the ball, available at any time.</summary>
+/// <summary>A predicted path of the ball, which can be evaluated at any time.</summary>
 /// <remarks>Create one and reuse it: a look-ahead overwrites the path without allocating.</remarks>
 public sealed partial class Trajectory
 {
@@ -21,7 +21,7 @@ public sealed partial class Trajectory
     }
 
     /// <summary>Creates a trajectory in a buffer that you provide.</summary>
-    /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when it is full, and <see cref="IsComplete"/> is then false.</param>
+    /// <param name="memory">The buffer, at least 1 segment. A look-ahead ends when the buffer is full, and <see cref="IsComplete"/> is then false.</param>
     /// <exception cref="ArgumentNullException"><paramref name="memory"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="memory"/> is empty.</exception>
     public Trajectory(PathSegment[] memory)
@@ -51,10 +51,10 @@ public sealed partial class Trajectory
     /// <summary>The end time, in s since the launch.</summary>
     public double EndTime => Count > 0 ? Math.Max(_pieces[Count - 1].EndTime, _final.Time) : _final.Time;
 
-    /// <summary>False if the buffer filled up, a custom force threw, or a <see cref="LookAheadRun"/> will continue the path.</summary>
+    /// <summary>False if the buffer filled up, a custom force threw, or a <see cref="LookAheadRun"/> has not finished the path.</summary>
     public bool IsComplete { get; internal set; }
 
-    /// <summary>The number of right-hand-side evaluations.</summary>
+    /// <summary>The number of evaluations of the equations of motion.</summary>
     public long Evaluations => Log.Evaluations;
 
     internal StepLog Log { get; } = new();
@@ -100,13 +100,13 @@ public sealed partial class Trajectory
         ? (touchdown.Position - _pieces[0].StartPosition).Horizontal.Length
         : double.PositiveInfinity;
 
-    /// <summary>Finds a touchdown, which is an impact with the ground, by its index.</summary>
+    /// <summary>Finds a touchdown (an impact with the ground) by its index.</summary>
     /// <param name="index">The index, from 0.</param>
     /// <param name="touchdown">The impact.</param>
     /// <returns>False if there is no such touchdown.</returns>
     public bool TryGetTouchdown(int index, out BallEvent touchdown) => TryGetImpact(isTouchdown: true, index, out touchdown);
 
-    /// <summary>Finds a hit, which is an impact with any object except the ground, by its index.</summary>
+    /// <summary>Finds a hit (an impact with any object except the ground) by its index.</summary>
     /// <remarks><see cref="BallEvent.ColliderIndex"/> identifies the object.</remarks>
     /// <param name="index">The index, from 0.</param>
     /// <param name="hit">The impact.</param>
@@ -174,7 +174,7 @@ public sealed partial class Trajectory
     }
 
     /// <summary>Returns the closest approach to a point.</summary>
-    /// <param name="point">The point, m.</param>
+    /// <param name="point">The point, in m.</param>
     public PathPoint ClosestApproach(Vector3d point)
     {
         // Compare squared distances, and compute the square root of the smallest one only.

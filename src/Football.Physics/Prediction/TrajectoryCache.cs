@@ -2,7 +2,7 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>
 /// <remarks>
-/// While the ball follows the predicted path, an update only drops the past and extends the end. After a kick, or a deviation above the
+/// While the ball follows the predicted path, an update only drops the past part and extends the end. After a kick, or a deviation above the
 /// tolerance, it recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the later simulation.
 /// </remarks>
 public sealed class TrajectoryCache
@@ -11,7 +11,7 @@ public sealed class TrajectoryCache
     private readonly LookAheadRequest _request;
     private bool _valid;
 
-    /// <summary>Creates a prediction for a ball of one scene.</summary>
+    /// <summary>Creates a cache for the prediction of a ball in one scene.</summary>
     /// <param name="simulator">The scene, compiled for the integrator of the prediction.</param>
     /// <param name="request">The duration and step of the prediction.</param>
     /// <param name="tolerance">The maximum deviation of the ball from the path before it is recomputed, in m; not negative, default 1e-5.</param>

@@ -23,7 +23,7 @@ public sealed record BallProperties
     public double InertiaFactor { get; init; } = 2.0 / 3.0;
 
     /// <summary>The factor that scales the restitution of every surface; below 1 for a soft ball.</summary>
-    /// <remarks>0 … 1.2; default 1. The product is at most 1, except on a bumper.</remarks>
+    /// <remarks>0 … 1.2; default 1. The scaled restitution is at most 1, except on a bumper.</remarks>
     public double Bounce { get; init; } = 1;
 
     /// <summary>The drag curve without spin; only <see cref="AerodynamicModel.Measured"/> uses it.</summary>
@@ -37,40 +37,41 @@ public sealed record BallProperties
     public double KnuckleForce { get; init; } = 1.5;
 
     /// <summary>The layers that the ball ignores, as a bit set from <see cref="Layers.Of"/>. Default: none.</summary>
-    /// <remarks>Obstacles, bodies, engine colliders and zones of these layers do not exist for this ball: a thrower's own hands, for example.</remarks>
+    /// <remarks>The ball passes through obstacles, bodies and engine colliders on these layers, for instance a thrower's own hands. Zones on these layers do
+    /// not report the ball.</remarks>
     public uint Ignores { get; init; }
 
     /// <summary>The default: a present-day match ball in match play.</summary>
     /// <remarks>
-    /// The drag curve has roughness 0.86, measured in one match. It also fits the flights of a second match better than wind-tunnel curves do.
-    /// Knuckle force 1.5 N (guess).
+    /// The drag curve has roughness 0.86, measured in one match. It also fits the flights of a second match better than wind-tunnel curves do. The knuckle
+    /// force is 1.5 N (guess).
     /// </remarks>
     public static BallProperties Modern { get; } = new();
 
     /// <summary>A match football in the still air of a wind tunnel: the mean of three balls, <see cref="DragCurve.Generic"/>.</summary>
-    /// <remarks>Its name in JSON is "generic".</remarks>
+    /// <remarks>The name in JSON is "generic".</remarks>
     public static BallProperties Tunnel { get; } = new() { DragCurve = DragCurve.Generic };
 
     /// <summary>Adidas Tango 12 (2012).</summary>
-    /// <remarks>Drag measured. Knuckle force 1.6 N (guess, from the measured 1.0 … 2.2 N of the Cafusa).</remarks>
+    /// <remarks>The drag is measured. The knuckle force is 1.6 N (guess, from the measured 1.0 … 2.2 N of the Cafusa).</remarks>
     public static BallProperties Tango12 { get; } = new() { DragCurve = DragCurve.Tango12, KnuckleForce = 1.6 };
 
     /// <summary>Adidas Teamgeist (2006).</summary>
-    /// <remarks>Drag measured. Knuckle force 0.75 N (measured, Hong and Asai 2014: 0.6 … 0.9).</remarks>
+    /// <remarks>The drag is measured. The knuckle force is 0.75 N (measured, Hong and Asai 2014: 0.6 … 0.9).</remarks>
     public static BallProperties Teamgeist { get; } = new() { DragCurve = DragCurve.Teamgeist, KnuckleForce = 0.75 };
 
     /// <summary>Adidas Jabulani (2010).</summary>
-    /// <remarks>Drag measured. Knuckle force 2.1 N (measured, Hong and Asai 2014: 1.1 … 3.1).</remarks>
+    /// <remarks>The drag is measured. The knuckle force is 2.1 N (measured, Hong and Asai 2014: 1.1 … 3.1).</remarks>
     public static BallProperties Jabulani { get; } = new() { DragCurve = DragCurve.Jabulani, KnuckleForce = 2.1 };
 
     /// <summary>Adidas Brazuca (2014).</summary>
-    /// <remarks>Drag measured. Knuckle force 1.5 N (guess).</remarks>
+    /// <remarks>The drag is measured. The knuckle force is 1.5 N (guess).</remarks>
     public static BallProperties Brazuca { get; } = new() { DragCurve = DragCurve.Brazuca, KnuckleForce = 1.5 };
 
     /// <summary>Adidas Telstar 18 (2018), in a wind tunnel.</summary>
     /// <remarks>
-    /// Measured: the same crisis as the Brazuca, and long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported). Derived from that: C_D above the crisis
-    /// is 8 % higher. Knuckle force 1.5 N (guess).
+    /// Measured: the same crisis as the Brazuca, and long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported). Derived from that: C_D above the
+    /// crisis is 8 % higher. The knuckle force is 1.5 N (guess).
     /// </remarks>
     public static BallProperties Telstar18 { get; } = new()
     {
@@ -78,15 +79,16 @@ public sealed record BallProperties
     };
 
     /// <summary>Nike Flight 2020.</summary>
-    /// <remarks>No measurement found. Roughness 0.33 (guess, 0.25 … 0.5, for moulded grooves).</remarks>
+    /// <remarks>No measurement was found. The roughness is 0.33 (guess, 0.25 … 0.5, for moulded grooves).</remarks>
     public static BallProperties Flight2020 { get; } = new() { DragCurve = DragCurve.OfRoughness(0.33) };
 
     /// <summary>Adidas Al Rihla (2022), from wind-tunnel measurements.</summary>
-    /// <remarks>The crisis is reported slightly above Trionda's and near Brazuca's; roughness 0.31 is derived from that.</remarks>
+    /// <remarks>The drag crisis is reported to be slightly above that of Trionda and near that of Brazuca; the roughness of 0.31 is derived from
+    /// this.</remarks>
     public static BallProperties AlRihla { get; } = new() { DragCurve = DragCurve.OfRoughness(0.31) };
 
     /// <summary>Adidas Fussballliebe (2024).</summary>
-    /// <remarks>No measurement found. Roughness 0.32 (guess, 0.25 … 0.45).</remarks>
+    /// <remarks>No measurement was found. The roughness is 0.32 (guess, 0.25 … 0.45).</remarks>
     public static BallProperties Fussballliebe { get; } = new() { DragCurve = DragCurve.OfRoughness(0.32) };
 
     /// <summary>Adidas Trionda (2026), in a wind tunnel.</summary>

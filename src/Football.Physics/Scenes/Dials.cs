@@ -18,8 +18,9 @@ public sealed record Dials
 
     /// <summary>The gauge pressure of the ball, in bar.</summary>
     /// <remarks>
-    /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). It scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The stiffness of a thin
-    /// shell grows with p, so its deformation and its loss fall as 1/√p (derived). It also changes the ball's mass, by the air inside at 20 °C (law).
+    /// 0.6 … 1.1 (law); default 0.8 (FIFA's tests). The pressure scales <see cref="BallProperties.Bounce"/> by √((1 − L √(0.8/p))/(1 − L)), L = 0.259. The
+    /// stiffness of a thin shell grows with p, so its deformation and its loss fall as 1/√p (derived). The pressure also changes the ball's mass, through the
+    /// air inside at 20 °C (law).
     /// </remarks>
     public double Pressure { get; init; } = UsualPressure;
 
@@ -33,8 +34,8 @@ public sealed record Dials
 
     /// <summary>The wear of the ball. 0 … 1; default 0.</summary>
     /// <remarks>
-    /// It moves the drag crisis to Re_c (80/272)^(0.14 w), as a roughness higher by 0.14 would. Use moves the crisis (measured, Appl. Sci. 11, 7204, 2021);
-    /// by how much is a guess. It has no effect if <see cref="ForceSet.Drag"/> does not use the ball's curve.
+    /// A wear of w moves the drag crisis to Re_c (80/272)^(0.14 w); at 1, it acts like a roughness increase of 0.14. Wear is known to move the crisis
+    /// (measured, Appl. Sci. 11, 7204, 2021); the amount is a guess. It has no effect if <see cref="ForceSet.Drag"/> does not use the ball's curve.
     /// </remarks>
     public double Wear { get; init; }
 

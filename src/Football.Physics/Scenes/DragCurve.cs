@@ -3,8 +3,9 @@ namespace FootballPhysics.Laws;
 /// <summary>The drag coefficient of a ball without spin as a function of the Reynolds number, through the drag crisis.</summary>
 /// <remarks>
 /// Re = 2r|u|/ν. C_D = (a − b₀) q + b₀ + (Re − Re₀) σ(−(Re − Re₀)/Re_s) (b₁ − b₀)/(Re₁ − Re₀) with q = σ((Re − Re_c)/Re_s), σ(x) = 1/(1 + eˣ).
-/// <para>The formula and its rows are those of Kiratidis and Leinweber (arXiv:1710.02784). Their wind-tunnel speeds are converted to Reynolds numbers
-/// with the viscosity of that study, 1.51393e-5 m²/s, and its diameter, 0.22 m. Measured up to Re 5.1e5 (35 m/s), extrapolated beyond.</para>
+/// <para>The formula and the coefficients of the balls are those of Kiratidis and Leinweber (arXiv:1710.02784). Their wind-tunnel speeds are converted to
+/// Reynolds numbers with the viscosity (1.51393e-5 m²/s) and diameter (0.22 m) of their study. The curves are measured up to Re 5.1e5 (35 m/s), and
+/// extrapolated beyond.</para>
 /// </remarks>
 public sealed record DragCurve
 {
@@ -31,7 +32,7 @@ public sealed record DragCurve
     public double Supercritical { get; init; } = 0.155;
 
     /// <summary>b₁, the drag coefficient at <see cref="RiseTo"/>. Default 0.185.</summary>
-    /// <remarks>From <see cref="Supercritical"/> to twice that. The default is derived as for <see cref="Subcritical"/>.</remarks>
+    /// <remarks>The range is from <see cref="Supercritical"/> to twice that value. The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double Risen { get; init; } = 0.185;
 
     /// <summary>Re₀, the Reynolds number above which drag rises again. 80 000 … 600 000; default 230 000.</summary>
@@ -39,11 +40,11 @@ public sealed record DragCurve
     public double RiseFrom { get; init; } = 230_000;
 
     /// <summary>Re₁, the Reynolds number at which drag has risen to <see cref="Risen"/>. Default 510 000.</summary>
-    /// <remarks>At least <see cref="RiseFrom"/> + <see cref="Width"/>. The default is derived as for <see cref="Subcritical"/>.</remarks>
+    /// <remarks>The value must be at least <see cref="RiseFrom"/> + <see cref="Width"/>. The default is derived as for <see cref="Subcritical"/>.</remarks>
     public double RiseTo { get; init; } = 510_000;
 
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
-    /// <remarks>Derived. The rounding was chosen to reproduce the four C_D of Hong and Asai, and the flight of Mencke.</remarks>
+    /// <remarks>The values are derived. The rounding was chosen to reproduce the four drag coefficients of Hong and Asai, and the flight of Mencke.</remarks>
     public static DragCurve Generic { get; } = new();
 
     /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>
@@ -60,8 +61,8 @@ public sealed record DragCurve
 
     /// <summary>A present-day ball in match play: roughness 0.86, crisis at Re 95 000 (6.5 m/s at sea level).</summary>
     /// <remarks>
-    /// Measured on the flights of one minute of a match in 2024, at 2 600 m. A second minute gives 85 000 … 110 000. The measurement cannot separate the effects
-    /// of the ball, its spin and the air in the stadium.
+    /// The curve was measured on the flights in one minute of a match in 2024, at 2 600 m. A second minute gives 85 000 … 110 000. The measurement cannot
+    /// separate the effects of the ball, its spin and the air in the stadium.
     /// </remarks>
     public static DragCurve Modern { get; } = OfRoughness(0.86);
 
@@ -98,10 +99,11 @@ public sealed record DragCurve
     /// <remarks>
     /// The rougher the ball and the more turbulent the air, the earlier the crisis and the higher the drag above it.
     /// Re_c = 272 000 · (80 000/272 000)^ρ; Re_s = 0.075 Re_c (1 + 1.3 ρ²); b₀ = 0.141 + 0.022 ρ, b₁ = b₀ + 0.03; Re₀ = 1.24 Re_c; a = 0.49.
-    /// <para>The wind-tunnel balls have a roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist), derived. Above that, up to
+    /// <para>The wind-tunnel balls have a derived roughness of 0 (Jabulani), 0.30 (Brazuca, Tango 12) and 0.32 (Teamgeist). Above that, up to
     /// <see cref="Modern"/>, the curve is fitted to the flights of one match.
-    /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). So do deeper seams, texture and wear (measured: the crisis
-    /// moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a guess.</para>
+    /// Wider seams make a ball rougher; this is the strongest effect (measured, Hong, Goff and Asai 2020). Deeper seams, texture and wear also make it rougher
+    /// (measured: the crisis moves with use, Appl. Sci. 11, 7204, 2021). Spin and turbulence act like roughness (known for spheres); their shares are a
+    /// guess.</para>
     /// </remarks>
     /// <param name="roughness">ρ, 0 … 1. 0: the smoothest match ball; 0.3: a ball with few panels in still air; 1: a worn, spinning ball in turbulent air.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="roughness"/> is out of range.</exception>

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Engines;
 
 /// <summary>A collider of a game engine, with a known shape or with only its surface at the contact.</summary>
-/// <remarks>A mesh or terrain has no shape in the library: a plane or sphere approximates its surface near the contact.</remarks>
+/// <remarks>A mesh or terrain has no shape in the library, so a plane or sphere approximates its surface near the contact.</remarks>
 public sealed class EngineCollider
 {
     /// <summary>The first number of an engine collider, above all indices of the scene's own objects.</summary>

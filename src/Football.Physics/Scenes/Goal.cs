@@ -58,7 +58,7 @@ public sealed record Goal
     internal int NetCount => HasNet ? 4 : 0;
 
     /// <summary>Returns the back, roof and side nets that the simulator uses; empty if <see cref="HasNet"/> is false.</summary>
-    /// <remarks>They end at the axes of posts and crossbar.</remarks>
+    /// <remarks>The nets end at the axes of the posts and the crossbar.</remarks>
     public IEnumerable<Net> Nets()
     {
         if (!HasNet)

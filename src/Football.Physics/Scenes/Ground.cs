@@ -13,8 +13,8 @@ public sealed record Ground
     /// <remarks>−1 … 1. A different value is allowed only on level ground.</remarks>
     public double? TangentialRestitutionZ { get; init; }
 
-    /// <summary>The minimum upward speed after an impact that counts as a bounce, in m/s. Default 0.2.</summary>
-    /// <remarks>0.001 … 10. A slower ball stays down. A speed of 0.2 m/s gives a hop of 2 mm (guess).</remarks>
+    /// <summary>The minimum upward speed after an impact for the ball to bounce, in m/s. Default 0.2.</summary>
+    /// <remarks>0.001 … 10. A slower ball stays on the ground. A speed of 0.2 m/s gives a hop of 2 mm (guess).</remarks>
     public double MinimumBounceSpeed { get; init; } = 0.2;
 
     /// <summary>The kinetic energy below which a rolling ball comes to rest, in J. 1e-12 … 100; default 1e-4.</summary>
@@ -33,7 +33,7 @@ public sealed record Ground
     /// <summary>The parts of the ground with another material. Default null: one material everywhere.</summary>
     public ISurfacePattern? Pattern { get; init; }
 
-    /// <summary>The part of drag and Magnus force that acts on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
+    /// <summary>The part of drag and Magnus force that acts while the ball is on the ground. Default <see cref="GroundAerodynamics.Full"/>.</summary>
     public GroundAerodynamics Aerodynamics { get; init; } = GroundAerodynamics.Full;
 
     /// <summary>True if the ground is a level plane.</summary>
@@ -49,7 +49,8 @@ public sealed record Ground
     public static Ground None { get; } = PublishedTurf with { Height = double.NegativeInfinity };
 
     /// <summary>The presets, by their names in JSON, on the command line and in the engines.</summary>
-    /// <remarks>They are level ground of every material, and <see cref="None"/>. Published materials have <see cref="GroundAerodynamics.Horizontal"/>.</remarks>
+    /// <remarks>There is level ground of every preset material, and <see cref="None"/>. Ground of a published material uses
+    /// <see cref="GroundAerodynamics.Horizontal"/>.</remarks>
     public static IReadOnlyDictionary<string, Ground> Presets { get; } = SurfaceMaterial.Presets
         .Select(preset => new KeyValuePair<string, Ground>(preset.Key, (preset.Key.StartsWith("published", StringComparison.Ordinal) ? PublishedTurf : new Ground()) with { Material = preset.Value }))
         .Append(new KeyValuePair<string, Ground>("none", None))

@@ -13,10 +13,10 @@ public interface IEngineColliders
     double Time { get; }
 
     /// <summary>An upper bound on the speed of any point of any collider, including rotation, in m/s.</summary>
-    /// <remarks>0 if all are static. The radius of the sphere cast grows with this speed.</remarks>
+    /// <remarks>0 if all colliders are static. The radius of the sphere cast grows with this speed.</remarks>
     double MaximumSpeed { get; }
 
-    /// <summary>Adds every collider that a moving sphere touches, including those at its start.</summary>
+    /// <summary>Adds every collider that a moving sphere touches, including those that it touches at the start.</summary>
     /// <remarks>You may also add colliders that the sphere does not touch.</remarks>
     /// <param name="cast">The sphere and its line of motion.</param>
     /// <param name="hits">The list of hits to add to.</param>

@@ -2,8 +2,8 @@ namespace FootballPhysics.Laws;
 
 /// <summary>A custom force or torque of your game.</summary>
 /// <remarks>
-/// The result must be finite and a smooth function of the input alone. The simulator calls it several times per step, at times between frames. If the
-/// result is not finite, the step throws, names the type of the force, and leaves the ball unchanged.
+/// The result must be finite and a smooth function of the input alone. The simulator calls it several times per step, at times between frames. If the result is
+/// not finite, the step throws an exception that names the force's type, and leaves the ball unchanged.
 /// <para>On the ground the vertical part of the force is dropped, as for drag and Magnus force. While the ball rolls, only the torque about the vertical acts.
 /// A ball with custom forces is integrated with the full spin vector, which costs slightly more.</para>
 /// </remarks>

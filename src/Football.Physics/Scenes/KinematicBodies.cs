@@ -6,9 +6,9 @@ namespace FootballPhysics;
 /// <summary>The bodies of a scene that your game moves: players' feet, legs and heads, a keeper's hands.</summary>
 /// <remarks>
 /// Add all bodies before you build the first simulator of the scene, including players who come on later. <see cref="KinematicBody.Withdraw"/> keeps a
-/// substitute out of play, at no cost to the steps, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on.
+/// substitute out of play, at no cost per step, until <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/> brings him on.
 /// <para>Use one scene with bodies per match, and do not share its simulators between threads. A snapshot of the ball does not store the bodies.
-/// A <see cref="Rollback"/> and a <see cref="Recording"/> store their motions, or call <see cref="FixedStepRunner.MoveBodies"/>.</para>
+/// A <see cref="Rollback"/> or a <see cref="Recording"/> either stores the motions of the bodies or calls <see cref="FixedStepRunner.MoveBodies"/>.</para>
 /// </remarks>
 public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
 {
@@ -42,7 +42,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">Name or shape is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="mass"/> is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes earlier, and withdraw them until they come
+    /// on.</exception>
     public KinematicBody Add(string name, IShape shape, SurfaceMaterial? surface = null, double mass = double.PositiveInfinity, int layer = 0)
     {
         Check.Given(nameof(name), name);
@@ -71,7 +72,8 @@ public sealed class KinematicBodies : IReadOnlyList<KinematicBody>
     /// <returns>The body, at the origin; move it with <see cref="KinematicBody.MoveTo(Vector3d, Vector3d, double)"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The mass of the kind is not above 0, or <paramref name="layer"/> is out of range.</exception>
-    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes before, and withdraw them.</exception>
+    /// <exception cref="InvalidOperationException">A simulator already uses the bodies. Add substitutes earlier, and withdraw them until they come
+    /// on.</exception>
     public KinematicBody Add(string name, BodyKind kind, int layer = 0)
     {
         Check.Given(nameof(kind), kind);

@@ -3,9 +3,11 @@ namespace FootballPhysics;
 /// <summary>A body that your game moves: a foot, a leg, a head, a keeper's hand.</summary>
 /// <remarks>
 /// Create it with <see cref="KinematicBodies.Add(string, IShape, SurfaceMaterial?, double, int)"/>. Before a step, pass its position and velocity to
-/// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time of contact.
-/// <para>If it has a mass, an impact changes its velocity until you move it again. If you place it over the ball, the next step pushes the ball out along the
-/// shortest path, without adding speed. The impact then depends on the body's own velocity. Look-aheads extrapolate its current motion without limit.</para>
+/// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time
+/// of contact.
+/// <para>If it has a mass, an impact changes its velocity until you move it again. If the body overlaps the ball after a move, the next step pushes the ball
+/// out along the shortest path, without adding speed. The impact then depends on the body's own velocity. Look-aheads extrapolate its current motion without
+/// limit.</para>
 /// </remarks>
 public sealed class KinematicBody
 {

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>Layers of objects and zones, 0 … 31, and the sets of layers that a ball ignores.</summary>
-/// <remarks>See <see cref="BallProperties.Ignores"/>.</remarks>
+/// <remarks>Assign such a set to <see cref="BallProperties.Ignores"/>.</remarks>
 public static class Layers
 {
     /// <summary>The highest layer.</summary>

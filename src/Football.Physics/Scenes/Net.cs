@@ -3,8 +3,8 @@ namespace FootballPhysics;
 /// <summary>A net: a soft rectangle that absorbs most of the ball's energy.</summary>
 /// <remarks>
 /// Contact begins when the ball's centre comes within one radius of the plane, inside the rectangle, on side σ = ±1. Contact ends when the depth
-/// δ = r − σ (p − c)·n returns to 0. It also ends when the centre is beyond the edge by more than r plus the depth in the deepest net. So the ball can roll off
-/// the roof of a goal, but cannot pass between two joined nets.
+/// δ = r − σ (p − c)·n returns to 0. It also ends when the centre is farther beyond the edge than r plus the greatest depth in any net. The ball can therefore
+/// roll off the roof of a goal, but cannot pass between two joined nets.
 /// <para>In contact, F = σ k δ max(0, 1 + b δ̇) n − k_t δ v_t and T = −k_ω δ ω. A ball in the net comes to rest if its energy is below
 /// <see cref="Ground.RestEnergy"/> and all forces balance to within 0.01 m/s².</para>
 /// </remarks>

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>An object that the ball can hit: a shape with a surface.</summary>
-/// <remarks>It can move at a constant velocity, and its surface can spin.</remarks>
+/// <remarks>An obstacle can move at a constant velocity, and its surface can spin.</remarks>
 public sealed record Obstacle
 {
     /// <summary>The name used in events and messages. Default "obstacle".</summary>
@@ -17,7 +17,7 @@ public sealed record Obstacle
     public Vector3d Velocity { get; init; }
 
     /// <summary>The spin of the surface about <see cref="Pivot"/>, in rad/s; at most 10 000. Default 0.</summary>
-    /// <remarks>It moves the surface, as on a spinning roller, but not the shape.</remarks>
+    /// <remarks>The spin moves the surface, as on a spinning roller, but not the shape.</remarks>
     public Vector3d Spin { get; init; }
 
     /// <summary>The mass, in kg; above 0. Default infinite: the ball does not move the obstacle.</summary>

@@ -18,7 +18,7 @@ public sealed record Pitch
     public double BoardHeight { get; init; }
 
     /// <summary>The distance between the lines and the boards, in m; at least 0. Default 3.</summary>
-    /// <remarks>The boards leave a gap for each goal if the distance is not above <see cref="Goal.DepthOnGround"/>.</remarks>
+    /// <remarks>The boards leave a gap for each goal if this distance is at most <see cref="Goal.DepthOnGround"/>.</remarks>
     public double BoardDistance { get; init; } = 3;
 
     /// <summary>Half the thickness of the boards, in m; above 0. Default 0.05.</summary>

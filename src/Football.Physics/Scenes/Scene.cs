@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Everything a flight depends on except the kick: ball, air, gravity, forces, ground and objects.</summary>
+/// <summary>Everything that a flight depends on, except the kick: ball, air, gravity, forces, ground and objects.</summary>
 /// <remarks>Immutable, except for the bodies and engine colliders that it refers to.</remarks>
 public sealed record Scene
 {
@@ -60,7 +60,7 @@ public sealed record Scene
     /// <summary>The goals, with their frames and nets; at most 64. Default: none.</summary>
     public IReadOnlyList<Goal> Goals { get; init; } = [];
 
-    /// <summary>The zones that report when the ball enters or leaves; at most 10 000. Default: none.</summary>
+    /// <summary>The zones that report when the ball enters or leaves them; at most 10 000. Default: none.</summary>
     public IReadOnlyList<Zone> Zones { get; init; } = [];
 
     /// <summary>The bodies that your game moves: players' feet and heads, a keeper's hands. Default: none.</summary>
@@ -87,7 +87,7 @@ public sealed record Scene
     public static Scene HighAltitude => s_highAltitude ??= new() { Air = Weather.AtAltitude(2240, 20, 0.4).ToAir() };
 
     /// <summary>Creates the default scene with a steady wind.</summary>
-    /// <param name="wind">Wind velocity, in m/s.</param>
+    /// <param name="wind">The wind velocity, in m/s.</param>
     public static Scene Windy(Vector3d wind) => new() { Air = new Air { Wind = wind } };
 
     /// <summary>The motions of the obstacles with a finite mass, shared by the scenes of several balls. Default: the simulator creates its own.</summary>
@@ -97,7 +97,7 @@ public sealed record Scene
     /// <remarks>An empty list of bodies counts as none: no body can be added once a simulator exists.</remarks>
     internal bool HasThings => Obstacles.Count > 0 || Nets.Count > 0 || Goals.Count > 0 || Bodies is { Count: > 0 } || EngineColliders is not null;
 
-    /// <summary>Checks every number of the scene.</summary>
+    /// <summary>Throws if a number of the scene is out of range.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names field, value and range.</exception>
     /// <exception cref="ArgumentNullException">A part is null; the message names it.</exception>
     public void Validate()

@@ -25,7 +25,7 @@ public readonly struct SphereCast
     public double Distance { get; }
 
     /// <summary>The radius of the sphere, in m.</summary>
-    /// <remarks>It exceeds the ball's radius by the deviation of the curved path and by the distance that colliders can move.</remarks>
+    /// <remarks>This radius exceeds the ball's radius by the deviation of the curved path from the line, and by the distance that colliders can move.</remarks>
     public double Radius { get; }
 
     /// <summary>The radius of the ball, in m.</summary>

@@ -12,8 +12,8 @@ public sealed partial record SurfaceMaterial
 
     /// <summary>Dry, mown turf.</summary>
     /// <remarks>
-    /// Restitution 0.622, e_t 0.20 and c₀ 0.070 measured: they pass FIFA's tests (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
-    /// Impact friction 1.2: at least 0.91 derived; the rest guess.
+    /// Measured: restitution 0.622, e_t 0.20 and c₀ 0.070, which pass FIFA's tests (drop 0.60 … 1.00 m, angle 45 … 60 %, roll 4 … 10 m).
+    /// The impact friction is 1.2 (derived: at least 0.91). The other values are guesses.
     /// </remarks>
     public static SurfaceMaterial DryTurf { get; } = new()
     {
@@ -29,13 +29,14 @@ public sealed partial record SurfaceMaterial
 
     /// <summary>Artificial turf.</summary>
     /// <remarks>
-    /// Restitution 0.622, e_t 0.20 and c₀ 0.069 measured: they pass the FIFA Quality Pro tests (drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m).
-    /// Impact friction 1.2: at least 0.91 derived; the rest guess.
+    /// Measured: restitution 0.622, e_t 0.20 and c₀ 0.069, which pass the FIFA Quality Pro tests (drop 0.60 … 0.85 m, angle 45 … 60 %, roll 4 … 8 m).
+    /// The impact friction is 1.2 (derived: at least 0.91). The other values are guesses.
     /// </remarks>
     public static SurfaceMaterial ArtificialTurf { get; } = DryTurf with { SlidingFriction = 0.55, RollingResistance = 0.069, RollingResistancePerSpeed = 0.008 };
 
     /// <summary>Watered turf, on which a ball skids.</summary>
-    /// <remarks>Restitution 0.570 measured (FIFA's drop test: 0.60 … 1.00 m); the rest guess (impact friction 0.50 gives 67 % in the angle test).</remarks>
+    /// <remarks>Measured: restitution 0.570 (FIFA's drop test: 0.60 … 1.00 m). The other values are guesses; impact friction 0.50 gives 67 % in the angle
+    /// test.</remarks>
     public static SurfaceMaterial WetTurf { get; } = DryTurf with
     {
         NormalRestitution = 0.57,
@@ -46,7 +47,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Hard, dry ground (guess).</summary>
-    /// <remarks>In the drop test the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
+    /// <remarks>In FIFA's drop test, the ball rebounds to 1.01 m, the upper end of the range for natural pitches.</remarks>
     public static SurfaceMaterial HardGround { get; } = DryTurf with
     {
         NormalRestitution = 0.74,
@@ -57,7 +58,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Long grass (guess).</summary>
-    /// <remarks>In FIFA's test the ball rolls 3.5 m, near the former lower limit of 3 m.</remarks>
+    /// <remarks>In FIFA's roll test, the ball rolls 3.5 m, near the former lower limit of 3 m.</remarks>
     public static SurfaceMaterial LongGrass { get; } = DryTurf with
     {
         NormalRestitution = 0.5,
@@ -81,7 +82,7 @@ public sealed partial record SurfaceMaterial
     };
 
     /// <summary>Concrete.</summary>
-    /// <remarks>Restitution 0.861 measured (a test ball rises to 1.35 ± 0.03 m from 2 m, EN 12235); the rest guess.</remarks>
+    /// <remarks>Measured: restitution 0.861 (a test ball dropped from 2 m rises to 1.35 ± 0.03 m, EN 12235). The other values are guesses.</remarks>
     public static SurfaceMaterial Concrete { get; } = DryTurf with
     {
         NormalRestitution = 0.861,
@@ -124,7 +125,7 @@ public sealed partial record SurfaceMaterial
     public static SurfaceMaterial Board { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.35, SlidingFriction = 0.35, RollingResistance = 0.03, TorsionalPatchRadius = 0.005 };
 
     /// <summary>A boot or a leg: leather on a limb that yields (guess).</summary>
-    /// <remarks>In measured kicks, e is 0.4 … 0.7 with the mass of the foot included.</remarks>
+    /// <remarks>In measured kicks, e is 0.4 … 0.7, including the effect of the foot's mass.</remarks>
     public static SurfaceMaterial Boot { get; } = GoalFrame with { NormalRestitution = 0.5, ImpactFriction = 0.5, SlidingFriction = 0.5, TorsionalPatchRadius = 0.01 };
 
     /// <summary>A head (guess).</summary>
@@ -139,7 +140,8 @@ public sealed partial record SurfaceMaterial
 
     /// <summary>The turf of the published profile: a constant restitution, and no limit on the friction in an impact.</summary>
     /// <remarks>
-    /// Restitution 0.6, sliding friction 0.5, rolling friction 0.05; all as published. <see cref="Ground.PublishedTurf"/> also restricts the air forces on the ground.
+    /// Restitution is 0.6, sliding friction 0.5 and rolling friction 0.05, all as published. <see cref="Ground.PublishedTurf"/> also restricts the air forces
+    /// on the ground.
     /// </remarks>
     public static SurfaceMaterial PublishedTurf { get; } = new()
     {

@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>A material: how the ball bounces off it, slides on it and rolls on it.</summary>
 /// <remarks>
-/// The pitch and every object have one. The default numbers are those of <see cref="MatchTurf"/>; <see cref="Presets"/> lists the presets by name.
+/// The pitch and every object have a material. The default numbers are those of <see cref="MatchTurf"/>; <see cref="Presets"/> lists the presets by name.
 /// Each preset states its evidence: measured, derived, guess (no measurement found), or published (the thesis).
 /// </remarks>
 [JsonNumberHandling(JsonNumberHandling.AllowNamedFloatingPointLiterals)]
@@ -18,7 +18,7 @@ public sealed partial record SurfaceMaterial
     /// <remarks>Above 0; default 20. If infinite, the restitution is the same at every speed.</remarks>
     public double RestitutionSpeedScale { get; init; } = 20;
 
-    /// <summary>The rise η of the restitution for oblique impacts. 0 … 1; default 0.45.</summary>
+    /// <summary>The increase η of the restitution for oblique impacts. 0 … 1; default 0.45.</summary>
     /// <remarks>A grazing ball ploughs less: e → e + η (1 − e) c⁴/(c⁴ + 2.8⁴). Here c is the speed along the surface divided by the approach speed.</remarks>
     public double GrazingRestitutionGain { get; init; } = 0.45;
 
@@ -49,10 +49,10 @@ public sealed partial record SurfaceMaterial
     /// <remarks>The torque is b μ_s times the normal force.</remarks>
     public double TorsionalPatchRadius { get; init; } = 0.02;
 
-    /// <summary>The minimum speed at which the ball leaves an impact, along the normal, in m/s: a pinball bumper.</summary>
+    /// <summary>The minimum rebound speed along the normal, in m/s; above 0 for a pinball bumper.</summary>
     /// <remarks>
-    /// Relative to the surface. 0 … 1000; always 0 for the ground and between balls; default 0. A ball that lands on top of the object with less than
-    /// <see cref="Ground.MinimumBounceSpeed"/> stays down.
+    /// The speed is relative to the surface. 0 … 1000; always 0 for the ground and between balls; default 0. A ball that lands on top of the object with less
+    /// than <see cref="Ground.MinimumBounceSpeed"/> stays there.
     /// </remarks>
     public double MinimumExitSpeed { get; init; }
 

@@ -1,7 +1,7 @@
 namespace FootballPhysics;
 
 /// <summary>The weather, which determines the density and viscosity of the air.</summary>
-/// <remarks>Within 0.05 % of CIPM-2007 in its range of validity.</remarks>
+/// <remarks>The density is within 0.05 % of the CIPM-2007 formula in its range of validity.</remarks>
 public sealed record Weather
 {
     /// <summary>The pressure at sea level, in Pa (law: standard atmosphere).</summary>

@@ -2,8 +2,8 @@ namespace FootballPhysics;
 
 /// <summary>A region that reports when the ball enters or leaves it: a penalty area, a touchline, a trigger.</summary>
 /// <remarks>
-/// The events are <see cref="BallEventKind.EnterZone"/> and <see cref="BallEventKind.ExitZone"/>. A zone never changes the path. Only the position of the ball
-/// decides whether it is in a zone. If you place a ball in a zone, no enter event is reported, but the later exit is.
+/// The events are <see cref="BallEventKind.EnterZone"/> and <see cref="BallEventKind.ExitZone"/>. A zone never changes the path. Only the ball's position
+/// determines whether the ball is in a zone. If you place a ball in a zone, only its later exit is reported, not an entry.
 /// </remarks>
 public sealed record Zone
 {

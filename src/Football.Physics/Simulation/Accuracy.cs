@@ -1,11 +1,10 @@
 namespace FootballPhysics;
 
-/// <summary>Accuracy of a flight from the kick to the impact, relative to the exact solution of its laws.</summary>
+/// <summary>The accuracy of a flight from the kick to the impact, relative to the exact solution of its laws.</summary>
 /// <remarks>
-/// The settings that <see cref="SolverSettings.For"/> and <c>BatchSettings.For</c> choose meet it for footballers' shots: a football at up
-/// to 40 m/s
-/// and 80 rad/s, in any wind, with any of the published laws. A ball with a quarter of the mass curves more, and custom forces are not
-/// covered.
+/// The settings that <see cref="SolverSettings.For"/> and <c>BatchSettings.For</c> choose meet this accuracy for footballers' shots. These are shots of a
+/// football at up to 40 m/s and 80 rad/s, in any wind, with any of the published laws. Balls with a quarter of the mass, which curve more, and custom forces
+/// are not covered.
 /// </remarks>
 public enum Accuracy
 {

@@ -4,8 +4,8 @@ namespace FootballPhysics.Prediction;
 /// <remarks>Set it as <see cref="StepLog.Observer"/>.</remarks>
 public abstract class PieceObserver
 {
-    /// <summary>True if pieces need the acceleration at their end. Default false.</summary>
-    /// <remarks>It costs one evaluation per piece. Without it, the pieces are cubic.</remarks>
+    /// <summary>True if pieces must include the acceleration at their end. Default false.</summary>
+    /// <remarks>This costs one force evaluation per piece. Without it, the pieces are cubic.</remarks>
     public virtual bool WantsEndAcceleration => false;
 
     /// <summary>False if the observer ignores the states at the ends of a piece, and always needs the acceleration at its end.</summary>
@@ -25,8 +25,8 @@ public abstract class PieceObserver
 
     /// <summary>Called after every piece with the full state at both ends.</summary>
     /// <param name="before">The ball at the start of the piece.</param>
-    /// <param name="after">The ball at its end.</param>
+    /// <param name="after">The ball at the end of the piece.</param>
     /// <param name="piece">The piece.</param>
-    /// <returns>As <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
+    /// <returns>The same as for <see cref="Add(in PathSegment)"/>, which the default implementation calls.</returns>
     public virtual bool Add(in BallState before, in BallState after, in PathSegment piece) => Add(in piece);
 }

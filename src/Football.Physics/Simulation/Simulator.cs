@@ -23,7 +23,7 @@ public sealed class Simulator
 
     /// <summary>Validates and compiles a scene.</summary>
     /// <param name="scene">The scene; default <see cref="Scene.Default"/>.</param>
-    /// <param name="settings">Integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="settings">The integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public Simulator(Scene? scene = null, SolverSettings? settings = null)
@@ -52,7 +52,7 @@ public sealed class Simulator
     /// <summary>The integrator and solver settings.</summary>
     public SolverSettings Settings { get; }
 
-    /// <summary>Height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
+    /// <summary>The height of the ball's centre on level ground at the origin, in m; −∞ with <see cref="Ground.None"/>.</summary>
     public double ContactHeight => _contact;
 
     /// <summary>Launches a ball that has the identity orientation.</summary>
@@ -67,10 +67,10 @@ public sealed class Simulator
     /// event.
     /// A faster downward speed causes an impact at the start of the first step.
     /// </remarks>
-    /// <param name="position">Position of the centre, m; components within ±1e6.</param>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
-    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
-    /// <param name="orientation">Orientation; it is normalised.</param>
+    /// <param name="position">The position of the centre, in m; components within ±1e6.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
+    /// <param name="spin">The spin, in rad/s; at most 10 000.</param>
+    /// <param name="orientation">The orientation; it is normalised.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public BallState Launch(Vector3d position, Vector3d velocity, Vector3d spin, Quaterniond orientation)
@@ -111,8 +111,8 @@ public sealed class Simulator
         return state;
     }
 
-    /// <summary>Names of all surfaces and zones, indexed by <see cref="BallEvent.ColliderIndex"/>.</summary>
-    /// <remarks>Order: the ground, obstacles, posts and bars, bodies, nets, goals, zones.</remarks>
+    /// <summary>The names of all surfaces and zones, indexed by <see cref="BallEvent.ColliderIndex"/>.</summary>
+    /// <remarks>The order is: the ground, obstacles, posts and bars, bodies, nets, goals, zones.</remarks>
     public IReadOnlyList<string> Names => _world.Names;
 
     /// <summary>Returns the name of a surface or zone, such as "ground", "left post" or "goal"; null for a negative index.</summary>
@@ -121,12 +121,11 @@ public sealed class Simulator
     public string? NameOf(int thing) => thing < 0 ? null : _world.NameOf(thing);
 
     /// <summary>Throws if no ball in this scene can have this state.</summary>
-    /// <remarks>Use it on states read from a file or passed through the C API. It takes a few nanoseconds.</remarks>
+    /// <remarks>Use it on states read from a file or passed through the C API. A call takes a few nanoseconds.</remarks>
     /// <param name="state">The state.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// The state was never launched, a value is not finite or is out of range, or the state does not fit this scene: its surface, net or
-    /// goal does not exist,
-    /// or the ball is not on it. The positions of bodies and engine colliders are not checked.
+    /// The state was never launched, a value is not finite or is out of range, or the state does not fit this scene: the surface, net or goal of the state does
+    /// not exist, or the ball is not on it. The positions of bodies and engine colliders are not checked.
     /// </exception>
     public void Validate(in BallState state)
     {
@@ -139,8 +138,8 @@ public sealed class Simulator
     /// <summary>Kicks a ball: sets its velocity and spin, and keeps its position, time and orientation.</summary>
     /// <remarks>A ball in a net stays in the net, on the same side.</remarks>
     /// <param name="state">The ball; unchanged if an exception is thrown.</param>
-    /// <param name="velocity">Velocity, m/s; speed at most 1000.</param>
-    /// <param name="spin">Spin, rad/s; at most 10 000.</param>
+    /// <param name="velocity">The velocity, in m/s; speed at most 1000.</param>
+    /// <param name="spin">The spin, in rad/s; at most 10 000.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public void Kick(ref BallState state, Vector3d velocity, Vector3d spin)
@@ -189,7 +188,7 @@ public sealed class Simulator
         return RestsAt(in still) ? still : placed;
     }
 
-    /// <summary>Advances a ball by one step. Events and counts are added to the log. Allocates nothing.</summary>
+    /// <summary>Advances a ball by one step. Events and counts are added to the log. Does not allocate.</summary>
     /// <remarks>
     /// A step is divided into nearly equal parts if drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (explicit Euler).
     /// For a beach ball at 200 m/s this happens at 20 ms. The parts are counted in <see cref="StepLog.Steps"/>.
@@ -199,7 +198,7 @@ public sealed class Simulator
     /// After an impact, a ball stays on the surface if it would return to it within a microsecond.
     /// </remarks>
     /// <param name="state">The ball.</param>
-    /// <param name="dt">Time to advance, s: 0 … 1e12. It is one step of the integrator, split only at events.</param>
+    /// <param name="dt">The time to advance, in s; 0 … 1e12. It is one step of the integrator, split only at events.</param>
     /// <param name="log">Receives events and counts.</param>
     /// <exception cref="ArgumentOutOfRangeException">
     /// <paramref name="dt"/> is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The ball is unchanged.
@@ -276,13 +275,13 @@ public sealed class Simulator
         throw new ArgumentNullException(nameof(log));
     }
 
-    /// <summary>Advances a ball in equal steps until an event or for a given time.</summary>
+    /// <summary>Advances a ball in equal steps until an event or the end of the duration.</summary>
     /// <param name="state">The ball. If an event ends the run, this is its state just after the event.</param>
     /// <param name="timeStep">
-    /// Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration, and greater than the rounding of the ball's clock. The
+    /// The length of a step, in s; above 0, at most 1e12, at least 1e-12 of the duration, and greater than the rounding of the ball's clock. The
     /// last step is shortened.
     /// </param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Receives events and counts.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
@@ -294,10 +293,10 @@ public sealed class Simulator
     public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log) =>
         Run(ref state, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Advances a ball until an event or for a given time, and calls back after every step.</summary>
+    /// <summary>Advances a ball until an event or the end of the duration, and calls back after every step.</summary>
     /// <param name="state">The ball, as in the other overload.</param>
-    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="timeStep">The length of a step, in s, as in the other overload.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Receives events and counts.</param>
     /// <param name="afterStep">Called with the ball after every step; null for no callback.</param>
@@ -405,10 +404,9 @@ public sealed class Simulator
     /// <inheritdoc cref="Stepper.Displaced"/>
     internal void Displaced(ref BallState s, in Vector3d from, StepLog log) => _stepper.Displaced(ref s, in from, log);
 
-    /// <summary>A hash of everything that determines the ball's path in this scene. Compare it between machines.</summary>
+    /// <summary>A hash of everything that determines the ball's path in this scene. Compare the hash between machines.</summary>
     /// <remarks>
-    /// It covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in a value have
-    /// different hashes.
+    /// The hash covers the scene's values, sampled values of fields defined by code, and the settings. Scenes that differ in any value have different hashes.
     /// Custom forces are included only by their type names.
     /// </remarks>
     /// <exception cref="InvalidOperationException">A custom wind field is not finite.</exception>

@@ -9,7 +9,7 @@ public sealed record SolverSettings
     /// <summary>The method that finds the time of impact. Default <see cref="CollisionTiming.Exact"/>.</summary>
     public CollisionTiming CollisionTiming { get; init; } = CollisionTiming.Exact;
 
-    /// <summary>Tolerance of <see cref="CollisionTiming.Bisection"/>, in s; above 0. Default 1e-6.</summary>
+    /// <summary>The tolerance of <see cref="CollisionTiming.Bisection"/>, in s; above 0. Default 1e-6.</summary>
     public double CollisionTolerance { get; init; } = 1e-6;
 
     /// <summary>The method that finds the end of a slide. Default <see cref="RollingTransition.Exact"/>.</summary>
@@ -22,8 +22,8 @@ public sealed record SolverSettings
     public static SolverSettings Default { get; } = new();
 
     /// <summary>Returns the cheapest integrator and step for an accuracy: RK4 with steps of 80 ms, 40 ms or 5 ms.</summary>
-    /// <param name="accuracy">Maximum error of a shot from the kick to the impact.</param>
-    /// <param name="timeStep">The longest step to use, s. Shorter steps are more accurate.</param>
+    /// <param name="accuracy">The maximum error of a shot from the kick to the impact.</param>
+    /// <param name="timeStep">The longest step to use, in s. Shorter steps are more accurate.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="accuracy"/> is not a value of the enumeration.</exception>
     public static SolverSettings For(Accuracy accuracy, out double timeStep)
     {
@@ -50,22 +50,22 @@ public sealed record SolverSettings
     }
 }
 
-/// <summary>Method that finds the time of impact inside a step.</summary>
+/// <summary>The method that finds the time of impact inside a step.</summary>
 public enum CollisionTiming
 {
-    /// <summary>Finds the root of the step itself: in closed form, or by one Newton correction.</summary>
+    /// <summary>Solves the step itself for the time of impact: in closed form, or by one Newton correction.</summary>
     Exact = 0,
 
     /// <summary>The thesis' bisection with re-integration (2.4.4), down to <see cref="SolverSettings.CollisionTolerance"/>.</summary>
     Bisection = 1,
 }
 
-/// <summary>Method that finds the end of a slide.</summary>
+/// <summary>The method that finds the end of a slide.</summary>
 public enum RollingTransition
 {
-    /// <summary>Ends the slide at the instant inside the step when the slip reaches zero.</summary>
+    /// <summary>Ends the slide at the instant inside the step at which the slip reaches zero.</summary>
     Exact = 0,
 
-    /// <summary>The thesis' heuristic (2.27, 2.28): at the end of a step in which the slip grew or fell below 1 mm/s.</summary>
+    /// <summary>The thesis' heuristic (2.27, 2.28): ends the slide at the end of a step in which the slip grew or fell below 1 mm/s.</summary>
     Heuristic = 1,
 }

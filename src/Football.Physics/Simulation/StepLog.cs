@@ -4,8 +4,8 @@ namespace FootballPhysics;
 public sealed partial class StepLog
 {
     /// <summary>Creates an empty log.</summary>
-    /// <param name="eventCapacity">Initial capacity for events, at least 1; default 32. It grows up to <paramref name="mostEvents"/>.</param>
-    /// <param name="mostEvents">Maximum number of events kept, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
+    /// <param name="eventCapacity">The initial capacity for events, at least 1; default 32. It grows to at most <paramref name="mostEvents"/>.</param>
+    /// <param name="mostEvents">The maximum number of events kept, at least 32; default <see cref="EventBuffer.DefaultMost"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
     public StepLog(int eventCapacity = 32, int mostEvents = EventBuffer.DefaultMost) => Events = new EventBuffer(eventCapacity, mostEvents);
@@ -21,8 +21,8 @@ public sealed partial class StepLog
 
     /// <summary>The number of steps that ended early because they reached the limit of pieces or evaluations.</summary>
     /// <remarks>
-    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball stays at its position for the rest of the step.
-    /// The count is 0 for any realistic football. It can grow if objects press the ball from all sides.
+    /// A step may use 8,192 pieces and 32,768 evaluations. After that, the ball keeps its position for the rest of the step. The count is 0 for any realistic
+    /// football, but can grow if objects press the ball from all sides.
     /// </remarks>
     public long StalledSteps { get; internal set; }
 
@@ -64,7 +64,7 @@ public sealed partial class StepLog
     /// <summary>The counters of a step that is taken in several calls.</summary>
     internal StepBudget Spent;
 
-    /// <summary>Receives every piece of motion. Default null, which costs nothing.</summary>
+    /// <summary>The observer that receives every piece of motion. Default null, which costs nothing.</summary>
     /// <remarks>A step is one piece, or several if it contains events.</remarks>
     public PieceObserver? Observer
     {

@@ -9,6 +9,6 @@ public enum StopAt
     /// <summary>The first impact, just after its impulse.</summary>
     Impact = 1,
 
-    /// <summary>The moment when the ball comes to rest.</summary>
+    /// <summary>The moment at which the ball comes to rest.</summary>
     Rest = 2,
 }

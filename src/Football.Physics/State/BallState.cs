@@ -5,7 +5,7 @@ namespace FootballPhysics;
 
 /// <summary>The complete state of a ball: an unmanaged value.</summary>
 /// <remarks>
-/// A copy is a snapshot, and equal bytes mean equal states. Apart from the state, a step depends on no mutable data of the ball.
+/// A copy is a snapshot, and equal bytes mean equal states. A step depends on no mutable data of the ball except this state.
 /// Create a state with <see cref="Simulator.Launch(Vector3d, Vector3d, Vector3d)"/>; all zero bytes are not a valid state.
 /// </remarks>
 public struct BallState : IFormattable
@@ -39,7 +39,7 @@ public struct BallState : IFormattable
     public readonly Vector3d Spin => SpinAxis * SpinRate;
 
     /// <summary>The orientation, body to world.</summary>
-    /// <remarks>Computed on each access; in flight the steps do not update it.</remarks>
+    /// <remarks>The value is computed on each access; steps in flight do not update it.</remarks>
     public readonly Quaterniond Orientation => Angle == 0
         ? BaseOrientation
         : (Quaterniond.FromAxisAngle(SpinAxis, Angle) * BaseOrientation).Normalized();
@@ -102,7 +102,7 @@ public struct BallState : IFormattable
     /// <inheritdoc/>
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Formats motion, time, position, velocity and spin.</summary>
+    /// <summary>Formats the motion, time, position, velocity and spin.</summary>
     /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
     /// <param name="formatProvider">The culture; default the invariant culture.</param>
     public readonly string ToString(string? format, IFormatProvider? formatProvider = null)

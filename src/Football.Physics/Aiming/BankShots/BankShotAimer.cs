@@ -2,11 +2,11 @@ using System.Globalization;
 
 namespace FootballPhysics.Aiming;
 
-/// <summary>Finds kicks that reach a target after given impacts, for instance one bounce, a wall or a post.</summary>
+/// <summary>Finds kicks that hit given objects before the target, such as the ground, a wall or a post.</summary>
 /// <remarks>
-/// A kick is divided into legs: from the ball to a guess of the first contact, from there to the next contact, and finally to the target. Newton's
-/// method adjusts the kick and the contacts until all legs join (multiple shooting), and the result is simulated. If that finds no hit, kicks in
-/// all directions are tried. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
+/// The search divides a kick into legs: from the ball to an estimated first contact, on to the next contacts, and finally to the target. Newton's method
+/// adjusts the kick and the contacts until all legs join (multiple shooting); the result is then simulated. If it is not a hit, the search tries kicks in all
+/// directions. Create one per scene and reuse it: searches do not allocate. Not thread-safe.
 /// </remarks>
 public sealed class BankShotAimer
 {
@@ -59,13 +59,13 @@ public sealed class BankShotAimer
     /// <see cref="AimRequest.MaximumIterations"/> limits the iterations from each of many starts.
     /// </param>
     /// <param name="after">The names of the objects to hit first, in order, such as "ground", "left post" or "crossbar"; at least one. If several
-    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. Their order is that of the obstacles and goals in the
+    /// objects share a name, "left post[0]" is the first and "left post[1]" the second. They are numbered in the order of the obstacles and goals in the
     /// scene.</param>
-    /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is "not converged":
-    /// other kicks are not excluded.</returns>
+    /// <returns>The best kick found. A hit passes within tolerance of the target after exactly these impacts. Any other result is "not converged": other kicks
+    /// may still hit.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, no object is given, or the scene has no object, or several, with a
-    /// name. The message lists the names of the scene.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of range, no object is given, or a name matches no object of the scene, or several. The
+    /// message lists the names in the scene.</exception>
     public AimResult Find(AimRequest request, params string[] after)
     {
         Check.Given(nameof(request), request);

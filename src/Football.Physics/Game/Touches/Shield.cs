@@ -10,13 +10,13 @@ public sealed record ShieldRequest
     public IReadOnlyList<Player> Opponents { get; init; } = [];
 
     /// <summary>The maximum distance of the ball from the player, in m. Above 0, at most 10; default 0.6.</summary>
-    /// <remarks>The default is his reach without a step.</remarks>
+    /// <remarks>The default is the player's reach without a step.</remarks>
     public double MaximumDistance { get; init; } = 0.6;
 
-    /// <summary>The radius of his body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
+    /// <summary>The radius of the player's body, which opponents run around, in m. 0 … 1; default 0.3.</summary>
     public double BodyRadius { get; init; } = 0.3;
 
-    /// <summary>The time at which the opponents' reaction times start, in s. Default 0.</summary>
+    /// <summary>The time from which the opponents' reaction times are measured, in s. Default 0.</summary>
     public double Time { get; init; }
 
     internal void Validate()
@@ -81,8 +81,8 @@ public sealed class ShieldResult
     /// <summary>The position with the largest margin within the player's reach, on the ground, in m.</summary>
     public Vector3d Position { get; }
 
-    /// <summary>The largest margin before the first opponent, in s; negative if an opponent is first.</summary>
-    /// <remarks>It is 3600 if no opponent comes.</remarks>
+    /// <summary>The largest margin over the first opponent, in s; negative if an opponent is first.</summary>
+    /// <remarks>The margin is 3600 if no opponent comes.</remarks>
     public double Margin { get; }
 
     /// <summary>True if the player reaches some position before all opponents.</summary>
@@ -91,12 +91,12 @@ public sealed class ShieldResult
     /// <summary>The share of the sampled positions that the player reaches before all opponents, 0 … 1.</summary>
     public double SafeShare { get; }
 
-    /// <summary>The margins on the outermost ring, in s.</summary>
+    /// <summary>The margins at the positions on the outermost ring, in s.</summary>
     /// <remarks>The directions are equally spaced. They start at −z and run counter-clockwise, seen from above.</remarks>
     public IReadOnlyList<double> Margins => _margins;
 
-    /// <summary>Returns how much earlier than the first opponent the player reaches a position, in s.</summary>
-    /// <remarks>Negative if an opponent is first; 3600 if no opponent comes.</remarks>
+    /// <summary>Returns the time by which the player reaches a position before the first opponent, in s.</summary>
+    /// <remarks>The result is negative if an opponent is first, and 3600 if no opponent comes.</remarks>
     /// <param name="place">The position, in m; its height is ignored.</param>
     public double MarginAt(Vector3d place)
     {

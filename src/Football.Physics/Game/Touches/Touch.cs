@@ -3,7 +3,7 @@ using System.Globalization;
 namespace FootballPhysics.Aiming;
 
 /// <summary>The result of a search for a touch: the strike, its effect on the ball, and its chance of success.</summary>
-/// <remarks>Whatever the status, it contains the best touch found, and that touch is finite.</remarks>
+/// <remarks>Whatever the status, the result contains the best touch found, with finite numbers.</remarks>
 public readonly struct Touch : IFormattable
 {
     internal Touch(TouchStatus status, in FootStrike strike, in Vector3d place, in Vector3d ballVelocity, double time, double miss, double paceMiss, double chance)
@@ -34,7 +34,7 @@ public readonly struct Touch : IFormattable
     public Vector3d Spin => Strike.Spin;
 
     /// <summary>The position of the ball at the evaluation time, in m.</summary>
-    /// <remarks>It is the requested time for a dribble, the settling time for a trap, and the closest approach to the target for a
+    /// <remarks>The evaluation time is the requested time for a dribble, the settling time for a trap, and the time of closest approach to the target for a
     /// shot.</remarks>
     public Vector3d Position { get; }
 
@@ -55,8 +55,8 @@ public readonly struct Touch : IFormattable
     /// <remarks>For a dribble, it is the error of the speed.</remarks>
     public double SpeedError { get; }
 
-    /// <summary>The share of touches with the player's errors (<see cref="TouchSpread"/>) that succeed, 0 … 1.</summary>
-    /// <remarks>NaN if no draws were requested.</remarks>
+    /// <summary>The share of random touches, with the player's errors (<see cref="TouchSpread"/>), that succeed; 0 … 1.</summary>
+    /// <remarks>NaN if no random touches were requested.</remarks>
     public double Chance { get; }
 
     /// <summary>Returns the touch as one line of text.</summary>

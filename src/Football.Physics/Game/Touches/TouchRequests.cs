@@ -12,7 +12,7 @@ public sealed record DribbleRequest
     /// <summary>His running speed, in m/s. 0 … 15; default 5.</summary>
     public double RunSpeed { get; init; } = 5;
 
-    /// <summary>The time at which he wants the ball, in s after the touch. 0.05 … 5; default 0.5.</summary>
+    /// <summary>The time at which he wants to reach the ball, in s after the touch. 0.05 … 5; default 0.5.</summary>
     public double Duration { get; init; } = 0.5;
 
     /// <summary>The distance of the ball ahead of him at that time, in m. 0 … 10; default 0.6.</summary>
@@ -21,7 +21,7 @@ public sealed record DribbleRequest
     /// <summary>The tolerance of the ball's position, in m; above 0. Default 0.1.</summary>
     public double Tolerance { get; init; } = 0.1;
 
-    /// <summary>The largest position error with which an inaccurate touch still succeeds, in m; above 0. Default 0.5.</summary>
+    /// <summary>The maximum position error at which an inaccurate touch still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
     /// <summary>The position at which he wants the ball, on the ground, in m.</summary>
@@ -54,7 +54,7 @@ public sealed record TrapRequest
     /// <summary>The maximum speed of the settled ball relative to the player, in m/s; above 0. Default 0.3.</summary>
     public double Tolerance { get; init; } = 0.3;
 
-    /// <summary>The maximum speed of the ball relative to the player after a trap that still counts as a success, in m/s; above 0. Default 1.</summary>
+    /// <summary>The maximum speed of the ball relative to the player at which an inaccurate trap still succeeds, in m/s; above 0. Default 1.</summary>
     public double SuccessSpeed { get; init; } = 1;
 
     internal void Validate()
@@ -76,7 +76,7 @@ public sealed record FirstTimeRequest
     /// <remarks>The shot is slower if the foot cannot give this speed.</remarks>
     public double Speed { get; init; } = 25;
 
-    /// <summary>The topspin requested, in rad/s, as far as the foot can give it. −200 … 200; default 0.</summary>
+    /// <summary>The requested topspin, in rad/s; the foot gives as much of it as it can. −200 … 200; default 0.</summary>
     public double TopSpin { get; init; }
 
     /// <summary>The requested sidespin, in rad/s; the foot gives as much of it as it can. −200 … 200; default 0.</summary>
@@ -91,7 +91,7 @@ public sealed record FirstTimeRequest
     /// <summary>The tolerance of the distance to the target, in m; above 0. Default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
-    /// <summary>The distance to the target at which a shot with errors still succeeds, in m; above 0. Default 0.5.</summary>
+    /// <summary>The maximum distance from the target at which an inaccurate shot still succeeds, in m; above 0. Default 0.5.</summary>
     public double SuccessRadius { get; init; } = 0.5;
 
     internal void Validate()
@@ -106,8 +106,8 @@ public sealed record FirstTimeRequest
     }
 }
 
-/// <summary>The errors of a player's foot: independent and normally distributed, in velocity and point of contact.</summary>
-/// <remarks>Evidence: guess.</remarks>
+/// <summary>The errors of a player's foot in velocity and point of contact: independent and normally distributed.</summary>
+/// <remarks>The default values are guesses.</remarks>
 public sealed record TouchSpread
 {
     /// <summary>The standard deviation of the foot's speed, in %. 0 … 100; default 4.</summary>

@@ -2,9 +2,9 @@ namespace FootballPhysics.Aiming;
 
 /// <summary>Finds a player's touches of the ball: dribbling touch, trap, first-time shot and shielding.</summary>
 /// <remarks>
-/// Each result contains the motion of the foot, the simulated path of the ball, the error against the request, and the chance of success. The result
-/// contains no more speed or spin than the <see cref="Foot"/> can give. The game's bodies and an engine's colliders are ignored, because they include
-/// the player's own legs. Not thread-safe: create one per thread.
+/// Each result contains the motion of the foot, the simulated motion of the ball, the deviation from the request, and the chance of success. The touch never
+/// gives the ball more speed or spin than the <see cref="Foot"/> can produce. The game's bodies and an engine's colliders are ignored, because they include the
+/// player's own legs. Not thread-safe: create one per thread.
 /// </remarks>
 public sealed class Touches
 {
@@ -51,7 +51,7 @@ public sealed class Touches
     public TouchSpread Spread { get; }
 
     /// <summary>Finds the touch that brings the ball to a running player at a given time and speed.</summary>
-    /// <remarks>The ball may arrive with any motion. Its speed is matched as closely as friction allows.</remarks>
+    /// <remarks>The ball may arrive with any motion. The touch matches the wanted speed as closely as friction allows.</remarks>
     /// <param name="ball">The ball at the touch.</param>
     /// <param name="request">The player, his run, and the position at which he wants the ball.</param>
     /// <exception cref="ArgumentNullException"><paramref name="request"/> is null.</exception>

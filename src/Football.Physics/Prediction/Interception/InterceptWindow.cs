@@ -31,7 +31,7 @@ public readonly struct InterceptWindow
     public override string ToString() => FormattableString.Invariant($"player {Player}: {From:0.###} … {To:0.###} s, first at {Position:0.###}");
 }
 
-/// <summary>A part of the ball's path that one player owns, because he can be there first.</summary>
+/// <summary>A part of the ball's path that one player owns, because he can reach it first.</summary>
 /// <remarks>Only players who can meet the ball in this interval are considered.</remarks>
 public readonly struct PossessionInterval
 {

@@ -1,10 +1,10 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Finds the players who can meet the ball on a predicted path, and when.</summary>
+/// <summary>Finds which players can meet the ball on a predicted path, and when.</summary>
 /// <remarks>
-/// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path: bounds on the speeds and
-/// accelerations of ball and player ensure that no window or gap of a microsecond or more is lost. Interval ends are accurate to a nanosecond. The
-/// look-ahead determines how far the path differs from the game's own steps.
+/// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path. Bounds on the speeds and accelerations
+/// of ball and player ensure that no window or gap of a microsecond or more is missed. Interval ends are accurate to a nanosecond. The accuracy of the path
+/// itself depends on the look-ahead.
 /// </remarks>
 public sealed class Interception
 {
@@ -27,10 +27,10 @@ public sealed class Interception
     public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
 
     /// <summary>The index of the player who meets the ball first; −1 if nobody does.</summary>
-    /// <remarks>If several players meet it within the same nanosecond, this is the lowest index.</remarks>
+    /// <remarks>If several players meet the ball within the same nanosecond, this is the lowest of their indices.</remarks>
     public int First { get; private set; } = -1;
 
-    /// <summary>The time between the first meeting and that of the next player, in s.</summary>
+    /// <summary>The lead of the first player over the second, in s.</summary>
     /// <remarks>Infinite if no other player meets the ball.</remarks>
     public double TimeMargin { get; private set; } = double.PositiveInfinity;
 
@@ -68,7 +68,7 @@ public sealed class Interception
     }
 
     /// <summary>Finds the player who meets the ball first.</summary>
-    /// <remarks>Cheaper than <see cref="Find"/>, and leaves <see cref="Windows"/> unchanged.</remarks>
+    /// <remarks>This method is cheaper than <see cref="Find"/>, and leaves <see cref="Windows"/> unchanged.</remarks>
     /// <param name="path">The path of the ball. If it ends at rest, the ball stays there.</param>
     /// <param name="runners">The players, in their states at <paramref name="now"/>.</param>
     /// <param name="at">The point at which he meets the ball.</param>
@@ -101,10 +101,10 @@ public sealed class Interception
         return First;
     }
 
-    /// <summary>Divides the ball's path among the players; each point belongs to the player who can be there first.</summary>
+    /// <summary>Divides the ball's path among the players; each point belongs to the player who can reach it first.</summary>
     /// <remarks>
-    /// Call <see cref="Find"/> first; this uses its players and path. Only players who can meet the ball at a point compete for it. A lead that
-    /// begins and ends between two check points, which are window edges and ends of path segments, is not found.
+    /// Call <see cref="Find"/> first: this method uses the same players and path. Only players who can meet the ball at a point compete for that point. Leads
+    /// are checked at window edges and at the ends of path segments; a lead that begins and ends between two of these is not found.
     /// </remarks>
     /// <returns>The intervals in order of time; empty if nobody can meet the ball. Valid until the next call.</returns>
     public ReadOnlySpan<PossessionInterval> FindShares()

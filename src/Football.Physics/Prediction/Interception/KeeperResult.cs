@@ -17,25 +17,25 @@ public readonly struct KeeperResult
     /// <remarks>A goal is scored through this opening; see <see cref="BallEventKind.Goal"/>.</remarks>
     public bool IsOnTarget { get; init; }
 
-    /// <summary>The left end of the part of the goal line that he can cover by then, in m to the right of the centre.</summary>
-    /// <remarks>Greater than <see cref="ReachRight"/> if he cannot cover any of the line.</remarks>
+    /// <summary>The left end of the part of the goal line that the keeper can cover in time, in m to the right of the centre.</summary>
+    /// <remarks>Greater than <see cref="ReachRight"/> if the keeper cannot cover any of the line.</remarks>
     public double ReachLeft { get; init; }
 
-    /// <summary>The right end of the part of the goal line that he can cover by then, in m to the right of the centre.</summary>
+    /// <summary>The right end of the part of the goal line that the keeper can cover in time, in m to the right of the centre.</summary>
     public double ReachRight { get; init; }
 
-    /// <summary>The height up to which he covers the line, in m: the lower of his reach and the bar.</summary>
+    /// <summary>The height up to which the keeper covers the line, in m: his reach or the bar, whichever is lower.</summary>
     public double ReachHeight { get; init; }
 
-    /// <summary>True if he can meet the ball before it crosses.</summary>
+    /// <summary>True if the keeper can meet the ball before it crosses the line.</summary>
     public bool Saves { get; init; }
 
-    /// <summary>The first point at which he can meet the ball, if there is one.</summary>
+    /// <summary>The first point at which the keeper can meet the ball, if there is one.</summary>
     public PathPoint Save { get; init; }
 
-    /// <summary>The latest time at which he can react and still save, in s since the launch.</summary>
-    /// <remarks>NaN if he cannot meet the ball. He keeps his motion until he reacts, so a later reaction may succeed where earlier ones fail; this is
-    /// the latest that succeeds. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
+    /// <summary>The latest time at which the keeper can react and still save the shot, in s since the launch.</summary>
+    /// <remarks>NaN if the keeper cannot meet the ball. He keeps his motion until he reacts, so a later reaction may succeed where earlier ones fail; this is
+    /// the latest successful one. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>

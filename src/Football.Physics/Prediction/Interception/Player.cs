@@ -2,9 +2,9 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>A player who runs to the ball, as a model of reaction, acceleration and top speed.</summary>
 /// <remarks>
-/// He keeps his velocity until his reaction time. From that point he can reach any position within a distance D(s), where s is the time since the
-/// reaction: D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a). He meets the ball when its horizontal distance from that point is at most D plus his
-/// reach, and its height is between his limits.
+/// He keeps his velocity until his reaction time. From his position at that time, he can reach any position within a distance D(s). Here s is the time since
+/// the reaction, and D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a). He can meet the ball when its horizontal distance from that starting position is at most D
+/// plus his reach, and its height is between his limits.
 /// </remarks>
 public readonly struct Player
 {

@@ -2,8 +2,8 @@ namespace FootballPhysics.Shapes;
 
 /// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights.</summary>
 /// <remarks>
-/// Beyond the grid, the values at the border are repeated. With u, w the fractional parts of ((x − x₀)/δ, (z − z₀)/δ) and i, j their floors:
-/// y = Σ b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6.
+/// Beyond the grid, the values at the border are repeated. Let u, w be the fractional parts of ((x − x₀)/δ, (z − z₀)/δ), and i, j their floors. Then y = Σ
+/// b_k(u) b_l(w) c[i−1+k][j−1+l], k, l = 0…3, b = ((1−u)³, 3u³−6u²+4, −3u³+3u²+3u+1, u³)/6.
 /// <para>A ball can rest on it if its slope is at most 1 and its curvature at most 1/(2r).</para>
 /// </remarks>
 public sealed class HeightField : IShape
@@ -91,10 +91,10 @@ public sealed class HeightField : IShape
     /// <summary>The distance δ between neighbours, in m.</summary>
     public double Spacing { get; }
 
-    /// <summary>The steepest slope among samples of every cell.</summary>
+    /// <summary>The steepest slope, from samples in every cell.</summary>
     public double SteepestSlope { get; }
 
-    /// <summary>The strongest curvature among samples of every cell, in 1/m.</summary>
+    /// <summary>The strongest curvature, from samples in every cell, in 1/m.</summary>
     public double StrongestCurvature { get; }
 
     /// <summary>The heights passed to the constructor, row by row.</summary>

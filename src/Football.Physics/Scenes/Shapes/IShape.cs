@@ -7,7 +7,8 @@ namespace FootballPhysics.Shapes;
 public interface IShape
 {
     /// <summary>The strongest concave curvature of the surface, in 1/m; 0 if the shape is convex.</summary>
-    /// <remarks>At most half that of the ball, 1/(2r). The contact search relies on it: the ball could pass through a sharper hollow.</remarks>
+    /// <remarks>The value must be at most half the curvature of the ball, 1/(2r). The contact search relies on this limit: the ball could pass through a
+    /// sharper hollow.</remarks>
     double MaximumConcaveCurvature { get; }
 
     /// <summary>A bounding box of the shape; infinite if the shape is unbounded.</summary>

@@ -6,7 +6,7 @@ public readonly struct ShapePoint
     /// <summary>Creates a result.</summary>
     /// <param name="distance">The signed distance from the surface, in m: positive outside.</param>
     /// <param name="normal">The gradient of the distance: the outward unit normal.</param>
-    /// <param name="curvature">The Hessian of the distance, in 1/m: the change of the normal. Zero for a plane.</param>
+    /// <param name="curvature">The Hessian of the distance, in 1/m: the rate of change of the normal with position. Zero for a plane.</param>
     public ShapePoint(double distance, in Vector3d normal, in SymmetricMatrix3d curvature)
     {
         Distance = distance;
@@ -20,7 +20,7 @@ public readonly struct ShapePoint
     /// <summary>The gradient of the distance: the outward unit normal.</summary>
     public Vector3d Normal { get; }
 
-    /// <summary>The Hessian of the distance, in 1/m: the change of the normal. Zero for a plane.</summary>
+    /// <summary>The Hessian of the distance, in 1/m: the rate of change of the normal with position. Zero for a plane.</summary>
     public SymmetricMatrix3d Curvature { get; }
 
     /// <summary>True if the curvature is zero.</summary>

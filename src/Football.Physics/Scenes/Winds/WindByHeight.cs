@@ -2,10 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Laws;
 
-/// <summary>A wind that grows with the height above the ground, with or without gusts.</summary>
+/// <summary>A wind whose speed increases with the height above the ground, with or without gusts.</summary>
 /// <remarks>
-/// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀). It is a pure function of position, time and the seed of the gusts. Inside a stadium bowl it is only
-/// a rough approximation.
+/// u(y) = u_ref ln((max(y, 0) + z₀)/z₀)/ln((z_ref + z₀)/z₀). The wind is a pure function of position, time and the seed of the gusts. Inside a stadium bowl, it
+/// is only a rough approximation.
 /// </remarks>
 public sealed class WindByHeight : IWind
 {

@@ -1,16 +1,14 @@
 namespace FootballPhysics;
 
-/// <summary>Several balls in one scene, stepped together. They collide at exact times and in exact order.</summary>
+/// <summary>Several balls in one scene, stepped together. They collide at exact times and in the exact order.</summary>
 /// <remarks>
-/// Balls far from one another cost one step each and one comparison. A group caches data between steps, so use it from one thread.
-/// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator may be shared.
-/// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The exception is impacts at
-/// exactly
-/// the same time: the ball with the lower index comes first.
-/// Two balls that close below 1 cm/s are in sustained contact and form a pile. Its balls are solved together and come to rest together.
-/// Up to eight balls among stationary objects take whole steps of the integrator while their contacts keep their modes.
-/// Otherwise the pile takes parts of 2 ms, at most 16 per step. A ball in a resting pile stores its contacts in its state, and wakes if one
-/// is removed.
+/// Balls that are far apart cost one step and one comparison each. A group caches data between steps, so use it from one thread.
+/// Groups that share a <see cref="Simulator"/> may step at the same time if the simulator can be shared between threads.
+/// A ball's path depends on other balls only through contacts, so it is bit-identical in any group and order. The only exception is impacts at exactly the same
+/// time: that of the ball with the lower index comes first. Two balls that approach each other at less than 1 cm/s are in sustained contact and form a pile.
+/// The balls of a pile are solved together and come to rest together. Up to eight balls among stationary objects take whole steps of the integrator while their
+/// contacts keep their modes. Otherwise the pile divides a step into parts of 2 ms, at most 16. A ball in a resting pile stores its contacts in its state, and
+/// wakes if one is removed.
 /// A pile treats objects with a mass as immovable.
 /// </remarks>
 public sealed partial class BallGroup
@@ -48,7 +46,7 @@ public sealed partial class BallGroup
     /// <summary>Creates a group of different balls.</summary>
     /// <param name="scene">The scene of all balls. Its own ball is not used.</param>
     /// <param name="balls">The balls; 1 … 10 000.</param>
-    /// <param name="settings">Integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
+    /// <param name="settings">The integrator and solver settings; default <see cref="SolverSettings.Default"/>.</param>
     /// <param name="contact">The material of contacts between two balls; default <see cref="SurfaceMaterial.Ball"/>.</param>
     /// <exception cref="ArgumentNullException">The scene, the balls or one of them is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
@@ -93,7 +91,7 @@ public sealed partial class BallGroup
 
     /// <summary>Advances all balls by one step.</summary>
     /// <param name="states">The balls: one state per ball, all at the same time. Unchanged if an exception is thrown.</param>
-    /// <param name="dt">Time to advance, s: 0 … 1e12.</param>
+    /// <param name="dt">The time to advance, in s; 0 … 1e12.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
@@ -113,12 +111,12 @@ public sealed partial class BallGroup
         Step(states, dt, log, StopAt.Time, null);
     }
 
-    /// <summary>Advances all balls in equal steps until an event or for a given time.</summary>
+    /// <summary>Advances all balls in equal steps until an event or the end of the duration.</summary>
     /// <param name="states">The balls: one state per ball, all at the same time. If an event ends the run, these are the states just after
     /// it.</param>
-    /// <param name="timeStep">Length of a step, s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
+    /// <param name="timeStep">The length of a step, in s; above 0, at most 1e12, at least 1e-12 of the duration. The last step is
     /// shortened.</param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run: the first impact of any ball, or rest of all balls at the end of a step.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
@@ -129,10 +127,10 @@ public sealed partial class BallGroup
     /// range.</exception>
     public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
 
-    /// <summary>Advances all balls until an event or for a given time, and calls back after every step.</summary>
+    /// <summary>Advances all balls until an event or the end of the duration, and calls back after every step.</summary>
     /// <param name="states">The balls, as in the other overload.</param>
-    /// <param name="timeStep">Length of a step, s, as in the other overload.</param>
-    /// <param name="duration">Maximum time to simulate, s; above 0, at most 1e12.</param>
+    /// <param name="timeStep">The length of a step, in s, as in the other overload.</param>
+    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
     /// <param name="afterStep">Called after every step, when the states are those at its end; null for no callback.</param>
@@ -179,7 +177,7 @@ public sealed partial class BallGroup
     }
 
     /// <summary>Returns the compiled scene of a ball.</summary>
-    /// <param name="ball">Index of the ball.</param>
+    /// <param name="ball">The index of the ball.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
     public Simulator SimulatorOf(int ball)
     {
