@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Xml;
 using System.Xml.Linq;
 
 namespace FootballPhysics.Drawing;
@@ -17,10 +18,14 @@ public static class Svg
         var element = new XElement(Namespace + name);
         foreach ((string attribute, object value) in attributes)
         {
-            element.SetAttributeValue(attribute, value is double number ? Number(number) : value);
+            element.SetAttributeValue(attribute, value switch { double number => Number(number), string text => Plain(text), _ => value });
         }
 
-        element.Add(content);
+        foreach (object? item in content)
+        {
+            element.Add(item is string text ? Plain(text) : item);
+        }
+
         return element;
     }
 
@@ -36,7 +41,7 @@ public static class Svg
     public static XElement Standing(string title, XElement drawing, IEnumerable<(string Light, string Dark)> dark)
     {
         drawing.SetAttributeValue("role", "img");
-        drawing.SetAttributeValue("aria-label", title);
+        drawing.SetAttributeValue("aria-label", Plain(title));
         drawing.AddFirst(Element("title", [], title), Element("style", [], StyleOf(dark)));
         return drawing;
     }
@@ -81,6 +86,16 @@ public static class Svg
     }
 
     public static string Number(double value) => Math.Round(value, 2).ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>The text with U+FFFD in place of the control characters that XML does not allow.</summary>
+    private static string Plain(string text) =>
+        string.Create(text.Length, text, (plain, from) =>
+        {
+            for (int i = 0; i < plain.Length; i++)
+            {
+                plain[i] = XmlConvert.IsXmlChar(from[i]) || char.IsSurrogate(from[i]) ? from[i] : '\uFFFD';
+            }
+        });
 
     /// <summary>Selects each colour by its value, so that programs without style sheets show the light drawing.</summary>
     private static string StyleOf(IEnumerable<(string Light, string Dark)> colours, string scope = "") => "@media (prefers-color-scheme: dark) { "

@@ -138,6 +138,12 @@ public sealed class MatchBundle
             throw new InvalidDataException();
         }
 
+        // If the number of the disk or of the files has all bits set, a ZIP64 record names another list.
+        if (BinaryPrimitives.ReadUInt16LittleEndian(end.AsSpan(at + 4)) == ushort.MaxValue || BinaryPrimitives.ReadUInt16LittleEndian(end.AsSpan(at + 10)) == ushort.MaxValue)
+        {
+            throw new RefusedException("FILE is a ZIP64 file. Pass a bundle that Recording.ToBundle wrote.");
+        }
+
         long list = BinaryPrimitives.ReadUInt32LittleEndian(end.AsSpan(at + 16));
         long length = file.Length - (end.Length - at) - list;
         if (length is < 0 or > LongestDirectory)

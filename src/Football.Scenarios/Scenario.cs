@@ -1,3 +1,4 @@
+using System.Globalization;
 using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Scenarios;
@@ -13,6 +14,9 @@ public sealed record Scenario
 
     /// <summary>Steps that a run may keep samples of; more would fill the memory.</summary>
     private const double MostSamples = 1e6;
+
+    /// <summary>The maximum number of steps of all balls: a file may come from another person, and must not run for days.</summary>
+    private const double MostSteps = 1e9;
 
     public Scene Scene { get; init; } = Scene.Default;
 
@@ -56,8 +60,30 @@ public sealed record Scenario
     {
         Scenario scenario = Take(fields.Root);
         fields.Check();
-        return !scenario.Samples || scenario.CanKeepPath ? scenario : throw new RefusedException(FormattableString.Invariant(
-            $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep × balls); allowed: at most {MostSamples:0} steps with samples."));
+        if (scenario.Samples && !scenario.CanKeepPath)
+        {
+            throw new RefusedException(FormattableString.Invariant(
+                $"samples is true with {Math.Max(1, scenario.Balls.Count) * (scenario.Duration / scenario.TimeStep):0} steps (stop.time / solver.timeStep × balls); allowed: at most {MostSamples:0} steps with samples."));
+        }
+
+        CheckSteps(scenario.Duration, scenario.TimeStep, scenario.Balls.Count);
+        return scenario;
+    }
+
+    /// <summary>Rejects a run of too many steps.</summary>
+    /// <param name="duration">The maximum time to simulate, s.</param>
+    /// <param name="timeStep">The length of a step, s.</param>
+    /// <param name="balls">The number of balls.</param>
+    /// <exception cref="RefusedException">There are too many steps.</exception>
+    public static void CheckSteps(double duration, double timeStep, int balls = 1)
+    {
+        // The library rejects more steps than that, and names the field that is out of range.
+        double steps = Math.Max(1, balls) * (duration / timeStep);
+        if (steps is > MostSteps and <= 1e12)
+        {
+            throw new RefusedException(
+                "stop.time / solver.timeStep × balls", string.Create(CultureInfo.InvariantCulture, $"{steps:0} steps"), string.Create(CultureInfo.InvariantCulture, $"at most {MostSteps:0} steps"));
+        }
     }
 
     /// <summary>Takes a scenario's members from an input that may hold more; the fields are still to be checked.</summary>

@@ -7,6 +7,7 @@ namespace FootballPhysics.Web.Tests;
 public sealed class PlayTests(Browser browser, ITestOutputHelper told)
 {
     private const string Alone = "#wall=0&keeper=0";
+    private const string DefaultBall = "modern";
 
     public static TheoryData<int, bool> Windows => new() { { 1280, false }, { 1280, true }, { 390, false }, { 390, true } };
 
@@ -128,6 +129,22 @@ public sealed class PlayTests(Browser browser, ITestOutputHelper told)
         await other.Flown();
         Assert.Equal(await window.Events(), await other.Events());
         told.WriteLine($"#{link.Split('#')[1]}: the same {(await other.Events()).Split('\n').Length} events");
+    }
+
+    [Fact]
+    public async Task A_link_with_anything_in_it_sets_only_what_the_controls_allow()
+    {
+        const string Script = "%22%3E%3Cimg%20src%3Dx%20onerror%3Ddocument.title%3D1%3E";
+        await using Window window = await (await browser.Open(browser.Play)).Ready();
+        string kick = (await window.Said("kick"))!;
+        string title = await window.Page.TitleAsync();
+        await using Window other = await (await browser.Open(
+            browser.Play, hash: $"#speed=1e9&elevation=NaN&azimuth={Script}&wall=-3&keeper=1e300&distance=Infinity&ball={Script}&ground={Script}&beside={Script}&view={Script}&theme={Script}&__proto__=1")).Ready();
+        Assert.Equal(kick, await other.Said("kick"));
+        Assert.Equal(title, await other.Page.TitleAsync());
+        Assert.Equal(0, await other.Page.Locator("img").CountAsync());
+        Assert.Equal(DefaultBall, await other.Page.InputValueAsync("select[name=ball]"));
+        Assert.Empty(other.Errors);
     }
 
     [Theory]

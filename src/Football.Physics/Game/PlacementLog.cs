@@ -81,6 +81,11 @@ internal sealed class PlacementLog
         for (int i = 0; i < count; i++)
         {
             tick += reader.Long();
+            if (tick < 0)
+            {
+                throw ByteReader.Broken("a tick beyond 63 bits");
+            }
+
             int body = reader.Int();
             log.Add(new Entry(tick, body, ReadMotion(ref reader)));
         }

@@ -22,6 +22,7 @@ public sealed class Recording
     private const int LongestVersion = 64;
     private const long LastTick = 1L << 52;
     private const int MostBalls = 10_000;
+    private const int MostMovers = 100_000;
     private readonly BallState[] _start;
     private readonly RigidMotion[] _motions;
     private readonly Keyframes _keyframes;
@@ -307,7 +308,14 @@ public sealed class Recording
             throw ByteReader.Broken(refusal);
         }
 
-        var motions = new RigidMotion[reader.Count(5)];
+        // A motion takes many times more memory than bytes: limit their number too.
+        int movers = reader.Count(5);
+        if (movers > MostMovers)
+        {
+            throw ByteReader.Broken("there are more than 100 000 bodies");
+        }
+
+        var motions = new RigidMotion[movers];
         for (int i = 0; i < motions.Length; i++)
         {
             motions[i] = PlacementLog.ReadMotion(ref reader);

@@ -2,12 +2,13 @@ using System.Buffers;
 using System.Reflection;
 using System.Text;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Tool.Replay;
 
 /// <summary>A page that shows shots in motion and needs nothing but itself.</summary>
-internal static class ReplayPage
+internal static partial class ReplayPage
 {
     /// <summary>The parts of the program in the page, in the order in which they need each other.</summary>
     private static readonly string[] Scripts = ["vectors.js", "track.js", "camera.js", "ball.js", "figures.js", "stadium.js", "stage.js", "player.js"];
@@ -15,15 +16,19 @@ internal static class ReplayPage
     /// <summary>The page.</summary>
     public static string Html(string title, IReadOnlyList<ReplayPicture> pictures)
     {
-        string data = Encoding.UTF8.GetString(Data(title, pictures));
-        string script = string.Concat(Scripts.Select(Part));
-        return Part("page.html")
-            .Replace("{{title}}", System.Net.WebUtility.HtmlEncode(title), StringComparison.Ordinal)
-            .Replace("{{style}}", Part("style.css"), StringComparison.Ordinal)
-            .Replace("{{figures}}", Part("figures.json"), StringComparison.Ordinal)
-            .Replace("{{script}}", script, StringComparison.Ordinal)
-            .Replace("{{data}}", data, StringComparison.Ordinal);
+        // In one pass: a name may contain the mark of another part.
+        return Mark().Replace(Part("page.html"), mark => mark.Groups[1].Value switch
+        {
+            "title" => System.Net.WebUtility.HtmlEncode(title),
+            "style" => Part("style.css"),
+            "figures" => Part("figures.json"),
+            "script" => string.Concat(Scripts.Select(Part)),
+            _ => Encoding.UTF8.GetString(Data(title, pictures)),
+        });
     }
+
+    [GeneratedRegex("\\{\\{(title|style|figures|script|data)\\}\\}", RegexOptions.CultureInvariant)]
+    private static partial Regex Mark();
 
     private static string Part(string name)
     {

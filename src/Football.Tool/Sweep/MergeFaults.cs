@@ -34,6 +34,10 @@ internal sealed class MergeFaults
             {
                 _faults.Add($"{shard.Name} is {shard.Manifest.Shard}, but {first.Name} is {first.Manifest.Shard}.");
             }
+            else if (!shard.Manifest.Files.Select(file => file.Name).SequenceEqual(first.Manifest.Files.Select(file => file.Name)))
+            {
+                _faults.Add($"{shard.Name} has other files than {first.Name}.");
+            }
         }
 
         ILookup<int, ShardFolder> byIndex = shards.Where(shard => shard.Manifest.Shard.Of == of).ToLookup(shard => shard.Manifest.Shard.Index);

@@ -15,8 +15,6 @@ internal static class SweepCommand
     /// <summary>Most rows of a sweep: up to there every index is exact.</summary>
     private const long MostRows = 1_000_000_000_000_000;
 
-    private const int MostShards = 1_000_000;
-
     /// <summary>The program and its version, which say which bytes it writes.</summary>
     private static string Program { get; } =
         $"football {typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "?"}";
@@ -103,12 +101,12 @@ internal static class SweepCommand
         if (parts.Length == 2
             && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int index)
             && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int of)
-            && of <= MostShards && index >= 1 && index <= of)
+            && of <= Manifest.MostShards && index >= 1 && index <= of)
         {
             return (index, of);
         }
 
-        result.AddError($"--shard is {Quote.Short(text)}; allowed: i/n with n from 1 to {MostShards} and i from 1 to n, like 3/8.");
+        result.AddError($"--shard is {Quote.Short(text)}; allowed: i/n with n from 1 to {Manifest.MostShards} and i from 1 to n, like 3/8.");
         return (1, 1);
     }
 

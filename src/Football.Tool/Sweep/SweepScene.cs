@@ -91,16 +91,19 @@ internal sealed record SweepScene
             launch.Exclude(name, "spin");
         }
 
+        double step = solver.Has("timeStep") ? timeStep : BatchSettings.Default.TimeStep;
+        double duration = stop.Positive("time", Scenario.DefaultDuration);
+        Scenario.CheckSteps(duration, step);
         Plane3d? plane = at == SweepStop.Plane || stop.Has("plane") ? PlaneOf(stop.Object("plane")) : null;
         return new SweepScene
         {
             Scene = scene,
             Solver = settings with { Integrator = solver.Choice("integrator", BatchSettings.Default.Integrator) },
-            TimeStep = solver.Has("timeStep") ? timeStep : BatchSettings.Default.TimeStep,
+            TimeStep = step,
             Precision = solver.Choice("precision", BatchSettings.Default.Precision),
             StopAt = at,
             Plane = at == SweepStop.Plane ? plane : null,
-            Duration = stop.Positive("time", Scenario.DefaultDuration),
+            Duration = duration,
             Numbers = [.. kick, position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z],
             HasVectors = hasVectors,
             Orientation = launch.Has("orientation") ? Scenario.OrientationOf(launch) : null,

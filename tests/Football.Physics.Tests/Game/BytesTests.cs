@@ -158,6 +158,55 @@ public sealed class BytesTests
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 20);
     }
 
+    /// <summary>A body takes 30 times more memory than its shortest form.</summary>
+    [Fact]
+    public void A_segment_of_too_many_bodies_is_refused_before_it_takes_their_memory()
+    {
+        Recording segment = Segment();
+        byte[] bytes = segment.ToBytes();
+
+        // Behind the format, the version and its length, the hash, the step, four numbers of a byte each and the only ball.
+        int at = 5 + 1 + segment.Version.Length + 8 + 8 + 4 + Snapshot.Size;
+        Assert.Equal((1, 0), (segment.Balls, bytes[at]));
+        var writer = new ByteWriter();
+        foreach (byte part in bytes.AsSpan(0, at))
+        {
+            writer.Bits(part, 1);
+        }
+
+        const int Count = 100_001;
+        writer.Integer(Count);
+        for (int i = 0; i < Count; i++)
+        {
+            writer.Bits(0, 5);
+        }
+
+        byte[] many = writer.ToArray();
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        Assert.Equal("The bytes are broken: there are more than 100 000 bodies.", Refused(() => Recording.FromBytes(many)));
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 21);
+    }
+
+    [Fact]
+    public void A_tick_of_a_body_beyond_63_bits_is_refused()
+    {
+        var writer = new ByteWriter();
+        writer.Integer(2);
+        foreach (ulong ticks in (ulong[])[long.MaxValue, 1])
+        {
+            writer.Integer(ticks);
+            writer.Integer(0);
+            PlacementLog.Write(new RigidMotion { Orientation = Quaterniond.Identity }, ref writer);
+        }
+
+        byte[] bytes = writer.ToArray();
+        Assert.Equal("The bytes are broken: a tick beyond 63 bits.", Refused(() =>
+        {
+            var reader = new ByteReader(bytes);
+            PlacementLog.Read(ref reader);
+        }));
+    }
+
     [Fact]
     public void The_checksum_is_the_one_that_everyone_has() => Assert.Equal(0xCBF43926u, Crc32.Of("123456789"u8));
 

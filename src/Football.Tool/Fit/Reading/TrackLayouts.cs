@@ -11,6 +11,9 @@ internal static partial class TrackLayouts
     /// <summary>Nesting of an object that is looked into.</summary>
     private const int Deepest = 4;
 
+    /// <summary>The maximum number of different members of all moments: each is a column, with a cell for every moment.</summary>
+    private const int MostColumns = 1000;
+
     /// <summary>The table of a file, or null if it has none of these layouts.</summary>
     public static TrackTable? Find(string text, Action<string> said)
     {
@@ -22,7 +25,7 @@ internal static partial class TrackLayouts
                 : TracabFrame().IsMatch(start) ? Tracab(text, said)
                 : null;
         }
-        catch (Exception e) when (e is JsonException or XmlException)
+        catch (Exception e) when (e is JsonException or XmlException or InvalidOperationException)
         {
             throw new RefusedException($"TRACK is not valid {(e is XmlException ? "XML" : "JSON")} ({Quote.Short(e.Message)}). Write it anew, or as CSV with a header t,x,y,z.");
         }
@@ -114,7 +117,12 @@ internal static partial class TrackLayouts
             }
         }
 
-        string[] names = [.. records.SelectMany(record => record.Cells.Keys).Distinct()];
+        string[] names = [.. records.SelectMany(record => record.Cells.Keys).Distinct().Take(MostColumns + 1)];
+        if (names.Length > MostColumns)
+        {
+            throw new RefusedException("TRACK", FormattableString.Invariant($"JSON with more than {MostColumns} different members"), FormattableString.Invariant($"at most {MostColumns}"));
+        }
+
         said("guessed: JSON, an object for each moment.");
         var table = new TrackTable { Header = names };
         table.Lines.AddRange(records.Select(record => new TrackLine(record.Line, [.. names.Select(name => record.Cells.GetValueOrDefault(name, ""))])));

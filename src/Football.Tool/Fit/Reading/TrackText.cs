@@ -6,7 +6,8 @@ namespace FootballPhysics.Tool.Fit.Reading;
 /// <summary>The text of a track's file; refuses files that are not text.</summary>
 internal static class TrackText
 {
-    private const long LongestFile = 1L << 30;
+    /// <summary>The maximum length of a file, in bytes: its text must fit into one string.</summary>
+    private const long LongestFile = 1L << 29;
 
     /// <summary>First bytes of files that people take for tables, and how to make one of them.</summary>
     private static readonly (byte[] First, string Kind, string Advice)[] s_others =
@@ -17,15 +18,27 @@ internal static class TrackText
         ([0x89, 0x48, 0x44, 0x46], "an HDF5 file", "Write the track as CSV"),
     ];
 
-    public static string Read(Stream stream)
+    /// <summary>Reads the text.</summary>
+    /// <param name="stream">The file, or standard input, whose length is unknown.</param>
+    /// <param name="longest">The maximum length, in bytes.</param>
+    public static string Read(Stream stream, long longest = LongestFile)
     {
-        if (stream.CanSeek && stream.Length > LongestFile)
+        if (stream.CanSeek && stream.Length > longest)
         {
-            throw new RefusedException("TRACK", FormattableString.Invariant($"{stream.Length} bytes"), FormattableString.Invariant($"at most {LongestFile} bytes"));
+            throw TooLong(FormattableString.Invariant($"{stream.Length} bytes"), longest);
         }
 
         using var bytes = new MemoryStream();
-        stream.CopyTo(bytes);
+        byte[] part = new byte[64 * 1024];
+        for (int read = stream.Read(part); read > 0; read = stream.Read(part))
+        {
+            bytes.Write(part, 0, read);
+            if (bytes.Length > longest)
+            {
+                throw TooLong(FormattableString.Invariant($"more than {longest} bytes"), longest);
+            }
+        }
+
         ReadOnlySpan<byte> content = bytes.GetBuffer().AsSpan(0, (int)bytes.Length);
         foreach ((byte[] first, string kind, string advice) in s_others)
         {
@@ -40,6 +53,8 @@ internal static class TrackText
         string text = reader.ReadToEnd();
         return text.Contains('\0', StringComparison.Ordinal) ? throw new RefusedException("TRACK contains zero bytes. Write it as text in UTF-8.") : text.TrimStart('\uFEFF');
     }
+
+    private static RefusedException TooLong(string length, long longest) => new("TRACK", length, FormattableString.Invariant($"at most {longest} bytes"));
 
     /// <summary>UTF-16 without a mark: every second of the first bytes is zero.</summary>
     private static UnicodeEncoding? Utf16(ReadOnlySpan<byte> content)

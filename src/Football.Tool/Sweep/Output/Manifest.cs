@@ -22,6 +22,12 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     /// <summary>The suffix of a file name while the file is written.</summary>
     public const string New = ".new";
 
+    /// <summary>The maximum number of shards of a sweep.</summary>
+    public const int MostShards = 1_000_000;
+
+    /// <summary>The maximum length of the file, in bytes.</summary>
+    private const long LongestFile = 1 << 26;
+
     private static readonly JsonWriterOptions s_options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     /// <summary>Reads the file; null if it does not exist.</summary>
@@ -36,18 +42,27 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             return null;
         }
 
+        long length = new FileInfo(path).Length;
+        if (length > LongestFile)
+        {
+            throw new RefusedException(Quote.File(path), FormattableString.Invariant($"{length} bytes"), FormattableString.Invariant($"at most {LongestFile} bytes"));
+        }
+
         try
         {
             using var document = JsonDocument.Parse(File.ReadAllBytes(path));
             JsonElement root = document.RootElement;
             JsonElement shard = root.GetProperty("shard");
             var identity = Identity.Read(root);
+            var part = new Shard(shard.GetProperty("index").GetInt32(), shard.GetProperty("of").GetInt32(), identity.Count);
+            Check(path, "shard.of", part.Of, 1, MostShards);
+            Check(path, "shard.index", part.Index, 1, part.Of);
             return new Manifest(
                 identity,
-                new Shard(shard.GetProperty("index").GetInt32(), shard.GetProperty("of").GetInt32(), identity.Count),
+                part,
                 root.GetProperty("rows").GetInt64(),
                 root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null,
-                [.. root.GetProperty("files").EnumerateArray().Select(ReadFile)]);
+                [.. root.GetProperty("files").EnumerateArray().Select((file, i) => ReadFile(path, i, file))]);
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
         {
@@ -73,11 +88,29 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
         File.Move(whole, path, overwrite: true);
     }
 
-    private static FileRecord ReadFile(JsonElement file) => new(
-        file.GetProperty("name").GetString()!,
-        file.GetProperty("bytes").GetInt64(),
-        file.GetProperty("header").GetInt32(),
-        file.GetProperty("sha256").GetString()!);
+    private static FileRecord ReadFile(string path, int index, JsonElement file)
+    {
+        // The file may come from elsewhere: its names must not lead out of the folder, whatever the system's separators are.
+        string name = file.GetProperty("name").GetString() ?? "";
+        if (name.Length == 0 || name is "." or ".." || name.AsSpan().IndexOfAny("/\\:\0") >= 0)
+        {
+            throw new RefusedException(FormattableString.Invariant($"files[{index}].name in {Quote.File(path)}"), Quote.File(name), "the name of a file, without a folder");
+        }
+
+        long bytes = file.GetProperty("bytes").GetInt64();
+        int header = file.GetProperty("header").GetInt32();
+        Check(path, FormattableString.Invariant($"files[{index}].bytes"), bytes, 0, long.MaxValue);
+        Check(path, FormattableString.Invariant($"files[{index}].header"), header, 0, bytes);
+        return new FileRecord(name, bytes, header, file.GetProperty("sha256").GetString() ?? "");
+    }
+
+    private static void Check(string path, string field, long value, long low, long high)
+    {
+        if (value < low || value > high)
+        {
+            throw new RefusedException($"{field} in {Quote.File(path)}", FormattableString.Invariant($"{value}"), FormattableString.Invariant($"{low} … {high}"));
+        }
+    }
 
     private ReadOnlySpan<byte> Text()
     {
