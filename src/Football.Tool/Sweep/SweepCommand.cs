@@ -12,9 +12,6 @@ namespace FootballPhysics.Tool.Sweep;
 /// <summary>football sweep: draws launches or aims from ranges, flies or finds them, and writes a row each.</summary>
 internal static class SweepCommand
 {
-    /// <summary>Most rows of a sweep: up to there every index is exact.</summary>
-    private const long MostRows = 1_000_000_000_000_000;
-
     /// <summary>The program and its version, which say which bytes it writes.</summary>
     private static string Program { get; } =
         $"football {typeof(Simulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? "?"}";
@@ -26,7 +23,7 @@ internal static class SweepCommand
             Description = "Scene, ranges and columns of a row as JSON; - is standard input; default: the default scene and ranges.",
             Arity = ArgumentArity.ZeroOrOne,
         };
-        Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep, all shards together.", 1, MostRows, 1000);
+        Option<long> count = Arguments.Whole("--count", "Rows of the whole sweep, all shards together.", 1, Manifest.MostRows, 1000);
         Option<long> seed = Arguments.Whole("--seed", "Seed of the random values; the same seed gives the same rows.", 0, long.MaxValue, 1);
         Option<long> jobs = Arguments.Jobs("Threads; default: one per processor. The rows do not depend on it.");
         Option<FieldOverride[]> profile = Arguments.Profile();

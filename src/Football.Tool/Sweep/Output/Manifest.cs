@@ -22,6 +22,9 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
     /// <summary>The suffix of a file name while the file is written.</summary>
     public const string New = ".new";
 
+    /// <summary>The maximum number of rows of a sweep: up to it, every index is exact.</summary>
+    public const long MostRows = 1_000_000_000_000_000;
+
     /// <summary>The maximum number of shards of a sweep.</summary>
     public const int MostShards = 1_000_000;
 
@@ -55,14 +58,15 @@ internal sealed record Manifest(Identity Identity, Shard Shard, long Rows, long?
             JsonElement shard = root.GetProperty("shard");
             var identity = Identity.Read(root);
             var part = new Shard(shard.GetProperty("index").GetInt32(), shard.GetProperty("of").GetInt32(), identity.Count);
+            Check(path, "count", identity.Count, 1, MostRows);
             Check(path, "shard.of", part.Of, 1, MostShards);
             Check(path, "shard.index", part.Index, 1, part.Of);
-            return new Manifest(
-                identity,
-                part,
-                root.GetProperty("rows").GetInt64(),
-                root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null,
-                [.. root.GetProperty("files").EnumerateArray().Select((file, i) => ReadFile(path, i, file))]);
+            FileRecord[] files = [.. root.GetProperty("files").EnumerateArray().Select((file, i) => ReadFile(path, i, file))];
+            long rows = root.GetProperty("rows").GetInt64();
+
+            // A row takes a byte at least in each file of rows: a footer for more rows than bytes could fill the memory.
+            Check(path, "rows", rows, 0, files.Where(file => file.Name != Schema.Name).Select(file => file.Bytes).Append(part.Rows).Min());
+            return new Manifest(identity, part, rows, root.TryGetProperty("handedOn", out JsonElement handedOn) ? handedOn.GetInt64() : null, files);
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException or FormatException)
         {
