@@ -1,0 +1,77 @@
+// node mujoco.mjs SHOTS
+import load from "mujoco-js";
+import { ball, friction, gravity, post, restitution, rollingArm, run } from "./harness.mjs";
+
+const mujoco = await load();
+const whole = mujoco.mjtState.mjSTATE_INTEGRATION.value;
+// MuJoCo has no coefficient of restitution. A contact is a damped spring: this damping ratio returns the fraction e of the speed.
+const log = Math.log(restitution);
+const damping = -log / Math.hypot(Math.PI, log);
+
+function create({ ground, post: withPost, rolling, step }) {
+  // The spring needs several steps per oscillation to be stable.
+  const time = 2 * step / damping;
+  const contact = `solref="${time} ${damping}" solimp="0.99 0.99 0.001" condim="${rolling ? 6 : 3}" friction="${friction} 0.005 ${rolling ? rollingArm : 0.0001}"`;
+  const balls = [];
+  let model, data, buffer;
+
+  function compile() {
+    const body = ({ position }) => `<body pos="${position.join(" ")}"><freejoint/><inertial pos="0 0 0" mass="${ball.mass}"
+      diaginertia="${ball.inertia} ${ball.inertia} ${ball.inertia}"/><geom type="sphere" size="${ball.radius}" contype="1" conaffinity="2" ${contact}/></body>`;
+    const fixed = [];
+    if (ground) fixed.push(`<geom type="plane" size="0 0 1" zaxis="0 1 0" contype="2" conaffinity="1" ${contact}/>`);
+    if (withPost) fixed.push(`<geom type="capsule" fromto="0 0 ${post.z} 0 ${post.height} ${post.z}" size="${post.radius}" contype="2" conaffinity="1" ${contact}/>`);
+    const xml = `<mujoco><option timestep="${step}" gravity="0 ${-gravity} 0" cone="elliptic"/><worldbody>${fixed.join("")}${balls.map(body).join("")}</worldbody></mujoco>`;
+    mujoco.FS.writeFile("/world.xml", xml);
+    model = mujoco.MjModel.loadFromXML("/world.xml");
+    data = new mujoco.MjData(model);
+    balls.forEach(({ velocity, spin }, i) => {
+      // The spin is in the ball's own axes, which are the world's at the start.
+      data.qvel.set([...velocity, ...spin], 6 * i);
+    });
+  }
+
+  const ready = () => { if (!model) compile(); };
+  return {
+    add: (position, velocity, spin) => { balls.push({ position, velocity, spin }); },
+    step() {
+      ready();
+      mujoco.mj_step(model, data);
+    },
+    get(i) {
+      ready();
+      const [q, v] = [data.qpos.subarray(7 * i, 7 * i + 7), data.qvel.subarray(6 * i, 6 * i + 6)];
+      return [...q, ...v];
+    },
+    set(i, s) {
+      ready();
+      data.qpos.set(s.slice(0, 7), 7 * i);
+      data.qvel.set(s.slice(7), 6 * i);
+    },
+    save() {
+      buffer ??= new mujoco.DoubleBuffer(mujoco.mj_stateSize(model, whole));
+      mujoco.mj_getState(model, data, buffer, whole);
+      return Array.from(buffer.GetView());
+    },
+    restore: (saved) => mujoco.mj_setState(model, data, saved, whole),
+    bytes: (saved) => 8 * saved.length,
+    free() {
+      buffer?.delete();
+      data?.delete();
+      model?.delete();
+    },
+  };
+}
+
+run({
+  name: "MuJoCo",
+  version: mujoco.mj_versionString(),
+  build: "WebAssembly, node",
+  across: "no",
+  saved: "world",
+  canCcd: false,
+  canRoll: true,
+  // One model with 10,000 free bodies did not finish in two minutes.
+  many: false,
+  create,
+}, process.argv[2]);
