@@ -50,11 +50,11 @@ typedef enum {
     FP_MOTION_SQUEEZED = 4
 } fp_motion;
 
-/* The kind of an event. If several events happen at one instant, an impact comes first, then its consequences. */
+/* The kind of an event. If several events happen at one instant, an impact is reported before its consequences. */
 typedef enum {
     /* The ball hit the ground or an object. */
     FP_EVENT_IMPACT = 0,
-    /* The ball stayed down after an impact, and slips. */
+    /* The ball stayed on the surface after an impact, and slides. */
     FP_EVENT_SLIDE = 1,
     /* The ball began to roll without slip. */
     FP_EVENT_ROLL = 2,
@@ -66,7 +66,8 @@ typedef enum {
     FP_EVENT_GOAL = 5,
     /* The ball left the surface that supported it, without an impact: over a crest, or lifted by a hit. */
     FP_EVENT_LEAVE = 6,
-    /* Moving objects pinned the ball; the event names one of them. An event without an object marks the end. */
+    /* Moving objects pinned the ball; the event reports one of these objects. An event without an object reports that the ball is free
+       again. */
     FP_EVENT_SQUEEZED = 7,
     /* The ball entered a Zone. */
     FP_EVENT_ENTER_ZONE = 8,
@@ -80,7 +81,7 @@ typedef enum {
     FP_STOP_TIME = 0,
     /* The first impact, just after its impulse. */
     FP_STOP_IMPACT = 1,
-    /* The moment when the ball comes to rest. */
+    /* The moment at which the ball comes to rest. */
     FP_STOP_REST = 2
 } fp_stop;
 
@@ -88,9 +89,9 @@ typedef enum {
 typedef enum {
     /* The kick passes within tolerance of the target, and of the waypoint if there is one. */
     FP_AIM_HIT = 0,
-    /* No kick within the bounds hits; the result is the closest kick that the method found. */
+    /* No kick within the bounds hits the target; the result is the closest kick found. */
     FP_AIM_OUT_OF_REACH = 1,
-    /* The search reached MaximumIterations, or the remaining miss is smaller than the error of its steps. */
+    /* The search reached MaximumIterations, or the remaining miss is smaller than the integration error of the search. */
     FP_AIM_NOT_CONVERGED = 2,
     /* The request has no direction: the target is at the ball's position. */
     FP_AIM_DEGENERATE = 3,
