@@ -91,7 +91,15 @@ public sealed partial class GoalChance
         Check.Within(nameof(count), count, 2, GoalChanceRequest.MostKicks);
         return Find(new GoalChanceRequest
         {
-            Position = position, Velocity = velocity, Spin = spin, Spread = spread, Goal = goal, Keeper = keeper, Kicks = count, Seed = seed, AlwaysSimulate = true,
+            Position = position,
+            Velocity = velocity,
+            Spin = spin,
+            Spread = spread,
+            Goal = goal,
+            Keeper = keeper,
+            Kicks = count,
+            Seed = seed,
+            AlwaysSimulate = true,
         });
     }
 

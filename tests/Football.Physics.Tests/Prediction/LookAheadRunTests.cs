@@ -210,7 +210,10 @@ public sealed class LookAheadRunTests
 
     private static Obstacle Box() => new()
     {
-        Name = "box", Shape = new BoxShape(new Vector3d(0.5, 0.3, -5), new Vector3d(0.3, 0.3, 0.3)), Surface = SurfaceMaterial.Wood, Mass = 4,
+        Name = "box",
+        Shape = new BoxShape(new Vector3d(0.5, 0.3, -5), new Vector3d(0.3, 0.3, 0.3)),
+        Surface = SurfaceMaterial.Wood,
+        Mass = 4,
     };
 
     private static void Same(Trajectory expected, Trajectory actual)

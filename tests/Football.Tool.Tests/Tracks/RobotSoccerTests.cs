@@ -12,8 +12,15 @@ public sealed class RobotSoccerTests(ITestOutputHelper output)
         Air = new Air { Density = 0 },
         Ground = Ground.Of(new SurfaceMaterial
         {
-            NormalRestitution = restitution, RestitutionSpeedScale = double.PositiveInfinity, GrazingRestitutionGain = 0, TangentialRestitution = 0,
-            ImpactFriction = impactFriction, SlidingFriction = sliding, RollingResistance = rolling, RollingResistancePerSpeed = 0, TorsionalPatchRadius = 0,
+            NormalRestitution = restitution,
+            RestitutionSpeedScale = double.PositiveInfinity,
+            GrazingRestitutionGain = 0,
+            TangentialRestitution = 0,
+            ImpactFriction = impactFriction,
+            SlidingFriction = sliding,
+            RollingResistance = rolling,
+            RollingResistancePerSpeed = 0,
+            TorsionalPatchRadius = 0,
         }),
     };
 
