@@ -212,6 +212,19 @@ class Refusals(unittest.TestCase):
 
 
 class Environments(unittest.TestCase):
+    def test_a_change_of_a_returned_array_changes_nothing_and_options_are_refused(self):
+        rewards = []
+        for change in (False, True):
+            env = envs.Penalty(num_envs=16)
+            observation, _ = env.reset(seed=3)
+            observation[:] = 9 if change else observation
+            observation, reward, *_ = env.step(np.zeros((16, 5)))
+            observation[:] = 9 if change else observation
+            rewards.append((reward, env.step(np.zeros((16, 5)))[1]))
+        np.testing.assert_array_equal(*rewards)
+        with self.assertRaisesRegex(ValueError, "options has the key 'wind'; allowed: none."):
+            env.reset(options={"wind": 1})
+
     def test_a_batch_of_kicks_is_repeatable_and_some_go_in(self):
         for kind in (envs.Penalty, envs.FreeKick):
             rewards = []

@@ -1,6 +1,6 @@
-"""The flight, bounce and roll of a football, with the bits that the same kick has in C# and in C.
+"""Simulates the flight, bounce and roll of a football. Results are bit-identical to those in C# and C.
 
-Right-handed, y up, forward -z; SI units. A :class:`Scene` is checked and compiled once; :class:`Balls` are any number of balls in it.
+The axes are right-handed, with y up and -z forward; units are SI. A :class:`Scene` is checked and compiled once; a :class:`Balls` object holds any number of balls in it.
 
 >>> import football_physics as fp
 >>> balls = fp.Balls(fp.Scene(), 1)
@@ -13,5 +13,5 @@ from ._balls import AimResult, Balls, Derivatives, EventKind, Motion, event_dtyp
 from ._native import version as _version
 from ._scene import Scene
 
-__all__ = ["AimResult", "Balls", "Derivatives", "EventKind", "Motion", "Scene", "event_dtype"]
+__all__ = ["AimResult", "Balls", "Derivatives", "EventKind", "Motion", "Scene", "envs", "event_dtype"]
 __version__ = _version().decode()

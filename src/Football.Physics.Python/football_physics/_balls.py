@@ -1,4 +1,4 @@
-"""Balls: any number of them, with arrays that live."""
+"""Many balls in one scene, with arrays that are updated in place."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ event_dtype = np.dtype(
     [("kind", "i4"), ("thing", "i4"), ("time", "f8")]
     + [(name, "f8", (3,)) for name in ("position", "velocity_before", "velocity", "spin_before", "spin", "normal")]
     + [("ball", "i8")])
-"""What a step tells of: the members of fp_event, and the index of the ball."""
+"""The type of an event: the members of fp_event, and the index of the ball."""
 
 _NATIVE_EVENT = np.dtype(event_dtype.descr[:-1])
 _DERIVATIVES = 9 * 4 + 3 * 2
@@ -52,7 +52,7 @@ class EventKind(enum.IntEnum):
 
 
 class AimResult(NamedTuple):
-    """Kicks that were found, a row a ball: whatever the status, the best ones."""
+    """The best kicks found, one row per ball, for every status."""
 
     velocity: Floats
     spin: Floats
@@ -61,12 +61,12 @@ class AimResult(NamedTuple):
 
     @property
     def hit(self) -> NDArray[np.bool_]:
-        """Which of them pass their targets within the tolerance."""
+        """True for each kick that passes its target within the tolerance."""
         return self.status == 0
 
 
 class Derivatives(NamedTuple):
-    """How the ends of runs change with their launches: ``position_by_velocity[ball, i, j]`` is component i of the end by component j of the launch."""
+    """Derivatives of the end of a run by its launch: ``position_by_velocity[ball, i, j]`` is the derivative of component i at the end by component j of the launch."""
 
     position_by_velocity: Floats
     position_by_spin: Floats
@@ -85,16 +85,16 @@ def _rows(values: ArrayLike, n: int, name: str) -> Floats:
 
 
 class Balls:
-    """Any number of balls in a scene, each for itself.
+    """Any number of balls in a scene. The balls do not touch one another.
 
-    ``position``, ``velocity``, ``spin`` (n x 3; m, m/s, rad/s) and ``motion`` (n; :class:`Motion`) are live: the same arrays always, read-only, which every call here
-    brings up to date. Keep one and read it; nothing is copied. One object belongs to one thread at a time; ctypes lets other threads run meanwhile.
+    ``position``, ``velocity``, ``spin`` (n x 3; m, m/s, rad/s) and ``motion`` (n; :class:`Motion`) are read-only arrays that every call updates in place. Keep a
+    reference to an array and read it after each call; nothing is copied. Use an object in one thread at a time; other threads run during a call.
 
     Parameters
     ----------
     scene: the scene.
-    n: how many.
-    position: where they lie at first, (n, 3) or (3,); default the origin. In the ground they are raised straight up out of it; without ground they are in the air there.
+    n: the number of balls; 0 or more.
+    position: the initial positions, (n, 3) or (3,), m; default the origin. A position below the ground is raised onto it. Without ground, the balls start in the air.
     """
 
     def __init__(self, scene: Scene, n: int, position: ArrayLike = (0.0, 0.0, 0.0)) -> None:
@@ -109,7 +109,7 @@ class Balls:
         for view in views:
             view.flags.writeable = False
         self.position, self.velocity, self.spin, self.motion = views
-        # The addresses once: numpy takes longer to tell one than a step takes.
+        # Read the addresses once: numpy takes longer to return one than a step takes.
         self._handle = scene.handle
         self._at = self._states.ctypes.data
         self._out = tuple(array.ctypes.data for array in arrays)
@@ -119,28 +119,28 @@ class Balls:
         return self._n
 
     def place(self, which: Any, position: ArrayLike, velocity: ArrayLike = (0.0, 0.0, 0.0), spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
-        """Puts balls somewhere, at time 0, as they move.
+        """Places balls with a velocity and a spin, and sets their time to 0.
 
-        which: a mask of n, a list of indices, or None for all; the rows of the other arguments are those of the balls that are named, or one for all.
+        which: a mask of length n, a list of indices, or None for all balls. The other arguments have one row per selected ball, or one row for all.
         """
         mask, rows = self._chosen(which, (position, "position"), (velocity, "velocity"), (spin, "spin"))
         _native.check(_native.launch_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
         self._read()
 
     def kick(self, which: Any, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
-        """Kicks balls where they are. which as in :meth:`place`; speeds at most 1000 m/s, spins 10 000 rad/s."""
+        """Kicks balls from their positions. For which, see :meth:`place`. Speeds are at most 1000 m/s, spins at most 10 000 rad/s."""
         mask, rows = self._chosen(which, (velocity, "velocity"), (spin, "spin"))
         _native.check(_native.kick_many(self._handle, self._at, self._n, mask.ctypes.data, *(row.ctypes.data for row in rows)))
         self._read()
 
     def step(self, dt: float, k: int = 1) -> None:
-        """Advances all balls by k steps of dt, s."""
+        """Advances all balls by k steps of dt seconds."""
         status = _step_many(self._handle, self._at, self._n, dt, k) or _read_many(self._handle, self._at, self._n, *self._out)
         if status:
             _native.fail(status)
 
     def step_events(self, dt: float, capacity: int = 32) -> NDArray[Any]:
-        """Advances all balls by one step, and tells what happened in it: an array of :data:`event_dtype`, by ball and time."""
+        """Advances all balls by one step, and returns the events of this step: an array of :data:`event_dtype`, ordered by ball and time."""
         if capacity < 0:
             raise ValueError(f"capacity is {capacity}; allowed: 0 or more.")
         room = np.zeros(capacity, _NATIVE_EVENT)
@@ -160,15 +160,15 @@ class Balls:
         return np.concatenate(told) if told else np.zeros(0, event_dtype)
 
     def until_landing(self, dt: float = 1 / 60, seconds: float = 20.0) -> NDArray[np.bool_]:
-        """Flies all balls to their next impact, each for itself, at most so many seconds. Returns which of them had one; they are as they were just after it."""
+        """Runs each ball to just after its next impact, for at most the given seconds. Returns True for each ball that had an impact."""
         return self._run(dt, seconds, 1)
 
     def until_rest(self, dt: float = 1 / 60, seconds: float = 60.0) -> NDArray[np.bool_]:
-        """Runs all balls until they rest, at most so many seconds. Returns which of them do."""
+        """Runs each ball until it rests, for at most the given seconds. Returns True for each ball that rests."""
         return self._run(dt, seconds, 2)
 
     def look_ahead(self, seconds: float = 3.0, every: float = 1 / 60) -> Floats:
-        """Where the balls will be: rows t, x, y, z from now on, (n, rows, 4); the balls stay where they are. At the game's own step it is the future to the bit."""
+        """Returns the predicted paths, (n, rows, 4), with rows t, x, y, z; the balls do not move. If every is the step of your loop, the prediction is bit-identical to the steps."""
         rows = int(seconds / every + 1e-9) + 1 if seconds >= 0 and every > 0 else 0
         path = np.empty((self._n, rows, 4))
         for ball in range(self._n):
@@ -176,9 +176,9 @@ class Balls:
         return path
 
     def aim(self, targets: ArrayLike, speed: float = 25.0, **request: Any) -> AimResult:
-        """Finds for each ball the kick from where it is to its target, (n, 3) or (3,).
+        """Finds for each ball the kick from its position to its target, (n, 3) or (3,), m.
 
-        request: other members of a scenario's aim, by name: ``spin={"side": 40}``, ``elevation={"max": 60}``, ``through=[x, y, z]``, ``arc="high"`` ...
+        request: further members of an aim in a scenario, by name: ``spin={"side": 40}``, ``elevation={"max": 60}``, ``through=[x, y, z]``, ``arc="high"`` ...
         """
         targets = _rows(targets, self._n, "targets")
         result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32))
@@ -189,7 +189,7 @@ class Balls:
         return result
 
     def derivatives(self, seconds: ArrayLike, dt: float = 0.01, stop: str = "time") -> Derivatives:
-        """Runs all balls for a time (one, or one a ball), or until an event before it (``stop``: time, impact or rest), and finds how their ends change with their launches: by one run each."""
+        """Runs each ball for a time, one for all or one per ball, or until an event (``stop``: time, impact or rest). Returns the derivatives of the ends by the launches, from one run per ball."""
         stops = {"time": 0, "impact": 1, "rest": 2}
         if stop not in stops:
             raise ValueError(f"stop is {stop!r}; allowed: {' | '.join(stops)}.")
@@ -205,19 +205,19 @@ class Balls:
 
     @property
     def time(self) -> Floats:
-        """Time since each ball was placed, s: a new array."""
+        """The time since each ball was placed, s, as a new array."""
         times = np.empty(self._n)
         _native.check(_native.time_many(self._handle, self._at, self._n, times.ctypes.data))
         return times
 
     @property
     def hashes(self) -> NDArray[np.uint64]:
-        """A hash of each ball's whole state, the one that Snapshot.Hash has in C#."""
+        """The hash of each ball's complete state, as ``Snapshot.Hash`` returns it in C#."""
         return np.array([_native.hash_of(self._at + ball * _native.STATE_BYTES) for ball in range(self._n)], np.uint64)
 
     @property
     def state(self) -> bytes:
-        """All states as bytes: of use to this version of the library. Setting it restores them; what no ball can have is refused, and nothing has changed."""
+        """All states as bytes, for this version of the library. Assign the bytes to restore the states. An invalid state raises ValueError and changes nothing."""
         return self._states.tobytes()
 
     @state.setter
@@ -239,7 +239,7 @@ class Balls:
         _native.check(_read_many(self._handle, self._at, self._n, *self._out))
 
     def _chosen(self, which: Any, *arguments: Any) -> Any:
-        """The mask of the balls that are meant, and arguments with a row for every ball."""
+        """Returns the mask of the selected balls, and arguments with one row per ball."""
         mask = np.ones(self._n, np.uint8)
         if which is not None:
             chosen = np.asarray(which)

@@ -48,13 +48,13 @@ snapshot_read = _function("fp_snapshot_read", _P, _P)
 
 
 def fail(status: int) -> None:
-    """Raises what a call failed with, in the library's words."""
+    """Raises the error of a failed call, with the library's message."""
     sentence = last_error().decode()
     raise (RuntimeError if status == INTERNAL else ValueError)(sentence)
 
 
 def check(status: int) -> None:
-    """Raises where a call did not succeed."""
+    """Raises an error if a call failed."""
     if status:
         fail(status)
 

@@ -14,16 +14,16 @@ from . import _native
 
 
 class Scene:
-    """A scene, checked and compiled; nothing changes it, and threads may share it.
+    """A scene, checked and compiled. It is immutable, and threads may share it.
 
     Parameters
     ----------
-    scenario: JSON text, or a dict of it: ``profile``, ``ball``, ``air``, ``gravity``, ``forces``, ``ground``, ``goals``, ``obstacles``, ``nets``, ``zones``, ``dials``, ``solver``.
-        Default the default scene, the modern ball on match turf.
+    scenario: JSON text, or a dict with the same members: ``profile``, ``ball``, ``air``, ``gravity``, ``forces``, ``ground``, ``goals``, ``obstacles``, ``nets``, ``zones``, ``dials``, ``solver``.
+        Default: the default scene, a modern ball on match turf.
 
     Raises
     ------
-    ValueError: a member is unknown, of the wrong type or out of range; the message names it, its value and what is allowed.
+    ValueError: a member is unknown, of the wrong type or out of range; the message names the member, its value and the allowed range.
     """
 
     def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}") -> None:
@@ -36,13 +36,13 @@ class Scene:
         weakref.finalize(self, _native.scene_free, self.handle)
 
     def name_of(self, thing: int) -> str:
-        """The name of what an event tells of: "ground", "left post", an obstacle's; "" for -1."""
+        """Returns the name of the object of an event: "ground", "left post", or the name of an obstacle; "" for -1."""
         room = ctypes.create_string_buffer(256)
         _native.check(_native.name(self.handle, thing, room, len(room)))
         return room.value.decode()
 
     def added_energy(self, event: Any) -> float:
-        """The energy that an impact with a bumper added to the ball, J; 0 for any other event. event: one of :meth:`Balls.step_events`."""
+        """Returns the energy that a bumper added to the ball in an impact, J; 0 for any other event. event: an event of :meth:`Balls.step_events`."""
         room = np.zeros(1, [item for item in event.dtype.descr if item[0] != "ball"])
         for name in room.dtype.names or ():
             room[name] = event[name]
@@ -51,7 +51,7 @@ class Scene:
     def air(
         self, position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, time: float = 0.0, air_distance: Optional[ArrayLike] = None
     ) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Computes the air's force, N, and torque, N m, on bodies that something else moves: two arrays with the shape of ``velocity``, (n, 3) or (3,).
+        """Computes the air's force, N, and torque, N m, on bodies that your own code moves: two arrays with the shape of ``velocity``, (n, 3) or (3,).
 
         It includes drag, Magnus force, spin decay, wind and knuckle force, as in a flight of the library. It does not include gravity and buoyancy, and ignores ground and obstacles.
 

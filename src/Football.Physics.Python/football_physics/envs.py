@@ -1,7 +1,8 @@
-"""Vectorised environments of one kick: a penalty, and a free kick over a wall, in the manner of Gymnasium's vector environments.
+"""Vectorised environments for one kick: a penalty, and a free kick over a wall. They follow the vector environments of Gymnasium.
 
-They work without Gymnasium; where it is installed, their spaces are its own. An episode is one action: the kick. It is flown by :class:`Balls`, all balls of a batch by one call a
-tick, and ends when the ball crosses the goal's plane, or after :attr:`seconds`. The observation that a step returns is that of the next episode; ``info["final_obs"]`` has the last.
+Gymnasium is optional; if it is installed, the spaces are Gymnasium's own. An episode is one action: the kick. :class:`Balls` simulates the kick, with one call per
+tick for all balls of a batch. An episode ends when the ball crosses the goal's plane, or after :attr:`seconds`. ``step`` returns the first observation of the next
+episode; ``info["final_obs"]`` contains the last observation of the finished one.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ try:
 except ImportError:
 
     class Box:  # type: ignore[no-redef]
-        """A box of numbers, as Gymnasium's: ``low``, ``high``, ``shape``, ``dtype``, ``sample``, ``contains``."""
+        """A box of numbers with the members of Gymnasium's ``Box``: ``low``, ``high``, ``shape``, ``dtype``, ``sample``, ``contains``."""
 
         def __init__(self, low: Any, high: Any, shape: Optional[Tuple[int, ...]] = None, dtype: Any = np.float32, seed: Optional[int] = None) -> None:
             self.shape = np.shape(low) if shape is None else shape
@@ -29,15 +30,15 @@ except ImportError:
             self._random = np.random.default_rng(seed)
 
         def seed(self, seed: Optional[int] = None) -> None:
-            """Begins the samples anew."""
+            """Restarts the random samples."""
             self._random = np.random.default_rng(seed)
 
         def sample(self) -> NDArray[Any]:
-            """A point of the box."""
+            """Returns a random point of the box."""
             return self._random.uniform(self.low, self.high).astype(self.dtype)
 
         def contains(self, x: Any) -> bool:
-            """Whether x is in the box."""
+            """Returns True if x is in the box."""
             x = np.asarray(x)
             return x.shape == self.shape and bool(np.all(x >= self.low) and np.all(x <= self.high))
 
@@ -48,14 +49,14 @@ GOAL_HALF_WIDTH, GOAL_HEIGHT, BALL_RADIUS = 3.66, 2.44, 0.11
 class Shot:
     """A kick at a goal with a keeper, for ``num_envs`` balls at once.
 
-    Observation, 2 numbers: where the keeper stands, m from the middle (right is positive), and the seconds until he moves.
-    Action, 5 numbers from -1 to 1: speed, elevation, direction, topspin and sidespin, between the bounds of :attr:`low` and :attr:`high`.
-    Reward: 1 for a goal; else minus the distance, m, by which the ball passes the goal or is within the keeper's reach, at most 1; -1 where it does not get there.
+    Observation, 2 numbers: the keeper's position, m from the middle (positive to the right), and the seconds until he moves.
+    Action, 5 numbers from -1 to 1: speed, elevation, direction, topspin and sidespin, between the bounds :attr:`low` and :attr:`high`.
+    Reward: 1 for a goal. Otherwise minus the distance, m, by which the ball misses the goal or is within the keeper's reach, at least -1; -1 if the ball does not reach the goal.
     """
 
     metadata: Dict[str, Any] = {"render_modes": [], "autoreset_mode": "SameStep"}
 
-    #: How far the goal is, m, and what else is in the scene.
+    #: The distance of the goal, m, and the other members of the scene.
     distance = 11.0
     scenario: Mapping[str, Any] = {}
 
@@ -63,7 +64,7 @@ class Shot:
     low = np.array([15.0, 0.0, -20.0, -40.0, -60.0])
     high = np.array([32.0, 30.0, 20.0, 60.0, 60.0])
 
-    #: What the keeper reaches at once, m, and how fast he gets further once he moves, m/s.
+    #: The reach of the standing keeper, m, and the speed at which it grows once he moves, m/s.
     reach, dive = 0.9, 3.5
 
     dt, seconds = 1 / 60, 2.5
@@ -80,14 +81,16 @@ class Shot:
         self._observation = self._draw()
 
     def reset(self, *, seed: Optional[int] = None, options: Optional[Mapping[str, Any]] = None) -> Tuple[NDArray[np.float32], Dict[str, Any]]:
-        """Begins new episodes."""
+        """Starts new episodes. There are no options: any key in ``options`` raises ValueError."""
+        if options:
+            raise ValueError(f"options has the key {next(iter(options))!r}; allowed: none.")
         if seed is not None:
             self._random = np.random.default_rng(seed)
         self._observation = self._draw()
-        return self._observation, {}
+        return self._observation.copy(), {}
 
     def kick(self, actions: ArrayLike) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The velocities and spins that actions mean."""
+        """Returns the velocities and spins of actions."""
         share = np.clip(np.asarray(actions, np.float64), -1, 1) / 2 + 0.5
         speed, elevation, direction, top, side = (self.low + share * (self.high - self.low)).T
         up, turned = np.radians(elevation), np.radians(direction)
@@ -98,7 +101,7 @@ class Shot:
         return velocity, spin
 
     def step(self, actions: ArrayLike) -> Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], Dict[str, Any]]:
-        """Kicks all balls, flies them to the goal, and begins the next episodes."""
+        """Kicks all balls, simulates them to the goal, and starts the next episodes."""
         if np.shape(actions) != (self.num_envs, 5):
             raise ValueError(f"actions have shape {np.shape(actions)}; allowed: ({self.num_envs}, 5).")
         velocity, spin = self.kick(actions)
@@ -107,17 +110,17 @@ class Shot:
         reward = self._reward(crossing, time)
         last, self._observation = self._observation, self._draw()
         info = {"final_obs": last, "crossing": crossing, "time": time, "goal": reward == 1.0}
-        return self._observation, reward, np.ones(self.num_envs, bool), np.zeros(self.num_envs, bool), info
+        return self._observation.copy(), reward, np.ones(self.num_envs, bool), np.zeros(self.num_envs, bool), info
 
     def close(self) -> None:
-        """Nothing to close: the memory goes with the object."""
+        """Does nothing: the memory is released with the object."""
 
     def _draw(self) -> NDArray[np.float32]:
         box = self.single_observation_space
         return self._random.uniform(box.low, box.high, (self.num_envs, 2)).astype(np.float32)
 
     def _fly(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Where, (x, y), and when the balls cross the goal's plane; NaN where they do not."""
+        """Returns where, (x, y), and when the balls cross the goal's plane; NaN for a ball that does not cross it."""
         crossing, time = np.full((self.num_envs, 2), np.nan), np.full(self.num_envs, np.nan)
         position = self._balls.position
         for tick in range(int(self.seconds / self.dt)):
@@ -142,11 +145,11 @@ class Shot:
 
 
 class Penalty(Shot):
-    """A penalty: 11 m, a keeper who waits."""
+    """A penalty from 11 m against a keeper who waits."""
 
 
 class FreeKick(Shot):
-    """A free kick from 22 m over a wall of 1.85 m, 9.15 m away; the keeper stands anywhere."""
+    """A free kick from 22 m over a wall that is 1.85 m high and 9.15 m away. The keeper may stand anywhere."""
 
     distance = 22.0
     low = np.array([18.0, 5.0, -20.0, -40.0, -80.0])
