@@ -14,7 +14,7 @@ public sealed class Harness<TState>(Func<PeerOptions, IPeerWorld<TState>> create
     private readonly double[][] _kicks = Read(path, "kick");
 
     /// <summary>Runs every experiment.</summary>
-    public void Run(string name, string version, string across, bool ccd, bool rolls, int bytes, string saved)
+    public void Run(string name, string version, bool ccd, bool rolls, int bytes, string saved)
     {
         // Compiled code first: the runtime replaces its first code after some thousand calls.
         for (int i = 0; i < 5; i++)
@@ -31,7 +31,6 @@ public sealed class Harness<TState>(Func<PeerOptions, IPeerWorld<TState>> create
             ["name"] = name,
             ["version"] = version,
             ["build"] = "C#, double",
-            ["across"] = across,
             ["saved"] = saved,
             ["cost1"] = CostOfOne(),
             ["cost10k"] = CostOfMany(),

@@ -92,5 +92,5 @@ public:
 };
 
 int main(int, char **args) {
-    Harness<World>(args[1]).run({"Bullet", PACKAGE_VERSION, sizeof(btScalar) == 8 ? "C++, double" : "C++, single", "no", true, true}, 18 * sizeof(btScalar));
+    Harness<World>(args[1]).run({"Bullet", PACKAGE_VERSION, sizeof(btScalar) == 8 ? "C++, double" : "C++, single", true, true}, 18 * sizeof(btScalar));
 }

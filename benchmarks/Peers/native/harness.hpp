@@ -29,7 +29,7 @@ struct Options {
 };
 
 struct Engine {
-    const char *name, *version, *build, *across;
+    const char *name, *version, *build;
     bool canCcd, canRoll;
 };
 
@@ -207,7 +207,7 @@ public:
 
     // stateBytes: the size of the saved state in the engine's own precision.
     void run(const Engine &e, int stateBytes) {
-        std::printf("{\"name\":\"%s\",\"version\":\"%s\",\"build\":\"%s\",\"across\":\"%s\",\"saved\":\"by hand\"", e.name, e.version, e.build, e.across);
+        std::printf("{\"name\":\"%s\",\"version\":\"%s\",\"build\":\"%s\",\"saved\":\"by hand\"", e.name, e.version, e.build);
         std::printf(",\"cost1\":%.17g,\"cost10k\":%.17g,\"tops\":[", costOfOne(), costOfMany());
         const double steps[] = {0.005, 0.01, kFrame, 0.04};
         for (int i = 0; i < 4; i++) std::printf("%s%.17g", i ? "," : "", apex(2, steps[i]));

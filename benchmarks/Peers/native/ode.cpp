@@ -99,6 +99,6 @@ public:
 
 int main(int, char **args) {
     dInitODE2(0);
-    Harness<World>(args[1]).run({"ODE", PACKAGE_VERSION, "C++, double", "no", false, true}, 13 * sizeof(dReal) + sizeof(unsigned long));
+    Harness<World>(args[1]).run({"ODE", PACKAGE_VERSION, "C++, double", false, true}, 13 * sizeof(dReal) + sizeof(unsigned long));
     dCloseODE();
 }

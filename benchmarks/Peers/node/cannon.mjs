@@ -72,7 +72,6 @@ run({
   name: "cannon-es",
   version: JSON.parse(readFileSync(new URL("./node_modules/cannon-es/package.json", import.meta.url))).version,
   build: "JavaScript, node",
-  across: "no",
   saved: "by hand",
   canCcd: false,
   canRoll: false,

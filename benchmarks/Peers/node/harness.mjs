@@ -21,11 +21,11 @@ function read(path) {
   return shots;
 }
 
-// An engine has: name, version, build, across (its documentation on other machines), saved, canCcd, alwaysCcd, canRoll, many, and create(options). That returns a world with
+// An engine has: name, version, build, saved, canCcd, alwaysCcd, canRoll, many, and create(options). That returns a world with
 // add(position, velocity, spin), step(h), get(i) -> 13 numbers (position, orientation, velocity, spin), set(i, 13 numbers), save(), restore(saved), bytes(saved), free().
 export function run(engine, path) {
   const shots = read(path);
-  const result = { name: engine.name, version: engine.version, build: engine.build, across: engine.across, saved: engine.saved };
+  const result = { name: engine.name, version: engine.version, build: engine.build, saved: engine.saved };
   result.cost1 = costOfOne(engine, shots);
   result.cost10k = engine.many === false ? null : costOfMany(engine, shots);
   Object.assign(result, bounce(engine, shots));

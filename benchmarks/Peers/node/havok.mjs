@@ -82,7 +82,6 @@ run({
   name: "Havok",
   version: `(@babylonjs/havok ${JSON.parse(readFileSync(new URL("package.json", folder))).version})`,
   build: "WebAssembly, node",
-  across: "no",
   saved: "by hand",
   // The module has no switch: every body is swept.
   alwaysCcd: true,

@@ -125,7 +125,6 @@ run({
   name: "Jolt",
   version: `(jolt-physics ${JSON.parse(readFileSync(new URL("./node_modules/jolt-physics/package.json", import.meta.url))).version})`,
   build: "WebAssembly, node",
-  across: "with a build option",
   saved: "world",
   canCcd: true,
   canRoll: false,

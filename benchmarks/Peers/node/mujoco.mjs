@@ -67,7 +67,6 @@ run({
   name: "MuJoCo",
   version: mujoco.mj_versionString(),
   build: "WebAssembly, node",
-  across: "no",
   saved: "world",
   canCcd: false,
   canRoll: true,

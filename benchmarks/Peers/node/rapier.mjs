@@ -59,7 +59,6 @@ run({
   name: deterministic ? "Rapier, deterministic" : "Rapier",
   version: RAPIER.version(),
   build: "WebAssembly, node",
-  across: deterministic ? "yes" : "no",
   saved: "world",
   canCcd: true,
   canRoll: false,

@@ -22,7 +22,6 @@ const columns = [
   ["save and restore, ns", (p) => number(p.saveNs)],
   ["replay identical", (p) => `${p.again} of 20`],
   ["second run identical", (p) => `${p.same} of 20`],
-  ["documented as identical on other machines", (p) => p.across],
 ];
 
 console.log(`Seed ${process.argv[2]}, node ${process.version}\n`);
