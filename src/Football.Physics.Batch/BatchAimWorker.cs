@@ -160,7 +160,7 @@ internal sealed class BatchAimWorker
         FlownSingly++;
         AimRequest request = aims.Request(index);
 
-        // These requests are hard: a flight may graze the jump of the drag law, where large steps can miss it. Only the true miss decides.
+        // These requests are hard: a flight may graze the jump in the drag law, where large steps can miss it. Only the true miss decides.
         AimResult result = _aimer.Find(request);
         kicks.Status[index] = result.Status;
         kicks.Velocity[index] = result.Velocity;

@@ -3,7 +3,7 @@ namespace FootballPhysics.Batch;
 /// <summary>Finds many kicks in one scene at once: the batch version of <see cref="Aimer"/>.</summary>
 /// <remarks>
 /// Elevation and azimuth start from a closed form, and Newton iterations with SIMD flights refine them. An <see cref="Aimer"/> handles requests that do not
-/// converge, are out of reach, graze the jump of the drag law, or might touch the ground. Their kicks are hits only if the measured miss is within the
+/// converge, are out of reach, graze the jump in the drag law, or might touch the ground. Their kicks are hits only if the measured miss is within the
 /// tolerance.
 /// <para>The true miss of a hit is within the tolerance, for tolerances down to 1 mm. Each result depends only on its own request: not on the others, the
 /// number of threads or the SIMD width. On one thread, only the fallback allocates. Not thread-safe, but it can use several threads itself.</para>

@@ -2,7 +2,7 @@ namespace FootballPhysics.Engines;
 
 /// <summary>A goalkeeper as a body of the scene: he stands in front of his goal and dives for shots.</summary>
 /// <remarks>
-/// <see cref="Interception.FindSave"/> decides if and where he can meet the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
+/// <see cref="Interception.FindSave"/> decides if and where he can reach the ball. He notices a kick when the ball leaves its predicted path, reacts, and moves
 /// his hands to the ball. If he cannot reach the ball, he dives as far as he can. After the dive, he returns to his position. He only watches the ball and has
 /// no memory of the match. <see cref="Follow"/> does not allocate.
 /// </remarks>

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Engines;
 
-/// <summary>Draws the lines of a pitch by Law 1 of the game, or by futsal rules if its goals are narrower than 5 m.</summary>
+/// <summary>Draws the lines of a pitch as specified in Law 1 of the game, or by futsal rules if its goals are narrower than 5 m.</summary>
 internal sealed class PitchMarkings
 {
     /// <summary>The radius of the centre circle and of the penalty arcs, in m.</summary>

@@ -15,7 +15,7 @@ internal sealed class EventSurface
         return new EventGradient(in normal, Vector3d.Zero, Vector3d.Zero, Vector3d.Dot(s.Velocity - hit.Velocity, in normal));
     }
 
-    /// <summary>Returns the surface of the jump of the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
+    /// <summary>Returns the surface of the jump in the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
     public EventGradient DragJump(LocalFlight local, DragBranch next, double time, in Motion at)
     {
         DragJump here = FootballPhysics.DragJump.At(in at, in _around.Wind, _around.Radius);

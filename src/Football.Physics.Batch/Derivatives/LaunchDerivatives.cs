@@ -2,7 +2,7 @@ namespace FootballPhysics.Batch;
 
 /// <summary>Computes the derivatives of a ball's motion with respect to its launch, in a single run.</summary>
 /// <remarks>
-/// In free flight, it integrates the variational equation. Impacts and the jump of the drag law contribute their own derivatives. All other motion, such as
+/// In free flight, it integrates the variational equation. Impacts and the jump in the drag law contribute their own derivatives. All other motion, such as
 /// slides, rolls and nets, is differentiated by finite differences of the steps.
 /// <para>The run takes the simulator's own steps. Create one per thread and reuse it: runs do not allocate.</para>
 /// </remarks>

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>The balls that cross the jump of the drag law in a step, packed to fill SIMD registers.</summary>
+/// <summary>The balls that cross the jump in the drag law in a step, packed to fill SIMD registers.</summary>
 internal sealed class LaneCrossings
 {
     public LaneCrossings(int size)

@@ -42,7 +42,7 @@ internal sealed class LaneGroup
     /// <summary>Mask: the branch with spin holds after the step.</summary>
     public readonly float[] InsideAfter = new float[Room];
 
-    /// <summary>Mask: the jump of the drag law was near at the end of the step.</summary>
+    /// <summary>Mask: the jump in the drag law was near at the end of the step.</summary>
     public readonly float[] Near = new float[Room];
 
     /// <summary>The number of jump crossings of each ball.</summary>
@@ -135,7 +135,7 @@ internal sealed class LaneGroup
     /// <summary>Collects the balls of one register that crossed the jump, and gives up those that graze it.</summary>
     /// <param name="at">The first slot of the register.</param>
     /// <param name="count">The number of balls in it.</param>
-    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="jump">The jump in the drag law.</param>
     /// <param name="length">The length of the step, in s.</param>
     [MethodImpl(Hot.Path)]
     public void NoteCrossings(int at, int count, in LaneJump jump, float length)

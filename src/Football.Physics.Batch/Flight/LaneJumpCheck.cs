@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>Finds balls so close to the jump of the drag law that a step in floats cannot tell their side.</summary>
+/// <summary>Finds balls so close to the jump in the drag law that a step in floats cannot tell their side.</summary>
 /// <remarks>
 /// The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive. Each is approximated by a parabola over the step, through its ends
 /// and middle. Simpson's rule gives the middle velocity from the mean velocity of the step.
@@ -19,7 +19,7 @@ internal static class LaneJumpCheck
     /// <param name="now">The state before the step.</param>
     /// <param name="next">The state after the step.</param>
     /// <param name="at">The slot of the ball.</param>
-    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="jump">The jump in the drag law.</param>
     /// <param name="inside">True if the step began on the branch with spin.</param>
     /// <param name="crosses">True if it ended on the other branch.</param>
     /// <param name="length">The length of the step, in s.</param>
@@ -45,7 +45,7 @@ internal static class LaneJumpCheck
     /// <param name="from">The slot of the ball in this state.</param>
     /// <param name="next">The state after the step.</param>
     /// <param name="to">The slot of the ball in that state.</param>
-    /// <param name="jump">The jump of the drag law.</param>
+    /// <param name="jump">The jump in the drag law.</param>
     /// <param name="inside">True if the ball enters the branch with spin.</param>
     /// <param name="length">The length of the rest of the step, in s.</param>
     [MethodImpl(Hot.Path)]

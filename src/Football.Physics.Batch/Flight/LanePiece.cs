@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Batch;
 
-/// <summary>A smooth segment of one ball's last step: the entire step, or its part before or after the jump of the drag law.</summary>
+/// <summary>A smooth segment of one ball's last step: the entire step, or its part before or after the jump in the drag law.</summary>
 internal readonly struct LanePiece
 {
     private readonly Vector3d _path;

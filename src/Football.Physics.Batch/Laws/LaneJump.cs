@@ -1,6 +1,6 @@
 namespace FootballPhysics.Batch;
 
-/// <summary>The jump of the published drag law (<see cref="DragJump"/>), in float.</summary>
+/// <summary>The jump in the published drag law (<see cref="DragJump"/>), in float.</summary>
 /// <remarks>The branch with spin holds where both |u|² − v_c² and (r|ω|/0.05)² − |u|² are positive.</remarks>
 internal readonly struct LaneJump
 {

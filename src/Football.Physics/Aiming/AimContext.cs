@@ -93,7 +93,7 @@ internal sealed class AimContext
     /// <param name="mostIterations">The maximum number of iterations.</param>
     public void Begin(int mostIterations)
     {
-        // The budget is 16 flights per iteration, minus those reserved for a search that is already running.
+        // The budget is 16 flights per iteration, minus a reserve that lets a search finish after the rest has been spent.
         _most = Math.Min(mostIterations, int.MaxValue / (2 * SimulationsPerIteration)) * SimulationsPerIteration;
         _most -= Math.Min(_most / 2, LongestSearch);
         _spent = 0;
@@ -190,11 +190,11 @@ internal readonly struct AimSteps
     /// <summary>The long steps for RK4.</summary>
     /// <remarks>
     /// The errors are 1e-4 m for a search, 1e-5 m for a hit, 1e-4 m for a rough hit and 5e-4 m for a rehearsed hit. The error of a hit requires that
-    /// the flight locates the jump of the drag law.
+    /// the flight locates the jump in the drag law.
     /// </remarks>
     public static AimSteps Long => new(search: 0.25, hit: 0.1, roughHit: 0.2, rehearsedHit: 0.3, areShort: false);
 
-    /// <summary>Steps for a kick that grazes the jump of the drag law, where longer steps are inaccurate.</summary>
+    /// <summary>Steps for a kick that grazes the jump in the drag law, where longer steps are inaccurate.</summary>
     public static AimSteps Short => new(search: 0.02, hit: 0.02, roughHit: 0.02, rehearsedHit: 0.02, areShort: true);
 
     /// <summary>The step of search flights.</summary>

@@ -61,7 +61,7 @@ public sealed partial class Aimer
 
         if (!hits && isBetween)
         {
-            // The kick grazes the jump of the drag law: search with short steps.
+            // A kick that grazes the jump in the drag law requires short steps: search again.
             _context.Begin(request.MaximumIterations);
             _context.Steps = AimSteps.Short;
             hits = TryArrival(request, time, out kick, out arrival, out _);

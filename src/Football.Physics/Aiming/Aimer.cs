@@ -61,7 +61,7 @@ public sealed partial class Aimer
         bool astray = result.Miss > ((1.0 + Astray) * solution.Miss) + (Astray * NearMiss);
         if (!result.HitsTarget && !blocked && (solution.Status == AimStatus.Hit || solution.Miss < NearMiss || astray))
         {
-            // A kick that grazes the jump of the drag law takes a different path with finer steps: search again with short steps.
+            // A kick that grazes the jump in the drag law takes a different path with finer steps: search again with short steps.
             _context.Steps = AimSteps.Short;
             AimSolution fine = Search(request);
             AimResult finer = Report(request, in fine, measure);
@@ -111,7 +111,7 @@ public sealed partial class Aimer
         AimResult result = AtTime(request, time);
         if (result.Status == AimStatus.NotConverged && !_context.IsSpent)
         {
-            // The kick grazes the jump of the drag law: search again with short steps.
+            // A kick that grazes the jump in the drag law requires short steps: search again.
             _context.Steps = AimSteps.Short;
             result = AtTime(request, time);
             _context.Steps = AimSteps.Long;

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Ends a step where it crosses the jump of the drag law.</summary>
+/// <summary>Ends a step where it crosses the jump in the drag law.</summary>
 internal static class JumpLocator
 {
     /// <summary>The longest correction, as a fraction of the step. A longer one means a grazing crossing: the interpolated time is kept.</summary>

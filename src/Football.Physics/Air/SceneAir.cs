@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>All effects of a scene's air at one instant: laws, local wind, knuckle force and custom forces.</summary>
 /// <remarks>
-/// All code except the hot flight step uses it. If the air varies, jumps of the drag law are not located: each evaluation uses the branch at its own flow.
+/// All code except the hot flight step uses it. If the air varies, jumps in the drag law are not located: each evaluation uses the branch at its own flow.
 /// </remarks>
 internal struct SceneAir : IFlightAir
 {

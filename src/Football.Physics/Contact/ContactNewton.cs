@@ -72,14 +72,14 @@ internal static class ContactNewton
             rows[size - 1] = Drilling(in contact, ball, duration, resistance.Drilling, in w, 3 * bearer);
         }
 
-        // Residual + derivative × change = 0 is a linear system for the changes of all impulses.
+        // Residual + derivative × change = 0 is a linear system for the changes in all impulses.
         Fill(system, rows, size);
         if (!Eliminate(system, size))
         {
             return;
         }
 
-        // Apply the changes of the impulses to v and ω.
+        // Apply the changes in the impulses to v and ω.
         for (int i = 0; i < size; i++)
         {
             double change = system[(i * (size + 1)) + size];

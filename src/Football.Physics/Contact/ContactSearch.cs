@@ -159,7 +159,7 @@ internal readonly struct ContactSearch
             }
         }
 
-        // If the ball is in the mouth of a goal, always test whether it passes the line or leaves through the mouth.
+        // If the ball is in the mouth of a goal, always test whether it crosses the line or leaves through the mouth.
         for (int goal = 0; goal < _world.Goals.Length && s.GoalsEntered >> goal != 0; goal++)
         {
             if ((s.GoalsEntered >> goal & 1) != 0)

@@ -196,7 +196,7 @@ internal static class ContactTolerances
     /// <remarks>Above: not reached. At zero, a search on a path of no length would not end.</remarks>
     public const double ShortestStep = 1e-300;
 
-    /// <summary>The minimum step length used to convert a jump of the velocity to an acceleration, s.</summary>
+    /// <summary>The minimum step length used to convert a jump in the velocity to an acceleration, s.</summary>
     /// <remarks>Above: not reached. Below: the square overflows.</remarks>
     public const double ShortestForJumps = 1e-100;
 
@@ -356,7 +356,7 @@ internal static class ContactTolerances
     /// </remarks>
     public const double Foreseen = 1e-8;
 
-    /// <summary>The bracket at which the search for a jump of the load ends, relative to the piece.</summary>
+    /// <summary>The bracket at which the search for a jump in the load ends, relative to the piece.</summary>
     /// <remarks>Above: the ball is behind the edge. Below: more evaluations, for a position that an edge does not define.</remarks>
     public const double JumpWidth = 1e-8;
 
@@ -364,7 +364,7 @@ internal static class ContactTolerances
     /// <remarks>Above: a contact between two steps is skipped. Below: a ball that touches without closing takes many steps.</remarks>
     public const double ShortestShare = 1e-7;
 
-    /// <summary>After a jump of the load, the piece ends this share of its length beyond the jump; more than <see cref="JumpWidth"/>.</summary>
+    /// <summary>After a jump in the load, the piece ends this share of its length beyond the jump; more than <see cref="JumpWidth"/>.</summary>
     /// <remarks>Above: the ball passes over the next face. Below: the next piece starts before the edge again.</remarks>
     public const double BeyondJump = 1e-7;
 

@@ -102,7 +102,7 @@ internal sealed class EngineThings
     /// <summary>Finds the colliders within a distance of a position, m, unless the last cast covers it.</summary>
     public void LookAt(in Vector3d position, double time, double distance)
     {
-        // The volume of the last cast contains no new colliders.
+        // Within the volume of the last cast, all colliders have already been found: skip the cast.
         if (!_isKnown || !(DistanceFromLast(in position) + _ballRadius + Math.Max(0.5 * Beside, distance) <= _around))
         {
             Look(in position, in position, _ballRadius + distance, time, 0);
@@ -322,7 +322,7 @@ internal sealed class EngineThings
             Extend(2 * _used);
         }
 
-        // The slot may still contain this collider from an earlier step: the collider is then known.
+        // If the slot still contains this collider from an earlier step, its number has already been recorded.
         place = _used++;
         _places.Add(hit, place);
         if (!ReferenceEquals(_colliders[place].Engine, hit))

@@ -157,7 +157,7 @@ internal struct MouthGap : IGap
             return true;
         }
 
-        // The ball may reach the plane next from either side.
+        // The ball can reach the plane from either side, so record on which side it is.
         _isBefore = gap > ContactTolerances.Touching || (_isBefore && rate >= -ContactTolerances.Approaching);
         step = gap < -ContactTolerances.Touching ? TimeOfImpact.Safe(-gap, -rate, _bend)
             : TimeOfImpact.Step(gap, gap > ContactTolerances.Touching ? rate : Math.Abs(rate), _bend);

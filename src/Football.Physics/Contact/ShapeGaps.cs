@@ -164,7 +164,7 @@ internal readonly struct RotatingGap : IGap
             return true;
         }
 
-        // Use the longer of two safe steps. Far from a concave surface, only the speed bound is valid; near it, limit the step by the bend.
+        // Use the longer of two safe steps: by the speed bound, and by the acceleration bound. On concave surfaces, the latter only holds near the surface.
         double byBend = TimeOfImpact.Safe(Math.Max(gap, 0) + (rate > -Slow ? ContactTolerances.SlowSink : 0), rate, _bend);
         byBend = !(_hollow > 0) ? byBend : gap < TimeOfImpact.NearHollow * _radius ? Math.Min(byBend, ((TimeOfImpact.NearHollow * _radius) - gap) / _whole) : 0;
         step = Math.Max(byBend, Math.Max(gap, 0) / _closing);

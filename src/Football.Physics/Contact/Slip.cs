@@ -53,7 +53,7 @@ internal readonly struct SlipDecay
         Time = ((k * size) + Vector3d.Dot(in slip, in push)) / left;
         Direction = (slip + (Time * push)) / k;
 
-        // ∫s dt: c·s follows from d|s|²/dt = 2(−k|s| + c·s), the component across c from d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
+        // Compute ∫s dt. Along c, use d|s|²/dt = 2(−k|s| + c·s). Across c, use d(|s| s⊥)/dt and d(s∥ s⊥)/dt.
         Vector3d area = 0.5 * Time * slip;
         if (c > 1e-3 * k)
         {

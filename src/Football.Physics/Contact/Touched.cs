@@ -45,7 +45,7 @@ internal readonly unsafe struct Touched
     /// <returns>Their number; 0 if the ball may reach another object.</returns>
     public static int Find(World world, in BallState s, double dt, double reach, Touched* set)
     {
-        // Query the engine for more only if the ball touches several surfaces.
+        // Query the engine for all colliders within reach only if the ball touches several surfaces.
         if (world.Engine is { } engine)
         {
             if (reach > ContactTolerances.Touching && Find(world, in s, dt, ContactTolerances.Touching, set) < 2)

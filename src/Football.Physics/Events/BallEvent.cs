@@ -147,9 +147,9 @@ public readonly struct BallEvent : IFormattable
     /// <summary>Formats the kind, time, position and velocity.</summary>
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
-    /// <summary>Formats the kind, time, position and velocity with a number format.</summary>
-    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant culture.</param>
+    /// <summary>Formats the kind, time, position and velocity, using the given number format.</summary>
+    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for full precision.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);

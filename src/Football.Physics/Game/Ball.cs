@@ -150,7 +150,7 @@ public sealed class Ball
     [OverloadResolutionPriority(1)]
     public void Kick(Vector3d velocity, Vector3d spin) => Simulator.Kick(ref _state, velocity, spin);
 
-    /// <summary>Kicks the ball at a speed and two angles, with spin relative to the kick direction.</summary>
+    /// <summary>Kicks the ball with a given speed, elevation and azimuth, and with spin relative to the kick direction.</summary>
     /// <param name="speed">The speed, in m/s; 0 … 1000.</param>
     /// <param name="elevationDegrees">The angle above the horizontal, in degrees; −90 … 90.</param>
     /// <param name="azimuthDegrees">The angle from −z, counter-clockwise seen from above (to the left), in degrees; −360 … 360.</param>

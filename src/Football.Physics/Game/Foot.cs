@@ -62,13 +62,13 @@ public sealed record Foot
             spinAlongImpulse: 0);
     }
 
-    /// <summary>Computes the strike that gives a ball a velocity and a spin, or comes as close as possible.</summary>
+    /// <summary>Computes the strike that gives the ball the wanted velocity and spin, or the closest possible ones.</summary>
     /// <remarks>
-    /// The velocity is reached if the foot is fast enough. No strike can change the spin about the impulse direction (see
-    /// <see cref="FootStrike.SpinAlongImpulse"/>), and friction limits the rest (see <see cref="FootStrike.EnoughFriction"/>). <see cref="FootStrike.Spin"/> is
-    /// the resulting spin. If the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the wanted direction at the highest possible speed.
-    /// The change in spin is then proportionally smaller. If no such speed exists, the foot makes the same swing at its maximum speed.
-    /// <see cref="FootStrike.FastEnough"/> is false in both cases.
+    /// The ball reaches the wanted velocity if the foot is fast enough. No strike can change the spin about the impulse direction (see
+    /// <see cref="FootStrike.SpinAlongImpulse"/>), and friction limits all other changes in spin (see <see cref="FootStrike.EnoughFriction"/>).
+    /// <see cref="FootStrike.Spin"/> is the resulting spin. If the foot would have to exceed <see cref="MaximumSpeed"/>, the ball leaves in the direction of
+    /// <paramref name="wantedVelocity"/> at the highest possible speed. The change in spin is then proportionally smaller. If no speed is possible in this
+    /// direction, the foot makes the same swing at its maximum speed. <see cref="FootStrike.FastEnough"/> is false in both cases.
     /// </remarks>
     /// <param name="ball">The ball.</param>
     /// <param name="velocity">The velocity v of the ball before the strike, in m/s.</param>

@@ -223,8 +223,8 @@ public sealed class Recording
 
     /// <summary>Creates a zip file to attach to a bug report.</summary>
     /// <remarks>
-    /// The zip file contains <c>match.json</c>, with the scene and the versions of library, runtime and system, and <c>match.segment</c>, the bytes of
-    /// <see cref="ToBytes"/>. The command <c>football bundle FILE</c> replays it.
+    /// The zip file contains <c>match.json</c> (the scene, and the versions of the library, the runtime and the system) and <c>match.segment</c> (the bytes of
+    /// <see cref="ToBytes"/>). The command <c>football bundle FILE</c> replays it.
     /// </remarks>
     /// <param name="simulator">The scene of the match, with the same settings.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>

@@ -149,7 +149,7 @@ public sealed class Rollback
         // Store the state in the ring buffer, because PlayAgain starts from there.
         _states[PlaceOf(tick) + ball] = state;
 
-        // At the present tick there is nothing to resimulate: set the runner itself, and keep the history.
+        // At the present tick, there is nothing to resimulate: give the runner the new state, and keep the history.
         if (tick == Runner.Tick)
         {
             _replays = true;

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace FootballPhysics.Netcode;
 
 /// <summary>Operations on a <see cref="BallState"/> for rollback and lockstep: bitwise equality, hash and serialisation.</summary>
-/// <remarks>Copy the struct to take a snapshot. Hash and bytes are the same on every runtime, including byte order.</remarks>
+/// <remarks>Copy the struct to take a snapshot. The hash, the bytes and the byte order are the same on every runtime.</remarks>
 public static class Snapshot
 {
     /// <summary>The number of bytes that <see cref="Write"/> writes: the fields and a 4-byte checksum.</summary>

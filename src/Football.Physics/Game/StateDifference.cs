@@ -27,10 +27,10 @@ public readonly struct StateDifference
     /// <summary>The name of the field, such as "position.y" or "spinRate".</summary>
     public string Field { get; }
 
-    /// <summary>The value in the first state, with all digits.</summary>
+    /// <summary>The value in the first state, at full precision.</summary>
     public string Expected => Text(_expected);
 
-    /// <summary>The value in the second state, with all digits.</summary>
+    /// <summary>The value in the second state, at full precision.</summary>
     public string Actual => Text(_actual);
 
     /// <summary>The distance between the two numbers in units in the last place; 0 for flags and indices.</summary>

@@ -226,7 +226,7 @@ public readonly struct PathSegment
         _degree);
 
     /// <summary>Finds the time at which the segment crosses a plane. False if it does not.</summary>
-    /// <param name="point">A point of the plane.</param>
+    /// <param name="point">A point on the plane.</param>
     /// <param name="normal">The normal of the plane; any length.</param>
     /// <param name="time">The first time on the plane, in s since the launch.</param>
     internal bool Crosses(in Vector3d point, in Vector3d normal, out double time)
@@ -269,7 +269,7 @@ public readonly struct PathSegment
     }
 
     /// <summary>Finds the time at which the segment returns through a plane that it has crossed. False if it does not.</summary>
-    /// <param name="point">A point of the plane.</param>
+    /// <param name="point">A point on the plane.</param>
     /// <param name="normal">The normal of the plane; any length.</param>
     /// <param name="crossed">The time of the first crossing, in s since the launch.</param>
     /// <param name="time">The time of the return, in s since the launch.</param>

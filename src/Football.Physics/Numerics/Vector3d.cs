@@ -180,8 +180,8 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>Formats the components.</summary>
-    /// <param name="format">The format of the numbers, such as "F2"; null for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant culture.</param>
+    /// <param name="format">The format of the numbers, such as "F2"; null for full precision.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         IFormatProvider culture = formatProvider ?? CultureInfo.InvariantCulture;

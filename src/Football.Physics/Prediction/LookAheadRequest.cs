@@ -23,7 +23,7 @@ public sealed record LookAheadRequest
 
     /// <summary>A point that ends the look-ahead once the ball has passed it; default none.</summary>
     /// <remarks>
-    /// The ball has passed the point when their horizontal distance is growing after its minimum, and neither wind, spin nor obstacles can bring the ball back.
+    /// The ball has passed the point when its horizontal distance from the point grows after the minimum, and wind, spin and obstacles cannot bring it back.
     /// </remarks>
     public Vector3d? UntilPassing { get; init; }
 

@@ -38,7 +38,7 @@ public readonly struct Plane3d : IFormattable
     public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>Returns the point and the normal as text, in a given number format.</summary>
-    /// <param name="format">A number format; null or empty for at most three decimals, "R" for all digits.</param>
+    /// <param name="format">A number format; null or empty for at most three decimals, "R" for full precision.</param>
     /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public string ToString(string? format, IFormatProvider? formatProvider = null)
     {

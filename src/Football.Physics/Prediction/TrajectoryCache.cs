@@ -2,8 +2,8 @@ namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>
 /// <remarks>
-/// While the ball follows the predicted path, an update only drops the past part and extends the end. After a kick, or a deviation above the
-/// tolerance, it recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the later simulation.
+/// While the ball follows the predicted path, an update only drops the part that the ball has passed and extends the path. After a kick, or a deviation above
+/// the tolerance, it recomputes the path. With the game's own integrator and step, the prediction is bit-identical to the later simulation.
 /// </remarks>
 public sealed class TrajectoryCache
 {
@@ -61,7 +61,7 @@ public sealed class TrajectoryCache
             return true;
         }
 
-        // The ball follows the path: drop the past part, and extend the end by whole steps.
+        // The ball follows the path: drop the part that the ball has passed, and extend the path by complete steps.
         Path.Forget(real.Time);
 
         // A path that ended at an event, or within a step because the buffer was full, cannot be extended.

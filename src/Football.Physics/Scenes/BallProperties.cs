@@ -68,7 +68,7 @@ public sealed record BallProperties
     /// <remarks>The drag is measured. The knuckle force is 1.5 N (guess).</remarks>
     public static BallProperties Brazuca { get; } = new() { DragCurve = DragCurve.Brazuca, KnuckleForce = 1.5 };
 
-    /// <summary>Adidas Telstar 18 (2018), in a wind tunnel.</summary>
+    /// <summary>Adidas Telstar 18 (2018), from wind-tunnel measurements.</summary>
     /// <remarks>
     /// Measured: the same crisis as the Brazuca, and long kicks 8 … 9 % shorter (Goff, Hong and Asai 2018, as reported). Derived from that: C_D above the
     /// crisis is 8 % higher. The knuckle force is 1.5 N (guess).
@@ -91,10 +91,10 @@ public sealed record BallProperties
     /// <remarks>No measurement was found. The roughness is 0.32 (guess, 0.25 … 0.45).</remarks>
     public static BallProperties Fussballliebe { get; } = new() { DragCurve = DragCurve.OfRoughness(0.32) };
 
-    /// <summary>Adidas Trionda (2026), in a wind tunnel.</summary>
+    /// <summary>Adidas Trionda (2026), from wind-tunnel measurements.</summary>
     /// <remarks>
-    /// Measured (University of Tsukuba, as reported): the crisis is at 27 mph (12.1 m/s), earlier than for Al Rihla, Telstar 18 and Brazuca. Roughness 0.35
-    /// is derived from that. Drag at high speed is reported to be higher: C_D above the crisis is 10 % higher (guess).
+    /// Measured (University of Tsukuba, as reported): the crisis is at 27 mph (12.1 m/s), earlier than for Al Rihla, Telstar 18 and Brazuca. The
+    /// roughness of 0.35 is derived from this speed. Drag at high speed is reported to be higher, so C_D above the crisis is increased by 10 % (guess).
     /// </remarks>
     public static BallProperties Trionda { get; } = new()
     {

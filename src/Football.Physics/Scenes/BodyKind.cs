@@ -22,7 +22,7 @@ public sealed record BodyKind
         Mass = 1.9,
     };
 
-    /// <summary>A head on its neck, about its centre: radius 10 cm, 5 kg.</summary>
+    /// <summary>A head on its neck: a sphere about the origin, with a radius of 10 cm and a mass of 5 kg.</summary>
     /// <remarks>Guess: a head weighs 4.5 … 5 kg.</remarks>
     public static BodyKind Head { get; } = new() { Shape = new SphereShape(Vector3d.Zero, 0.1), Surface = SurfaceMaterial.Head, Mass = 5 };
 

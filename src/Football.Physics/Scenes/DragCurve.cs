@@ -44,7 +44,8 @@ public sealed record DragCurve
     public double RiseTo { get; init; } = 510_000;
 
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
-    /// <remarks>The values are derived. The rounding was chosen to reproduce the four drag coefficients of Hong and Asai, and the flight of Mencke.</remarks>
+    /// <remarks>The values are derived. The rounding was chosen to reproduce Hong and Asai's four drag coefficients and the flight reported by Mencke
+    /// et al.</remarks>
     public static DragCurve Generic { get; } = new();
 
     /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>

@@ -58,8 +58,8 @@ public sealed class EngineCollider
 
     /// <summary>The effective mass at the surface, in kg; above 0. Default infinite: the ball does not move the collider.</summary>
     /// <remarks>
-    /// With a finite mass, an impact changes the velocity by the impulse until <see cref="IEngineColliders.Time"/> advances. From then on the engine's own position
-    /// and velocity are used, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
+    /// With a finite mass, an impact changes the velocity by the impulse divided by the mass, until <see cref="IEngineColliders.Time"/> advances. From then on
+    /// the engine's own position and velocity are used, so apply <see cref="BallEvent.Impulse"/> to the engine's body.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The mass is not above 0.</exception>
     public double Mass
@@ -119,7 +119,7 @@ public sealed class EngineCollider
     }
 
     /// <summary>Sets the surface of a collider without a known shape, at the expected point of contact.</summary>
-    /// <param name="point">A point of the surface at <see cref="IEngineColliders.Time"/>, in m; components within ±1e6.</param>
+    /// <param name="point">A point on the surface at <see cref="IEngineColliders.Time"/>, in m; components within ±1e6.</param>
     /// <param name="normal">The outward normal at the point; any length except 0.</param>
     /// <param name="velocity">The velocity of the surface at the point, in m/s; at most 1000.</param>
     /// <param name="curvature">The curvature at the point, in 1/m: 0 for a plane, 1/R for a sphere of radius R.</param>

@@ -47,7 +47,7 @@ public sealed record ForceSet
     /// <summary>All forces by the regularized laws.</summary>
     public static ForceSet Regularized { get; } = new() { Coefficients = AerodynamicModel.Regularized };
 
-    /// <summary>All forces by the measured laws: the default.</summary>
+    /// <summary>All forces, with the measured laws: the default.</summary>
     public static ForceSet Measured { get; } = new();
 
     internal void Validate()

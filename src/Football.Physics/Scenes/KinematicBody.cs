@@ -6,7 +6,7 @@ namespace FootballPhysics;
 /// <see cref="MoveTo(Vector3d, Vector3d, double)"/>. Within the step it keeps this velocity and rotates about its position. The ball hits it at the exact time
 /// of contact.
 /// <para>If it has a mass, an impact changes its velocity until you move it again. If the body overlaps the ball after a move, the next step pushes the ball
-/// out along the shortest path, without adding speed. The impact then depends on the body's own velocity. Look-aheads extrapolate its current motion without
+/// out along the shortest path, without adding speed. The impact then depends on <see cref="Velocity"/>. Look-aheads extrapolate its current motion without
 /// limit.</para>
 /// </remarks>
 public sealed class KinematicBody
@@ -38,16 +38,16 @@ public sealed class KinematicBody
     public SurfaceMaterial Surface { get; }
 
     /// <summary>The effective mass at the surface, in kg; infinite if the ball does not move the body.</summary>
-    /// <remarks>An impact of the ball changes <see cref="Velocity"/> by the impulse, but does not rotate the body.</remarks>
+    /// <remarks>When the ball hits the body, <see cref="Velocity"/> changes by the impulse divided by the mass. The impact does not rotate the body.</remarks>
     public double Mass { get; }
 
     /// <summary>The layer; a ball that ignores this layer passes through. 0 … 31.</summary>
     public int Layer { get; }
 
-    /// <summary>The position at <see cref="Time"/>, in m. Default the origin.</summary>
+    /// <summary>The position at <see cref="Time"/>, in m. Default: the origin.</summary>
     public Vector3d Position => Placement.Motion.Origin;
 
-    /// <summary>The orientation at <see cref="Time"/>, body to world. Default the identity.</summary>
+    /// <summary>The rotation from body to world coordinates at <see cref="Time"/>. The default is the identity.</summary>
     public Quaterniond Orientation => Placement.Motion.Orientation;
 
     /// <summary>The velocity, in m/s. Default 0.</summary>

@@ -21,10 +21,10 @@ public sealed record Obstacle
     public Vector3d Spin { get; init; }
 
     /// <summary>The mass, in kg; above 0. Default infinite: the ball does not move the obstacle.</summary>
-    /// <remarks>With a finite mass, an impact changes the velocity by the impulse, and the obstacle keeps the new velocity.</remarks>
+    /// <remarks>With a finite mass, an impact changes the velocity by the impulse divided by the mass, and the obstacle keeps the new velocity.</remarks>
     public double Mass { get; init; } = double.PositiveInfinity;
 
-    /// <summary>The pivot of <see cref="Spin"/> at time 0, in m; components within ±1e6. Default the origin.</summary>
+    /// <summary>The pivot of <see cref="Spin"/> at time 0, in m; components within ±1e6. Default: the origin.</summary>
     /// <remarks>The pivot moves with the obstacle.</remarks>
     public Vector3d Pivot { get; init; }
 

@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>A pitch by Law 1: its size, its two goals, and boards around it.</summary>
+/// <summary>A pitch as specified in Law 1: its size, its two goals, and boards around it.</summary>
 /// <remarks>The origin is the centre of the pitch. The goals are at −z and +z.</remarks>
 public sealed record Pitch
 {
@@ -27,13 +27,13 @@ public sealed record Pitch
     /// <summary>The material of the boards. Default <see cref="SurfaceMaterial.Board"/>.</summary>
     public SurfaceMaterial BoardSurface { get; init; } = SurfaceMaterial.Board with { };
 
-    /// <summary>A pitch by Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
+    /// <summary>A pitch as specified in Law 1: 105 m × 68 m, goals of 7.32 m × 2.44 m, no boards.</summary>
     public static Pitch Standard { get; } = new();
 
     /// <summary>A pitch in a stadium: 105 m × 68 m, with advertising boards 1 m high, 4 m behind the lines.</summary>
     public static Pitch Stadium { get; } = new() { BoardHeight = 1, BoardDistance = 4 };
 
-    /// <summary>A futsal pitch by Law 1: 40 m × 20 m, goals of 3 m × 2 m with 8 cm frames, no boards.</summary>
+    /// <summary>A futsal pitch as specified in Law 1: 40 m × 20 m, goals of 3 m × 2 m with 8 cm frames, no boards.</summary>
     public static Pitch Futsal { get; } = new()
     {
         Length = 40,

@@ -44,7 +44,7 @@ public sealed record Scene
     /// <summary>True if a custom force acts, or gravity is not straight down.</summary>
     internal bool HasOwnForces => Forces.CustomForces.Count > 0 || Sideways != Vector3d.Zero;
 
-    /// <summary>The forces that act, and the law of each. Default: all, by the measured laws.</summary>
+    /// <summary>The forces that act, and the law of each. Default: all, with the measured laws.</summary>
     public ForceSet Forces { get; init; } = new();
 
     /// <summary>The ground. Default: level <see cref="SurfaceMaterial.MatchTurf"/>.</summary>
@@ -69,7 +69,7 @@ public sealed record Scene
     /// <summary>The colliders of a game engine. Default: none.</summary>
     public IEngineColliders? EngineColliders { get; init; }
 
-    /// <summary>The ball and turf of two tracked matches, in still air at sea level, by the measured laws.</summary>
+    /// <summary>The ball and turf of two tracked matches, in still air at sea level, with the measured laws.</summary>
     public static Scene Measured { get; } = new();
 
     /// <summary>The scene used when none is given: <see cref="Measured"/>.</summary>

@@ -135,7 +135,7 @@ public sealed partial record SurfaceMaterial
     public static SurfaceMaterial Glove { get; } = Boot with { NormalRestitution = 0.25, TangentialRestitution = 0, ImpactFriction = 1, SlidingFriction = 0.9, RollingResistance = 0.1 };
 
     /// <summary>A second ball, for collisions between two balls. Guess: no measurement was found.</summary>
-    /// <remarks>Two air-filled shells rebound from each other about as one shell does from a floor.</remarks>
+    /// <remarks>Two air-filled shells rebound from each other roughly as a single shell rebounds from a floor.</remarks>
     public static SurfaceMaterial Ball { get; } = GoalFrame with { NormalRestitution = 0.78, TangentialRestitution = 0, ImpactFriction = 0.4, SlidingFriction = 0.4 };
 
     /// <summary>The turf of the published profile: a constant restitution, and no limit on the friction in an impact.</summary>

@@ -187,7 +187,7 @@ internal sealed partial class ContactSetParts
                 return true;
             }
 
-            // Perceptron: turn the direction towards the normal with the smallest component.
+            // Perceptron: turn the direction d towards the normal n with the smallest d·n.
             way += set[nearest].Normal;
             way = 1.0 / Math.Max(1.0, way.Length) * way;
         }

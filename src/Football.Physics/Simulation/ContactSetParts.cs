@@ -63,7 +63,7 @@ internal sealed partial class ContactSetParts
                 return taken;
             }
 
-            // Warm start: a contact of the previous part starts with its impulses.
+            // Warm start: a contact that existed in the previous part starts with the impulses from that part.
             ContactSet.Continue(set, last.Slice(0, before));
             double h = run.Left / Math.Max(1.0, Math.Round(run.Left / part));
             bool turns = TurningNormals.Shorten(_world, in s, set, ref run, ref h);

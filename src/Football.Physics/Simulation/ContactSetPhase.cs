@@ -274,8 +274,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         sweep.Step(h);
         double whole = sweep.Length;
 
-        // Shorten the piece to the first event: an edge, the jump of the drag law, loads, cones, slips, rest, a border, a net's kink, a
-        // contact.
+        // Shorten the piece to the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction
+        // limit, slip, rest), a border between two materials, a net that goes slack, or a new contact.
         for (int i = 0; i < system.Count; i++)
         {
             Collider collider = _world.Colliders[system.Contacts[i].Collider];

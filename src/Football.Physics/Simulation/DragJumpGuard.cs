@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>Locates the jumps of the published drag law.</summary>
+/// <summary>Locates the jumps in the published drag law.</summary>
 /// <remarks>
 /// A piece is locked to one branch of the law and ends when it crosses a surface of the jump. From there, the branch that leads away from
 /// the surface is used (Filippov).
@@ -52,7 +52,7 @@ internal sealed class DragJumpGuard
         run.Splits++;
         if (start.Branch != branch)
         {
-            // The state is on the jump of the drag law, to within rounding: keep the branch only if the motion leads away from the jump.
+            // The state is on the jump in the drag law, to within rounding: keep the branch only if the motion leads away from the jump.
             next = Resolve(s.Time, new Motion(s.Position, s.Velocity, s.Spin), in s, ref run);
             if (next != branch)
             {
@@ -87,7 +87,7 @@ internal sealed class DragJumpGuard
             return along;
         }
 
-        // The sliding mode ends at the other surface, where that surface's function is zero: find it by the secant method.
+        // The sliding mode ends when the jump's other function (speed or spin) reaches zero: find this time by the secant method.
         DragJump end = sweep.EndJump;
         double other = along == DragBranch.AlongCriticalSpeed ? end.Spin : end.Speed;
         if (other <= 0)
@@ -189,8 +189,8 @@ internal sealed class DragJumpGuard
         double a = here.NearerToSpeed ? inside.Speed : inside.Spin;
         double b = here.NearerToSpeed ? outside.Speed : outside.Spin;
 
-        // a and b: rates across the surface with the spinning and the non-spinning branch. If no force changes the speed (lift alone), both are pure
-        // rounding, which must not start a sliding mode.
+        // a and b are the rates at which the ball's state crosses the surface on the spinning and the non-spinning branch. If no force changes the
+        // speed (lift alone), both are rounding errors, which must not start a sliding mode.
         double rounding = Rounding * system.JumpRateScale(in at, in spinning);
 
         // Filippov: slide if both branches lead back to the surface. If both lead to the same side, use the branch of that side; otherwise switch branches.

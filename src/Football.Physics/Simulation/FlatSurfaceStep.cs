@@ -74,7 +74,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
     /// <param name="air">The laws of the air.</param>
     /// <param name="limit">The stability limit of a step.</param>
     /// <param name="clear">Checks whether an object is near; null if the scene has only the ground.</param>
-    /// <param name="locatesJump">Whether steps end at the jump of the drag law.</param>
+    /// <param name="locatesJump">Whether steps end at the jump in the drag law.</param>
     public FlatSurfaceStep(Scene scene, SolverSettings settings, IIntegrator method, Surroundings around, in TAir air, in StabilityLimit limit, ClearFlight? clear, bool locatesJump)
     {
         _around = around;
@@ -296,7 +296,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         log.Evaluations += _weights.Length;
         log.Steps++;
 
-        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series; if it turns much, use the sixth order.
+        // The axis turns too: ∫ω dt + h²/12 ω(h) × ω(0), the fourth-order Magnus series. For a large turn, use the sixth order.
         sumWX = rolls ? sumVZ * _perRadius : sumWX;
         sumWZ = rolls ? -sumVX * _perRadius : sumWZ;
         var mean = new Vector3d(_movesWithEnd ? last.WX : sumWX, _movesWithEnd ? last.WY : sumWY, _movesWithEnd ? last.WZ : sumWZ);
@@ -482,7 +482,7 @@ internal sealed class FlatSurfaceStep<TAir> : FlatSurfaceStep
         return new Vector3d(Vector3d.Dot(in wind, in _axisX), Vector3d.Dot(in wind, in _normal), Vector3d.Dot(in wind, in _axisZ));
     }
 
-    /// <summary>True if the step may have crossed the jump of the drag law (conservative).</summary>
+    /// <summary>True if the step may have crossed the jump in the drag law (conservative).</summary>
     private bool MayCrossJump(in PlaneStart on, in PlaneMotion start, in PlaneRates rates, in PlaneMotion end, double h)
     {
         DragJump from = JumpAt(in start);

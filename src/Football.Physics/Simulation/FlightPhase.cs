@@ -4,7 +4,7 @@ namespace FootballPhysics;
 
 /// <summary>Steps a flying ball piece by piece.</summary>
 /// <remarks>
-/// A piece has the maximum stable length. It ends early at the first of these events: a jump of the drag law, the end of the spin, or a
+/// A piece has the maximum stable length. It ends early at the first of these events: a jump in the drag law, the end of the spin, or a
 /// contact.
 /// </remarks>
 internal sealed class FlightPhase<TIntegrator>
@@ -155,7 +155,7 @@ internal sealed class FlightPhase<TIntegrator>
         Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes);
     }
 
-    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump of the drag law, or in a net.</summary>
+    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
     private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h)
         where TMethod : struct, IIntegrator
     {
@@ -172,7 +172,7 @@ internal sealed class FlightPhase<TIntegrator>
         DragBranch next = s.Branch;
         bool goes = true;
 
-        // At the jump of the drag law, slide along its surface until the sliding mode ends, or stop at the first crossing.
+        // At the jump in the drag law, slide along its surface until the sliding mode ends, or stop at the first crossing.
         if (_jump.Acts)
         {
             if (s.Branch >= DragBranch.AlongCriticalSpeed)

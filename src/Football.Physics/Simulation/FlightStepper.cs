@@ -119,7 +119,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
         log.Evaluations += _integrator.Stages;
 
-        // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump of the drag law.
+        // Conservative checks for an event: ground contact, a dip below the ground, the end of the spin, the jump in the drag law.
         double height = y + (step.Path.Y + (dt * _wind.Y));
         double climb = step.AirVelocity.Y + _wind.Y;
         if (height < _contactHeight || (vy < 0 && climb > 0)
@@ -176,7 +176,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         }
     }
 
-    /// <summary>True if a step may have crossed the jump of the drag law.</summary>
+    /// <summary>True if a step may have crossed the jump in the drag law.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool MayCrossJump(DragBranch branch, double ux, double uy, double uz, double speedSquared, double spin, in FlightStep step, double h)
     {

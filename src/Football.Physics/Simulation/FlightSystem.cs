@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump of the drag
+/// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump in the drag
 /// law.</summary>
 internal struct FlightSystem : IMotionSystem
 {

@@ -217,7 +217,7 @@ internal sealed unsafe class LineStep<TAir> : LineStep
         }
         else
         {
-            // At a standstill, rolling resistance must hold the ball in its position.
+            // At a standstill, rolling resistance must hold the ball in place.
             forces.Pinned = stands;
             speed = stands ? 0 : speed;
             about = forces.HoldsSpin ? 0 : about;

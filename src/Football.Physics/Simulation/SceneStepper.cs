@@ -6,7 +6,7 @@ namespace FootballPhysics;
 /// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the current phase of the ball.
 /// <see cref="FlightStepper{TAir, TIntegrator}"/> takes a whole step of flight without events, the most common case.
 /// <list type="number">
-/// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump of the drag law, the end of the spin or a contact;</item>
+/// <item><see cref="FlightPhase{TIntegrator}"/>: flight, up to a jump in the drag law, the end of the spin or a contact;</item>
 /// <item><see cref="FlatSurfaceStep{TAir}"/>: a whole step of sliding or rolling on flat ground without events;</item>
 /// <item><see cref="LineStep{TAir}"/>: a whole step of rolling or spinning between stationary surfaces;</item>
 /// <item><see cref="SurfacePhase{TIntegrator}"/>: sliding or rolling on any surface, up to a jump, the end of the slip, rest or a
@@ -93,7 +93,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <summary>The stability limit of a piece.</summary>
     protected StabilityLimit Limit { get; }
 
-    /// <summary>True if pieces end at the jump of the drag law.</summary>
+    /// <summary>True if pieces end at the jump in the drag law.</summary>
     protected bool LocatesJump { get; }
 
     public override void Step(ref BallState s, double dt, StepLog log)

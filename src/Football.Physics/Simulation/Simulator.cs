@@ -190,9 +190,9 @@ public sealed class Simulator
 
     /// <summary>Advances a ball by one step. Events and counts are added to the log. Does not allocate.</summary>
     /// <remarks>
-    /// A step is divided into nearly equal parts if drag would overshoot, |u| dt ½ρC_D A/m ≥ 1 (explicit Euler).
-    /// For a beach ball at 200 m/s this happens at 20 ms. The parts are counted in <see cref="StepLog.Steps"/>.
-    /// If Euler or RK2 would increase a velocity that the Magnus force only turns, RK4 takes those parts.
+    /// If drag would overshoot, a step is divided into nearly equal parts. Explicit Euler overshoots if |u| dt ½ρC_D A/m ≥ 1.
+    /// For a beach ball at 200 m/s, a step of 20 ms is divided. The parts are counted in <see cref="StepLog.Steps"/>.
+    /// If Euler or RK2 would increase a velocity that the Magnus force only turns, those parts are integrated with RK4 instead.
     /// After 8,192 parts the step ends at the current position and is counted in <see cref="StepLog.StalledSteps"/>. No value is ever
     /// clamped.
     /// After an impact, a ball stays on the surface if it would return to it within a microsecond.

@@ -15,7 +15,7 @@ public sealed record SolverSettings
     /// <summary>The method that finds the end of a slide. Default <see cref="RollingTransition.Exact"/>.</summary>
     public RollingTransition RollingTransition { get; init; } = RollingTransition.Exact;
 
-    /// <summary>True if steps end at the jump of the drag law. Set it to false only to measure the effect.</summary>
+    /// <summary>True if steps end at the jump in the drag law. Set it to false only to measure the effect.</summary>
     internal bool LocateJump { get; init; } = true;
 
     /// <summary>RK4 with exact impacts and transitions.</summary>

@@ -63,12 +63,12 @@ internal readonly struct StabilityLimit
         // Use the largest restitution, which applies to the slowest and most oblique impacts. Without weight there are no hops.
         double pieces = -upward > ContactTolerances.LeastLoad ? PiecesOfHop(ContactMaterial.LargestOn(scene.Ground, scene.Ball)) : 0;
 
-        // Without drag, a low-order integrator gains speed whenever it turns the velocity.
+        // Without drag, a low-order integrator increases the ball's speed whenever the velocity turns.
         bool spirals = order < 4 && air.Lifts && !(air.Drags && ofAir.PerSpeed > 0);
         return new StabilityLimit(in bound, upward, wholeUpTo, pieces, spirals, order);
     }
 
-    /// <summary>Returns the minimum number of pieces of a hop, 3e/(1 − e), for an integrator that gains speed in hops.</summary>
+    /// <summary>Returns the minimum number of pieces of a hop, 3e/(1 − e), for an integrator that increases the ball's speed in hops.</summary>
     /// <remarks>Each bounce is then lower than the previous one.</remarks>
     public static double PiecesOfHop(double restitution)
     {

@@ -13,7 +13,7 @@ internal struct StepBudget
     /// <summary>Events so far.</summary>
     public int Events;
 
-    /// <summary>Splits at the jump of the drag law so far.</summary>
+    /// <summary>Splits at the jump in the drag law so far.</summary>
     public int Splits;
 
     /// <summary>Impacts so far.</summary>

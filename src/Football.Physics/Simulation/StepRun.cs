@@ -3,7 +3,7 @@ namespace FootballPhysics;
 /// <summary>The state of a step in progress: the time left and the counters that bound the work.</summary>
 internal ref struct StepRun
 {
-    /// <summary>Maximum number of splits per step at the jump of the drag law. Further crossings are not located.</summary>
+    /// <summary>Maximum number of splits per step at the jump in the drag law. Further crossings are not located.</summary>
     public const int MaximumSplits = 16;
 
     /// <summary>Maximum number of impacts per step. After that, the ball stays on the surface that it hits.</summary>
@@ -39,7 +39,7 @@ internal ref struct StepRun
     /// <summary>End time of the step, s. The clock of the pieces never runs past it, not even by rounding.</summary>
     public double End;
 
-    /// <summary>Splits at the jump of the drag law so far.</summary>
+    /// <summary>Splits at the jump in the drag law so far.</summary>
     public int Splits;
 
     /// <summary>Length of the parts if the step had to be divided, s; otherwise 0.</summary>

@@ -2,7 +2,7 @@ namespace FootballPhysics;
 
 /// <summary>Steps a ball that slides or rolls on any surface, piece by piece.</summary>
 /// <remarks>
-/// A piece ends at the first of these events: a jump of the drag law, a contact, the end of the slip, the loss of grip, the end of the
+/// A piece ends at the first of these events: a jump in the drag law, a contact, the end of the slip, the loss of grip, the end of the
 /// load, or rest.
 /// </remarks>
 internal sealed class SurfacePhase<TIntegrator>

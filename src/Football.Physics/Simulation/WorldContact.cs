@@ -80,7 +80,7 @@ internal sealed class WorldContact
         double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
         if (_gainsByHops && off > 0 && !hit.IsLevelGround)
         {
-            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough.
+            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough to prevent this gain.
             double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
             off -= gain;
             velocity -= gain / (1.0 + way.Ratio) * n;

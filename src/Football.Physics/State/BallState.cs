@@ -103,8 +103,8 @@ public struct BallState : IFormattable
     public override readonly string ToString() => ToString(null, CultureInfo.InvariantCulture);
 
     /// <summary>Formats the motion, time, position, velocity and spin.</summary>
-    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for all digits.</param>
-    /// <param name="formatProvider">The culture; default the invariant culture.</param>
+    /// <param name="format">The format of the numbers, such as "F2"; null or empty for up to three decimals, "R" for full precision.</param>
+    /// <param name="formatProvider">The culture; default: the invariant culture.</param>
     public readonly string ToString(string? format, IFormatProvider? formatProvider = null)
     {
         format = NumberFormat.OrShort(format);

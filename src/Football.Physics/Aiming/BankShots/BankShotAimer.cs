@@ -76,7 +76,7 @@ public sealed class BankShotAimer
             throw Check.Conflict("aim.waypoint", "aim.waypoint cannot be combined with aim.after. Leave one of them unset.");
         }
 
-        // 1. Solve chains of legs from several guesses, and correct the results by their miss. 2. If no result hits, search over all directions.
+        // 1. From several guesses, solve the legs from contact to contact; then correct each kick for its miss. 2. If none hits, search over all directions.
         int[] things = Things(after);
         var frame = new TargetFrame(AimContext.Raised(_simulator, request.From), AimContext.Raised(_simulator, request.Target));
         _flight.Begin(request, in frame, things);

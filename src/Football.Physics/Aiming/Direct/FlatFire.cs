@@ -6,7 +6,7 @@ namespace FootballPhysics.Aiming;
 /// </remarks>
 internal struct FlatFire
 {
-    /// <summary>The longest path, in lengths over which drag reduces the speed by a factor e.</summary>
+    /// <summary>The longest path, in lengths over which drag divides the speed by e.</summary>
     private const double MostDamping = 5;
 
     /// <summary>The relative distance at which a kick counts as reaching the target; it equals the error of the model.</summary>
@@ -24,7 +24,7 @@ internal struct FlatFire
     /// <summary>Returns the path length, its rate, and the two damped displacements, for launch speed x after time t.</summary>
     public readonly void Ways(double x, double t, out double along, out double speed, out double fall, out double bend)
     {
-        // τ is the path length, relative to the length over which drag reduces the speed by a factor e. If τ is small, a series avoids rounding errors.
+        // τ is the path length, relative to the length over which drag divides the speed by e. If τ is small, a series avoids rounding errors.
         double tau = Drag * x * t;
         double log;
         double half;

@@ -59,7 +59,7 @@ internal sealed class PlaneNewton
             return false;
         }
 
-        // Longer steps have proved inaccurate, so the kick grazes the jump of the drag law: use full flights only.
+        // Longer steps have proved inaccurate, so the kick grazes the jump in the drag law: use full flights only.
         double rehearsed = 0;
         double contraction = 1;
         _step.Reset();

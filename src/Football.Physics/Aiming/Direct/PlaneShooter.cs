@@ -79,7 +79,7 @@ internal sealed class PlaneShooter : KickObserver
 
     public override double StepFrom(in BallState state, out bool watches)
     {
-        // Use equal steps, and let one end at the expected crossing, where the interpolation is most accurate.
+        // Use equal steps, one of which ends at the expected crossing, where the interpolation is most accurate.
         watches = false;
         if (state.Time > _end - (ShortestStep * _longestStep))
         {
@@ -92,7 +92,7 @@ internal sealed class PlaneShooter : KickObserver
 
     public override bool Doubts(in BallState before, in BallState after, StepLog log, ref bool ended)
     {
-        // If a step has one segment, interpolate the crossing in it. If it has several (at the jump of the drag law), repeat the step and inspect
+        // If a step has one segment, interpolate the crossing in it. If it has several (at the jump in the drag law), repeat the step and inspect
         // each segment. If there is no crossing, only store the height.
         bool whole = !ended && log.Steps == 1;
         if (whole && _wantsThrough && !_through.Crossed)

@@ -41,7 +41,7 @@ internal static class TwoPointGuess
             model.Ways(request.Speed, t1, out double s1, out _, out double fall1, out double bend1);
             model.Ways(request.Speed, t2, out double s2, out _, out double fall2, out double bend2);
 
-            // Without gravity and wind, the offset at each point is s · slope + bend · c.
+            // Subtract gravity and wind. The remaining offset at each point is s · slope + bend · lift; solve both equations for slope and lift.
             double left1 = Vector3d.Dot(problem.Through - frame.From - (t1 * wind), in frame.Left);
             double left2 = Vector3d.Dot(frame.Target - frame.From - (t2 * wind), in frame.Left);
             double up1 = problem.Through.Y - frame.From.Y - (t1 * wind.Y) - (model.Upward * fall1);

@@ -397,7 +397,7 @@ internal sealed class ShootingProblem : KickObserver, ILeastSquares
 internal sealed class TimedFlight : KickObserver
 {
     /// <summary>The step of a roll, in s; the step of a fast roll, in s; and the minimum speed of a fast roll, in m/s.</summary>
-    /// <remarks>A fast roll can reach the jump of the drag law.</remarks>
+    /// <remarks>A fast roll can reach the jump in the drag law.</remarks>
     private const double RollStep = 0.1;
     private const double FastRollStep = 0.02;
     private const double FastRoll = 11;

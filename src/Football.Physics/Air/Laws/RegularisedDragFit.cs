@@ -1,6 +1,6 @@
 namespace FootballPhysics;
 
-/// <summary>The weights that smooth the jumps of the fitted C_D over 0.25 m/s of speed and 0.0025 of spin parameter.</summary>
+/// <summary>The weights that smooth the jumps in the fitted C_D over 0.25 m/s of speed and 0.0025 of spin parameter.</summary>
 internal static class RegularisedDragFit
 {
     /// <summary>The smoothing width at the critical speed, in m/s.</summary>

@@ -88,7 +88,7 @@ public sealed record FirstTimeRequest
     /// <summary>The choice between the two kicks at this speed that reach a target. Default: the low one.</summary>
     public AimArc Arc { get; init; } = AimArc.Low;
 
-    /// <summary>The tolerance of the distance to the target, in m; above 0. Default 0.01.</summary>
+    /// <summary>The maximum distance by which a kick may miss the target, in m; above 0. Default 0.01.</summary>
     public double Tolerance { get; init; } = 0.01;
 
     /// <summary>The maximum distance from the target at which an inaccurate shot still succeeds, in m; above 0. Default 0.5.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A time interval during which a player can meet the ball.</summary>
+/// <summary>A time interval during which a player can reach the ball.</summary>
 public readonly struct InterceptWindow
 {
     internal InterceptWindow(int runner, double from, double to, in Vector3d position, in Vector3d velocity)
@@ -32,7 +32,7 @@ public readonly struct InterceptWindow
 }
 
 /// <summary>A part of the ball's path that one player owns, because he can reach it first.</summary>
-/// <remarks>Only players who can meet the ball in this interval are considered.</remarks>
+/// <remarks>Only players who can reach the ball in this interval are considered.</remarks>
 public readonly struct PossessionInterval
 {
     internal PossessionInterval(int runner, double from, double to, double lead)
@@ -53,7 +53,7 @@ public readonly struct PossessionInterval
     public double To { get; }
 
     /// <summary>The lead of the owner over the second player at the start of the interval, in s.</summary>
-    /// <remarks>Infinite if no other player can meet the ball.</remarks>
+    /// <remarks>Infinite if no other player can reach the ball.</remarks>
     public double TimeMargin { get; }
 
     /// <inheritdoc/>

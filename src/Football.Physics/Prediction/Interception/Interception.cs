@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Finds which players can meet the ball on a predicted path, and when.</summary>
+/// <summary>Finds which players can reach the ball on a predicted path, and when.</summary>
 /// <remarks>
 /// Create one and reuse it: a query allocates only to enlarge its buffers. The results are exact for the predicted path. Bounds on the speeds and accelerations
 /// of ball and player ensure that no window or gap of a microsecond or more is missed. Interval ends are accurate to a nanosecond. The accuracy of the path
@@ -26,12 +26,12 @@ public sealed class Interception
     /// <summary>The windows of all players from the last <see cref="Find"/>: sorted by player, then by time.</summary>
     public ReadOnlySpan<InterceptWindow> Windows => _windows.Items.AsSpan(0, _windows.Count);
 
-    /// <summary>The index of the player who meets the ball first; −1 if nobody does.</summary>
-    /// <remarks>If several players meet the ball within the same nanosecond, this is the lowest of their indices.</remarks>
+    /// <summary>The index of the player who reaches the ball first; −1 if nobody does.</summary>
+    /// <remarks>If several players reach the ball within the same nanosecond, this is the lowest of their indices.</remarks>
     public int First { get; private set; } = -1;
 
     /// <summary>The lead of the first player over the second, in s.</summary>
-    /// <remarks>Infinite if no other player meets the ball.</remarks>
+    /// <remarks>Infinite if no other player reaches the ball.</remarks>
     public double TimeMargin { get; private set; } = double.PositiveInfinity;
 
     /// <summary>Returns the windows of one player from the last <see cref="Find"/>, in order of time.</summary>
@@ -43,7 +43,7 @@ public sealed class Interception
         return _windows.Items.AsSpan(_starts[runner], _starts[runner + 1] - _starts[runner]);
     }
 
-    /// <summary>Finds all time intervals in which each player can meet the ball.</summary>
+    /// <summary>Finds all time intervals in which each player can reach the ball.</summary>
     /// <param name="path">The path of the ball. If it ends at rest, the ball stays there.</param>
     /// <param name="runners">The players, in their states at <paramref name="now"/>.</param>
     /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
@@ -67,14 +67,14 @@ public sealed class Interception
         Rank();
     }
 
-    /// <summary>Finds the player who meets the ball first.</summary>
+    /// <summary>Finds the player who reaches the ball first.</summary>
     /// <remarks>This method is cheaper than <see cref="Find"/>, and leaves <see cref="Windows"/> unchanged.</remarks>
     /// <param name="path">The path of the ball. If it ends at rest, the ball stays there.</param>
     /// <param name="runners">The players, in their states at <paramref name="now"/>.</param>
-    /// <param name="at">The point at which he meets the ball.</param>
+    /// <param name="at">The point at which he reaches the ball.</param>
     /// <param name="now">The start of the search, in s since the launch; default: the start of the path.</param>
     /// <param name="until">The end of the search, in s since the launch; default: the end of the path.</param>
-    /// <returns>The index of the player; −1 if nobody meets the ball. Also sets <see cref="First"/> and <see cref="TimeMargin"/>.</returns>
+    /// <returns>The index of the player; −1 if nobody reaches the ball. Also sets <see cref="First"/> and <see cref="TimeMargin"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A player's number is out of range; the message names the field, the value and the
     /// range.</exception>
@@ -103,10 +103,10 @@ public sealed class Interception
 
     /// <summary>Divides the ball's path among the players; each point belongs to the player who can reach it first.</summary>
     /// <remarks>
-    /// Call <see cref="Find"/> first: this method uses the same players and path. Only players who can meet the ball at a point compete for that point. Leads
+    /// Call <see cref="Find"/> first: this method uses the same players and path. Only players who can reach the ball at a point compete for that point. Leads
     /// are checked at window edges and at the ends of path segments; a lead that begins and ends between two of these is not found.
     /// </remarks>
-    /// <returns>The intervals in order of time; empty if nobody can meet the ball. Valid until the next call.</returns>
+    /// <returns>The intervals in order of time; empty if nobody can reach the ball. Valid until the next call.</returns>
     public ReadOnlySpan<PossessionInterval> FindShares()
     {
         _shares.Run(_motions, _starts, _runners);

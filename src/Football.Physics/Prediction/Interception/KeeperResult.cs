@@ -27,15 +27,15 @@ public readonly struct KeeperResult
     /// <summary>The height up to which the keeper covers the line, in m: his reach or the bar, whichever is lower.</summary>
     public double ReachHeight { get; init; }
 
-    /// <summary>True if the keeper can meet the ball before it crosses the line.</summary>
+    /// <summary>True if the keeper can reach the ball before it crosses the line.</summary>
     public bool Saves { get; init; }
 
-    /// <summary>The first point at which the keeper can meet the ball, if there is one.</summary>
+    /// <summary>The first point at which the keeper can reach the ball, if there is one.</summary>
     public PathPoint Save { get; init; }
 
     /// <summary>The latest time at which the keeper can react and still save the shot, in s since the launch.</summary>
-    /// <remarks>NaN if the keeper cannot meet the ball. He keeps his motion until he reacts, so a later reaction may succeed where earlier ones fail; this is
-    /// the latest successful one. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
+    /// <remarks>NaN if the keeper cannot reach the ball. Until he reacts, he continues his motion, so a later reaction may succeed when an earlier one fails;
+    /// this is the latest that succeeds. A range of successful reaction times shorter than a microsecond may be missed.</remarks>
     public double LatestReaction { get; init; }
 
     /// <inheritdoc/>

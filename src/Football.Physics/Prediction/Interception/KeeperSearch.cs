@@ -68,7 +68,7 @@ internal readonly struct KeeperSearch
         return _found.Count > 0;
     }
 
-    /// <summary>Returns the latest reaction time with which he still meets the ball.</summary>
+    /// <summary>Returns the latest reaction time with which he still reaches the ball.</summary>
     /// <remarks>
     /// A player who keeps running may come closer, so a later reaction may succeed where an earlier one fails. But a change of the reaction time by Δ
     /// changes the distance by at most (v + |v₀|) Δ. So if he fails even with that extra reach, the whole interval fails. Otherwise it is halved, and
@@ -120,7 +120,7 @@ internal readonly struct KeeperSearch
         return later >= low ? later : Latest(in keeper, now, begin, end, low, low + half, rate, shortest, ref tries);
     }
 
-    /// <summary>True if he no longer meets the ball with this reaction.</summary>
+    /// <summary>True if he no longer reaches the ball with this reaction.</summary>
     private readonly struct TooLate : ICondition
     {
         private readonly KeeperSearch _search;

@@ -30,7 +30,7 @@ internal readonly struct MeetingMargin : IDifferentiableFunction
     }
 }
 
-/// <summary>The conditions for a player to meet the ball.</summary>
+/// <summary>The conditions for a player to reach the ball.</summary>
 internal enum MeetingCondition
 {
     /// <summary>(D + ρ)² − |p − c|² ≥ 0, horizontally.</summary>

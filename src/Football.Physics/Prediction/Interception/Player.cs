@@ -1,10 +1,10 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>A player who runs to the ball, as a model of reaction, acceleration and top speed.</summary>
+/// <summary>A model of a player who runs to the ball, with a reaction time, an acceleration and a top speed.</summary>
 /// <remarks>
 /// He keeps his velocity until his reaction time. From his position at that time, he can reach any position within a distance D(s). Here s is the time since
-/// the reaction, and D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a). He can meet the ball when its horizontal distance from that starting position is at most D
-/// plus his reach, and its height is between his limits.
+/// the reaction, and D(s) = ½ a s² while s ≤ v/a, then v (s − v/2a). He can reach the ball when its horizontal distance from that starting position is at most
+/// D plus his reach, and its height is between his limits.
 /// </remarks>
 public readonly struct Player
 {
@@ -28,7 +28,7 @@ public readonly struct Player
     /// <summary>The top speed, in m/s; above 0, at most 1000. Default 8.</summary>
     public double Speed { get; init; } = 8;
 
-    /// <summary>The horizontal distance at which he can play the ball, in m; not negative. Default 0.6.</summary>
+    /// <summary>The maximum horizontal distance at which he can play the ball, in m; not negative. Default 0.6.</summary>
     public double Reach { get; init; } = 0.6;
 
     /// <summary>The minimum height of the ball's centre that he can play, in m. Default 0.</summary>

@@ -1,6 +1,6 @@
 namespace FootballPhysics.Prediction;
 
-/// <summary>Finds all windows in which one player can meet the ball.</summary>
+/// <summary>Finds all windows in which one player can reach the ball.</summary>
 /// <remarks>
 /// Far from the player, and close to him, speed bounds prove that nothing changes for some time, and the search skips that time. In between, it
 /// halves a segment until each condition is decided: over a time h, a function with |f̈| ≤ M lies within M h²/8 of the chord between its ends, and is
@@ -249,7 +249,7 @@ internal struct WindowSearch
     {
         if (_inside)
         {
-            // A window needs a length: count the first window only once it continues.
+            // A window must not have zero length: accept the first window only after time has advanced.
             _done = _firstOnly && time > _from;
             return;
         }

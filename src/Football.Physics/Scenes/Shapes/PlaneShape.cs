@@ -6,7 +6,7 @@ public sealed class PlaneShape : IShape
     private readonly double _offset;
 
     /// <summary>Creates a half-space.</summary>
-    /// <param name="point">A point of the plane, in m; components within ±1e6.</param>
+    /// <param name="point">A point on the plane, in m; components within ±1e6.</param>
     /// <param name="normal">The normal, towards the side of the ball; any length except 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names it.</exception>
     public PlaneShape(Vector3d point, Vector3d normal)
@@ -17,7 +17,7 @@ public sealed class PlaneShape : IShape
         _offset = Vector3d.Dot(in point, Normal);
     }
 
-    /// <summary>A point of the plane, in m.</summary>
+    /// <summary>A point on the plane, in m.</summary>
     public Vector3d Point { get; }
 
     /// <summary>The unit normal.</summary>

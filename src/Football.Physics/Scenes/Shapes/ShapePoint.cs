@@ -3,7 +3,7 @@ namespace FootballPhysics.Shapes;
 /// <summary>The result of a query at a point: signed distance, normal and curvature.</summary>
 public readonly struct ShapePoint
 {
-    /// <summary>Creates a result.</summary>
+    /// <summary>Creates the result of a query at a point.</summary>
     /// <param name="distance">The signed distance from the surface, in m: positive outside.</param>
     /// <param name="normal">The gradient of the distance: the outward unit normal.</param>
     /// <param name="curvature">The Hessian of the distance, in 1/m: the rate of change of the normal with position. Zero for a plane.</param>

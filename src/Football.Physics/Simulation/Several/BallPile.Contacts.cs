@@ -88,7 +88,7 @@ internal sealed partial class BallPile
         };
     }
 
-    /// <summary>Warm start: a contact of the previous part starts with its impulses.</summary>
+    /// <summary>Warm start: a contact that existed in the previous part starts with the impulses from that part.</summary>
     /// <param name="share">Scale factor of the impulses.</param>
     private bool Continue(double share)
     {

@@ -172,7 +172,7 @@ internal sealed class PileSolver
         double load = Math.Max(0, contact.Load - ((rate + (contact.Gap / h)) * contact.NormalMass));
         if (load == 0 && contact.Load == 0 && contact.Rub == Vector3d.Zero)
         {
-            // The contact is near but has no load.
+            // The surfaces are close, but the contact carries no load: there is no impulse to apply.
             return 0;
         }
 
