@@ -8,6 +8,9 @@ namespace FootballPhysics.Batch;
 /// </remarks>
 public sealed partial class GoalChance
 {
+    /// <summary>The default number of simulated kicks: 2000.</summary>
+    public const int Flights = 2000;
+
     private readonly Scene _scene;
     private Simulator _simulator;
     private LaunchDerivatives _derivatives;
@@ -84,7 +87,7 @@ public sealed partial class GoalChance
         KickSpread spread,
         Goal goal,
         Player? keeper = null,
-        int count = GoalChanceRequest.DefaultKicks,
+        int count = Flights,
         long seed = 0)
     {
         // Check the count under the name of this parameter.

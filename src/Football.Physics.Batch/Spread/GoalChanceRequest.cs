@@ -3,9 +3,6 @@ namespace FootballPhysics.Batch;
 /// <summary>A kick, the spread of a player's kicks, a goal, and the number of kicks to simulate.</summary>
 public sealed record GoalChanceRequest
 {
-    /// <summary>The default of <see cref="Kicks"/>: 2000.</summary>
-    public const int DefaultKicks = 2000;
-
     /// <summary>The maximum number of kicks.</summary>
     internal const int MostKicks = 100_000_000;
 
@@ -30,7 +27,7 @@ public sealed record GoalChanceRequest
     /// <summary>The number of kicks to simulate if derivatives are not accurate. 2 … 100 000 000; default 2000.</summary>
     /// <remarks>A kick takes 2 to 6 µs; kicks near the frame of the goal take longest. The error falls at least in proportion to the inverse square root of the
     /// number.</remarks>
-    public int Kicks { get; init; } = DefaultKicks;
+    public int Kicks { get; init; } = GoalChance.Flights;
 
     /// <summary>The seed of the random kicks; default 0. Equal seeds give equal kicks.</summary>
     public long Seed { get; init; }
