@@ -88,8 +88,21 @@ internal static class NetTable
     {
         var log = new StepLog();
         BallState state = simulator.Launch(new Vector3d(0, 2.8, -12.5), Vector3d.Zero, Vector3d.Zero);
-        simulator.Run(ref state, ShotSets.TimeStep, Longest, StopAt.Rest, log);
-        return state.Motion == MotionState.Rest && state.Nets != 0 ? Time(simulator, in state) : double.NaN;
+        simulator.Run(ref state, ShotSets.TimeStep, 10 * Longest, StopAt.Rest, log);
+        if (state.Motion != MotionState.Rest || state.Nets == 0)
+        {
+            return double.NaN;
+        }
+
+        // One step is shorter than the clock can resolve.
+        const int Steps = 10_000;
+        long began = Stopwatch.GetTimestamp();
+        for (int i = 0; i < Steps; i++)
+        {
+            simulator.Step(ref state, ShotSets.TimeStep, log);
+        }
+
+        return Stopwatch.GetElapsedTime(began).TotalSeconds / Steps;
     }
 
     private static double LookAhead(Simulator simulator, BallState[] shots)
