@@ -54,7 +54,8 @@ public readonly struct PathSegment
     internal static int DegreeOf(int order, bool hasEndAcceleration) => order <= 2 ? 2 : hasEndAcceleration ? 5 : 3;
 
     /// <summary>Completes a segment whose acceleration at the end was not known.</summary>
-    internal static void Close(ref PathSegment open, in Vector3d endAcceleration) =>
+    internal static void Close(ref PathSegment open, in Vector3d endAcceleration)
+    {
 #if NET8_0_OR_GREATER
         Unsafe.AsRef(in open._endAcceleration) = endAcceleration;
 #else
@@ -62,6 +63,7 @@ public readonly struct PathSegment
             open._time, open._length, in open._startPosition, in open._startVelocity, in open._startAcceleration, in open._endPosition, in open._endVelocity,
             in endAcceleration, open._motion, open._degree);
 #endif
+    }
 
     /// <summary>Writes a segment of flight to its position in a buffer. A constructed segment would be copied there.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
