@@ -12,7 +12,7 @@ namespace FootballPhysics.Tests.Laws;
 /// </summary>
 public sealed class ChangedLawTests : IDisposable
 {
-    private const string Law = "src/Football.Physics/Air/Laws/FittedDrag.cs";
+    private const string Law = "src/Football.Physics/Laws/Forces/FittedDrag.cs";
     private const string Published = "public const double D = 0.3056;";
     private const string Changed = "public const double D = 0.31;";
     private const string Tests = "tests/Football.Physics.Tests";
