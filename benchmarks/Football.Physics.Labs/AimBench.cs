@@ -1,4 +1,6 @@
 using System.Diagnostics;
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Labs;
 

@@ -1,3 +1,4 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Drawing;
 
 namespace FootballPhysics.Labs;

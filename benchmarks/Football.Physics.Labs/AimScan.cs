@@ -1,3 +1,6 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs;
 
 /// <summary>

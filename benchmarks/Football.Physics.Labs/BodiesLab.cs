@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
+using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

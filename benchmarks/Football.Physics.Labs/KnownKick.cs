@@ -1,3 +1,6 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs;
 
 /// <summary>A kick that was flown, and the request that it answers.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Laws;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;

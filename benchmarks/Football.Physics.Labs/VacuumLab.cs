@@ -1,6 +1,7 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
+using FootballPhysics.Scenes;
+using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;

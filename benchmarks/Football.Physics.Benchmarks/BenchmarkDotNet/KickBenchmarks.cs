@@ -1,4 +1,5 @@
 using BenchmarkDotNet.Attributes;
+using FootballPhysics.Aiming;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

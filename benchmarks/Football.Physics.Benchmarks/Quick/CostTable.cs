@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Aiming;
 using FootballPhysics.Labs;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Benchmarks;
 

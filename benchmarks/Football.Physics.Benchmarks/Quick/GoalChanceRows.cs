@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

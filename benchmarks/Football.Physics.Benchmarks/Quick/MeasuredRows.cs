@@ -1,3 +1,4 @@
+using FootballPhysics.Laws;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

@@ -1,3 +1,4 @@
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

@@ -1,3 +1,4 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using FootballPhysics.Contacts;
 using FootballPhysics.Yardsticks;
 using MathNet.Numerics.LinearAlgebra;
 

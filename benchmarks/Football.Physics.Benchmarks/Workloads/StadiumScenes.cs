@@ -1,3 +1,5 @@
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Game;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Fuzz;

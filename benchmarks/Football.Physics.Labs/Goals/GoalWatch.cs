@@ -1,3 +1,5 @@
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs.Goals;
 
 /// <summary>

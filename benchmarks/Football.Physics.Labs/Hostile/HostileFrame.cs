@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Labs.Stability;
 
 namespace FootballPhysics.Labs.Hostile;

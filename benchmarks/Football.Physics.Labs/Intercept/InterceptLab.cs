@@ -1,4 +1,5 @@
 using System.CommandLine;
+using FootballPhysics.Numerics;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>When a runner can meet a ball, by asking again and again: what the search with bounds is compared with.</summary>

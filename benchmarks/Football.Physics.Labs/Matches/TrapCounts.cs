@@ -1,3 +1,4 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Matches;

@@ -1,3 +1,5 @@
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>Drops on a board in vacuum.</summary>

@@ -1,3 +1,4 @@
+using FootballPhysics.Scenes;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Obstacles;

@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Scenes;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;

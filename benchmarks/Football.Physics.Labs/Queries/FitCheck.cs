@@ -1,3 +1,5 @@
+using FootballPhysics.Laws;
+using FootballPhysics.Numerics;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using FootballPhysics.Prediction;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>

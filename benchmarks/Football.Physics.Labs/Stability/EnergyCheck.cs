@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Prediction;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Says of a frame, from the states before and after it, how much energy the ball gained and how much the method can have made.</summary>

@@ -1,5 +1,6 @@
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What went wrong in a scene.</summary>

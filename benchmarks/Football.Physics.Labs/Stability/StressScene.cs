@@ -1,4 +1,6 @@
 using System.Globalization;
+using FootballPhysics.Laws;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;
 

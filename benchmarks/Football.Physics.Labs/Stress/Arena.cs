@@ -1,4 +1,7 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Labs.People;
+using FootballPhysics.Laws;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;

@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>
