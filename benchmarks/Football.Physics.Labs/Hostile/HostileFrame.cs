@@ -1,4 +1,3 @@
-using FootballPhysics.Contacts;
 using FootballPhysics.Labs.Stability;
 
 namespace FootballPhysics.Labs.Hostile;

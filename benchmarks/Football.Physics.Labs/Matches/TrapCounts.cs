@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Matches;

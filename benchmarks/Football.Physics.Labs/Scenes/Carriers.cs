@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball on carriers that turn, accelerate in steps, are tilted or round, against a textbook integration of slip and roll.</summary>

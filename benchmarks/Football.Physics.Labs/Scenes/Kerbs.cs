@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball that rolls against a dead, rough kerb, against the balance of angular momentum and energy.</summary>

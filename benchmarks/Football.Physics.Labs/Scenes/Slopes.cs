@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as a closed form or a textbook integration says.</summary>

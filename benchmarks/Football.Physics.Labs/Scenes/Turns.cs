@@ -1,5 +1,3 @@
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Shapes that a game turns about a pivot, and a ball in their way, against an exact rotation whose gap is followed without a library's contact.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Laws;
-
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Scenes of the stress matrix by the measured laws: one of the balls, and ground with friction of impacts, drilling friction and all of the air's force.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What went wrong in a scene.</summary>

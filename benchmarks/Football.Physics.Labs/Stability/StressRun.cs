@@ -1,5 +1,4 @@
 using System.Globalization;
-using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Labs.Stability;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>

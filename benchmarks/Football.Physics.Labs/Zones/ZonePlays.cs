@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
