@@ -10,7 +10,9 @@ root=$PWD
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en
 export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
-# -m:1 below: beside other work, a second process of MSBuild costs more than it saves.
+# Beside other work, a second process of MSBuild costs more than it saves. The golden programs have all processors.
+[[ ${CI:-} != true ]] || export DOTNET_PROCESSOR_COUNT=1
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 feed=$work/feed
@@ -36,7 +38,7 @@ quietly() {
 same() {
   local what=$1 said
   shift
-  env -u DOTNET_TieredPGO "$@" > "$work/hashes" 2> "$log" || fail "$what"
+  env -u DOTNET_TieredPGO -u DOTNET_PROCESSOR_COUNT "$@" > "$work/hashes" 2> "$log" || fail "$what"
   said=$(tail -n 1 "$log")
   if ! diff "$golden" "$work/hashes" > "$log"; then
     fail "$what: other hashes than tests/Golden/golden.txt ($(grep -c '^>' "$log") of $(wc -l < "$golden") lines differ)"
@@ -116,7 +118,7 @@ ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB 
 
 # The build of the solution has these assemblies too: in another folder, with the analyzers, and in .ci/run as on a build server. Code ahead of time is made from them by a tool of
 # .NET's own, for a minute: not twice.
-pack_again() { env -u NUGET_PACKAGES dotnet pack -c Release -m:1 src/Packages.proj -o "$work/feed2"; }
+pack_again() { env -u NUGET_PACKAGES dotnet pack -c Release src/Packages.proj -o "$work/feed2"; }
 quietly "pack again" pack_again
 for part in "${parts[@]}"; do
   each=$part.$version
@@ -169,7 +171,7 @@ cd "$consumer/tests/Package.Consumer"
 consume() {
   local out=$1
   shift
-  dotnet publish -c Release -m:1 --source "$feed" "-p:FootballPhysicsVersion=$version" --artifacts-path "$work/build/$out" -o "$work/$out" "$@"
+  dotnet publish -c Release --source "$feed" "-p:FootballPhysicsVersion=$version" --artifacts-path "$work/build/$out" -o "$work/$out" "$@"
 }
 
 quietly "consumer" consume ready
@@ -196,7 +198,7 @@ same "net10.0 assembly, no AVX" env DOTNET_EnableAVX=0 "$work/net10/consumer"
 
 # aot RID FOLDER PROPERTY…
 aot() {
-  dotnet publish -c Release -m:1 -r "$1" "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
+  dotnet publish -c Release -r "$1" "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
     -p:NativeProgram=true --artifacts-path "$work/build/$2" -o "$work/$2" "${@:3}"
 }
 
@@ -219,7 +221,7 @@ ok "NativeAOT, one ball: $kib KiB of at most $most_kib; it $said"
 # --- Mono
 
 cd "$consumer/tests/Package.Mono"
-quietly "build for Mono" dotnet build -c Release -m:1 "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
+quietly "build for Mono" dotnet build -c Release "-p:FootballPhysicsVersion=$version" "-p:RestoreAdditionalProjectSources=$feed" \
   --artifacts-path "$work/build/mono" -o "$work/mono"
 quietly "mcs" mcs -nologo -out:"$work/mono/host.exe" -r:"$work/mono/golden.dll" -r:Facades/netstandard.dll Host.cs
 same "netstandard2.1 assembly on Mono" mono "$work/mono/host.exe"
@@ -248,7 +250,7 @@ ok "README.md, Install, and the first program, $(grep -c . Program.cs) lines in 
 
 # --- the link to the sources, last: it compiles the copy again
 
-build_copy() { (cd "$work/one" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -m:1 -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
+build_copy() { (cd "$work/one" && env -u NUGET_PACKAGES -u CI dotnet build -c Release -f net10.0 --no-restore -p:RunAnalyzers=false src/Football.Physics); }
 remotes() { git -C "$work/one" remote; }
 for remote in $(remotes); do git -C "$work/one" remote remove "$remote"; done
 quietly "build without a remote" build_copy
