@@ -54,7 +54,7 @@ copy() {
   git clone -q --no-checkout . "$1"
   git -C "$1" remote remove origin
   for remote in $(git remote); do git -C "$1" remote add "$remote" "$(git config "remote.$remote.url")"; done
-  git ls-files -co --exclude-standard -z -- src samples/Unity tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig 'Directory.*' global.json \
+  git ls-files -co --exclude-standard -z -- src samples/Unity tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig .gitignore 'Directory.*' global.json \
     | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | tar --null -T - -c | tar -x -C "$1"
 }
 
