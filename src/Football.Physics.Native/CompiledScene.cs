@@ -1,7 +1,7 @@
 namespace FootballPhysics.Native;
 
 /// <summary>What a handle of C stands for.</summary>
-internal sealed class CompiledScene
+internal sealed class CompiledScene : Handled
 {
     /// <summary>An aimer that no thread uses now: it belongs to one at a time.</summary>
     private Aimer? _aimer;
@@ -21,9 +21,6 @@ internal sealed class CompiledScene
 
     /// <summary>The air of the scene, for bodies that C moves.</summary>
     public Aerodynamics Aerodynamics { get; }
-
-    /// <summary>The handle; 0 until there is one.</summary>
-    public nuint Handle { get; set; }
 
     /// <summary>An aimer, to be given back.</summary>
     public Aimer TakeAimer() => Interlocked.Exchange(ref _aimer, null) ?? new Aimer(Simulator);

@@ -65,9 +65,9 @@ internal static unsafe partial class Exports
         {
             Guard.Given(scene, "scene");
             *scene = null;
-            nuint handle = SceneHandles.Add(Requests.Scene(Requests.Text(json, jsonBytes, "json")));
+            nuint handle = Handles.Add(Requests.Scene(Requests.Text(json, jsonBytes, "json")));
             *scene = (NativeScene*)handle;
-            return handle != 0 ? NativeStatus.Ok : Guard.Fail(NativeStatus.Internal, "there are 1 048 575 scenes; free some.");
+            return Guard.Made(handle);
         }
         catch (Exception e)
         {
@@ -84,7 +84,7 @@ internal static unsafe partial class Exports
         try
         {
             Guard.SceneOf(scene);
-            return SceneHandles.Remove((nuint)scene) ? NativeStatus.Ok : Guard.Fail(NativeStatus.Handle, "scene was freed by another thread.");
+            return Handles.Remove((nuint)scene) ? NativeStatus.Ok : Guard.Fail(NativeStatus.Handle, "scene was freed by another thread.");
         }
         catch (Exception e)
         {
@@ -103,13 +103,7 @@ internal static unsafe partial class Exports
     {
         try
         {
-            CompiledScene compiled = Guard.SceneOf(scene);
-            Guard.Given(name, "name");
-            Guard.AtLeast(capacity, 1, "capacity");
-            string text = compiled.Simulator.NameOf(thing) ?? "";
-            return ThreadMemory.Copy(text, name, capacity)
-                ? NativeStatus.Ok
-                : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the name \"{text}\" has more bytes."));
+            return TellName(Guard.SceneOf(scene).Simulator, thing, name, capacity);
         }
         catch (Exception e)
         {
@@ -168,6 +162,16 @@ internal static unsafe partial class Exports
             Guard.Fail(e);
             return 0;
         }
+    }
+
+    private static NativeStatus TellName(Simulator simulator, int thing, byte* name, int capacity)
+    {
+        Guard.Given(name, "name");
+        Guard.AtLeast(capacity, 1, "capacity");
+        string text = simulator.NameOf(thing) ?? "";
+        return ThreadMemory.Copy(text, name, capacity)
+            ? NativeStatus.Ok
+            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the name \"{text}\" has more bytes."));
     }
 
     private static byte* MakeText(string text)

@@ -2,11 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace FootballPhysics.Native;
 
-/// <summary>
-/// The scenes that C holds. A handle is a place in a table and how often places were given before: one that was freed, or never was one, is found out, and a
-/// scene that is freed while another thread steps in it lives until that step is over.
-/// </summary>
-internal static class SceneHandles
+/// <summary>The objects and matches that C holds.</summary>
+/// <remarks>
+/// A handle combines an index in a table with a counter, so a freed or invented handle is detected. An object that is freed while another thread uses it lives
+/// until that call returns.
+/// </remarks>
+internal static class Handles
 {
     /// <summary>Bits of a handle that tell the place; 0 is none, so that no handle is null.</summary>
     private const int PlaceBits = 20;
@@ -15,12 +16,12 @@ internal static class SceneHandles
 
     private static readonly Lock s_lock = new();
     private static readonly Stack<int> s_free = [];
-    private static CompiledScene?[] s_scenes = new CompiledScene?[16];
+    private static Handled?[] s_objects = new Handled?[16];
     private static int s_used = 1;
     private static nuint s_given;
 
-    /// <summary>Creates a handle for a scene; 0 if the table is full.</summary>
-    public static nuint Add(CompiledScene scene)
+    /// <summary>Creates a handle for an object; 0 if the table is full.</summary>
+    public static nuint Add(Handled handled)
     {
         lock (s_lock)
         {
@@ -34,29 +35,29 @@ internal static class SceneHandles
                 place = s_used++;
             }
 
-            if (place >= s_scenes.Length)
+            if (place >= s_objects.Length)
             {
                 // A thread that still reads the old table finds its old entries.
-                CompiledScene?[] larger = new CompiledScene?[2 * s_scenes.Length];
-                s_scenes.CopyTo(larger, 0);
-                Volatile.Write(ref s_scenes, larger);
+                Handled?[] larger = new Handled?[2 * s_objects.Length];
+                s_objects.CopyTo(larger, 0);
+                Volatile.Write(ref s_objects, larger);
             }
 
-            scene.Handle = (++s_given << PlaceBits) | (nuint)place;
-            Volatile.Write(ref s_scenes[place], scene);
-            return scene.Handle;
+            handled.Handle = (++s_given << PlaceBits) | (nuint)place;
+            Volatile.Write(ref s_objects[place], handled);
+            return handled.Handle;
         }
     }
 
-    /// <summary>The scene of a handle; null if the handle is invalid.</summary>
+    /// <summary>The object of a handle; null if the handle is invalid.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static CompiledScene? Find(nuint handle)
+    public static Handled? Find(nuint handle)
     {
-        CompiledScene?[] scenes = Volatile.Read(ref s_scenes);
+        Handled?[] objects = Volatile.Read(ref s_objects);
         nuint place = handle & PlaceMask;
-        if (place < (nuint)scenes.Length && Volatile.Read(ref scenes[place]) is { } scene && scene.Handle == handle)
+        if (place < (nuint)objects.Length && Volatile.Read(ref objects[place]) is { } found && found.Handle == handle)
         {
-            return scene;
+            return found;
         }
 
         return null;
@@ -73,9 +74,16 @@ internal static class SceneHandles
             }
 
             int place = (int)(handle & PlaceMask);
-            s_scenes[place] = null;
+            s_objects[place] = null;
             s_free.Push(place);
             return true;
         }
     }
+}
+
+/// <summary>An object that C refers to by a handle.</summary>
+internal abstract class Handled
+{
+    /// <summary>The handle; 0 until there is one.</summary>
+    public nuint Handle { get; set; }
 }

@@ -21,30 +21,33 @@ internal static unsafe class Requests
 
     /// <summary>Reads, checks and compiles a scene.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
-    public static CompiledScene Scene(ReadOnlySpan<byte> json)
+    public static CompiledScene Scene(ReadOnlySpan<byte> json) => Read(json, hasBodies: false, (scene, settings) =>
     {
-        InputFields fields = Fields(json);
-        try
+        // A scene of any number of balls and threads: nothing in it may be moved by one of them.
+        for (int i = 0; i < scene.Obstacles.Count; i++)
         {
-            Scene scene = SceneInput.Scene(fields.Root);
-            SolverSettings settings = SceneInput.Solver(fields.Root, out _);
-            fields.Check();
-
-            // A scene of any number of balls and threads: nothing in it may be moved by one of them.
-            for (int i = 0; i < scene.Obstacles.Count; i++)
+            if (double.IsFinite(scene.Obstacles[i].Mass))
             {
-                if (double.IsFinite(scene.Obstacles[i].Mass))
-                {
-                    throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "no mass, because all balls share a scene; leave it out");
-                }
+                throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "no mass, because all balls share a scene; leave it out");
             }
+        }
 
-            return new CompiledScene(scene, settings);
-        }
-        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
-        {
-            throw refusal;
-        }
+        return new CompiledScene(scene, settings);
+    });
+
+    /// <summary>Reads the scene of a match, and creates the match.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    public static Match Match(ReadOnlySpan<byte> json, int balls, double dt) => Read(json, hasBodies: true, (scene, settings) =>
+        new Match(new FixedStepRunner(new BallGroup(new Simulator(scene, settings), balls), dt, dt), null));
+
+    /// <summary>Reads the scene of a recording, and creates a match that replays it.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    /// <exception cref="FormatException">The recording is corrupt.</exception>
+    public static Match Replay(ReadOnlySpan<byte> json, ReadOnlySpan<byte> bytes)
+    {
+        Recording recording = Recording.FromBytes(bytes);
+        BallGroup group = Read(json, hasBodies: true, (scene, settings) => new BallGroup(new Simulator(scene, settings), recording.Balls));
+        return new Match(recording.Replay(group), recording);
     }
 
     /// <summary>Reads a request, and finds the kick.</summary>
@@ -66,6 +69,23 @@ internal static unsafe class Requests
         finally
         {
             scene.GiveBack(aimer);
+        }
+    }
+
+    private static T Read<T>(ReadOnlySpan<byte> json, bool hasBodies, Func<Scene, SolverSettings, T> make)
+    {
+        InputFields fields = Fields(json);
+        try
+        {
+            Scene scene = SceneInput.Scene(fields.Root);
+            scene = hasBodies ? scene with { Bodies = WorldInput.Bodies(fields.Root) } : scene;
+            SolverSettings settings = SceneInput.Solver(fields.Root, out _);
+            fields.Check();
+            return make(scene, settings);
+        }
+        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
+        {
+            throw refusal;
         }
     }
 

@@ -22,7 +22,7 @@ internal sealed partial class CHeader
         (typeof(AimStatus), "fp_aim_status", "FP_AIM_"),
     ];
 
-    private static readonly Type[] s_structs = [typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives)];
+    private static readonly Type[] s_structs = [typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives), typeof(NativeBody), typeof(NativeMatchEvent)];
 
     private readonly StringBuilder _text = new();
     private readonly Dictionary<string, XElement> _documentation;
@@ -75,6 +75,9 @@ internal sealed partial class CHeader
 
         Comment(Summary("T:" + typeof(NativeScene).FullName));
         Line("typedef struct fp_scene fp_scene;");
+        Line();
+        Comment(Summary("T:" + typeof(NativeMatch).FullName));
+        Line("typedef struct fp_match fp_match;");
         Line();
         Comment(Summary("T:" + typeof(NativeState).FullName));
         Line("typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;");
