@@ -173,7 +173,7 @@ internal static unsafe partial class Exports
         try
         {
             Match played = Guard.MatchOf(match);
-            Guard.Events(events, capacity);
+            Guard.Room(events, "events", capacity);
             lock (played.Gate)
             {
                 played.Step();

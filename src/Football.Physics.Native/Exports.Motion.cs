@@ -72,7 +72,7 @@ internal static unsafe partial class Exports
         try
         {
             CompiledScene compiled = Guard.SceneOf(scene);
-            Guard.Events(events, capacity);
+            Guard.Room(events, "events", capacity);
             ref BallState ball = ref Guard.State(state, compiled);
             StepLog log = ThreadMemory.Mine.ClearLog();
             compiled.Simulator.Step(ref ball, dt, log);

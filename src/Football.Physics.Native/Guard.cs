@@ -85,13 +85,57 @@ internal static unsafe class Guard
         }
     }
 
-    /// <summary>Throws unless events have room, or none are wanted.</summary>
-    public static void Events(void* events, int capacity)
+    /// <summary>Throws unless items have room, or none are wanted.</summary>
+    public static void Room(void* items, string name, int capacity)
     {
         if (capacity != 0)
         {
             AtLeast(capacity, 0, "capacity");
-            Given(events, "events");
+            Given(items, name);
+        }
+    }
+
+    /// <summary>Throws unless the players and the time of a search are possible.</summary>
+    public static void Players(NativePlayer* players, int n, double seconds)
+    {
+        Within(seconds, double.Epsilon, 3600, "seconds");
+        Within(n, 0, 10_000, "n");
+        if (n > 0)
+        {
+            Given(players, "players");
+        }
+    }
+
+    /// <summary>A player of the caller's.</summary>
+    public static Player Player(NativePlayer* player, int index)
+    {
+        try
+        {
+            Vector3d position = Vector(player->Position, "position");
+            Vector3d velocity = Vector(player->Velocity, "velocity");
+            Check.Place("position", position);
+            Check.Size("velocity", velocity, Limits.Speed, "m/s");
+            Check.Within("reaction", player->Reaction, 0, LongestTime);
+            Check.Positive("acceleration", player->Acceleration);
+            Check.Within("speed", player->Speed, 0, Limits.Speed, exclusiveLow: true);
+            Check.Within("reach", player->Reach, 0, Limits.Length);
+            Check.Within("minimum_height", player->MinimumHeight, -Limits.Length, Limits.Length);
+            Check.Within("maximum_height", player->MaximumHeight, player->MinimumHeight, Limits.Length);
+            return new Player
+            {
+                Position = position,
+                Velocity = velocity,
+                Reaction = player->Reaction,
+                Acceleration = player->Acceleration,
+                Speed = player->Speed,
+                Reach = player->Reach,
+                MinimumHeight = player->MinimumHeight,
+                MaximumHeight = player->MaximumHeight,
+            };
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw new ArgumentException($"players[{Text(index)}].{refusal.Message}", refusal);
         }
     }
 

@@ -58,35 +58,66 @@ internal static unsafe class Requests
         AimRequest request = AimInput.Request(fields.Root);
         fields.Check();
         Aimer aimer = scene.TakeAimer();
+        AimResult found = Translated(fields, () => aimer.Find(request));
+        scene.GiveBack(aimer);
+        return found;
+    }
+
+    /// <summary>Reads a shot, and finds its chance to score.</summary>
+    /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
+    public static GoalChanceResult GoalChance(CompiledScene scene, ReadOnlySpan<byte> json)
+    {
+        InputFields fields = Fields(json);
+        GoalChanceRequest request = GoalChanceInput.Request(fields.Root, scene.Simulator.Scene.Goals);
+        fields.Check();
+        GoalChance search = scene.TakeGoalChance();
+        GoalChanceResult found = Translated(fields, () => search.Find(request));
+        scene.GiveBack(search);
+        return found;
+    }
+
+    /// <summary>Reads the request for a fit of one flight.</summary>
+    /// <exception cref="RefusedException">A member is unknown or of the wrong type.</exception>
+    public static TrackFitRequest Fit(ReadOnlySpan<byte> json) => Checked(json, FitInput.Track);
+
+    /// <summary>Reads the request for a fit of a match.</summary>
+    /// <exception cref="RefusedException">A member is unknown or of the wrong type.</exception>
+    public static MatchFitRequest MatchFit(ReadOnlySpan<byte> json) => Checked(json, FitInput.Match);
+
+    /// <summary>The parameter with a name of <see cref="MatchFitResult.Names"/>.</summary>
+    public static NativeFitParameter Parameter(string name) => Enum.Parse<NativeFitParameter>(name.Replace(".", ""), ignoreCase: true);
+
+    private static T Checked<T>(ReadOnlySpan<byte> json, Func<InputObject, T> read)
+    {
+        InputFields fields = Fields(json);
+        T request = read(fields.Root);
+        fields.Check();
+        return request;
+    }
+
+    private static T Translated<T>(InputFields fields, Func<T> find)
+    {
         try
         {
-            return aimer.Find(request);
+            return find();
         }
         catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
         {
             throw refusal;
-        }
-        finally
-        {
-            scene.GiveBack(aimer);
         }
     }
 
     private static T Read<T>(ReadOnlySpan<byte> json, bool hasBodies, Func<Scene, SolverSettings, T> make)
     {
         InputFields fields = Fields(json);
-        try
+        return Translated(fields, () =>
         {
             Scene scene = SceneInput.Scene(fields.Root);
             scene = hasBodies ? scene with { Bodies = WorldInput.Bodies(fields.Root) } : scene;
             SolverSettings settings = SceneInput.Solver(fields.Root, out _);
             fields.Check();
             return make(scene, settings);
-        }
-        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
-        {
-            throw refusal;
-        }
+        });
     }
 
     private static InputFields Fields(ReadOnlySpan<byte> json)

@@ -1,5 +1,4 @@
 using System.Globalization;
-using FootballPhysics.Netcode;
 using FootballPhysics.Package.Tests;
 
 namespace FootballPhysics.Native.Tests;
