@@ -112,7 +112,7 @@ public sealed unsafe class InterceptionTests
     [Theory]
     [InlineData("{}", "position is missing")]
     [InlineData("""{"position": [0, 0, 0], "velocity": [0, 5, -20], "goal": 1}""", "goal is 1; allowed: 0 … 0.")]
-    [InlineData("""{"position": [0, 0, 0], "velocity": [0, 5, -20], "kicks": 1}""", "goalChance.kicks is 1; allowed: 2 … 100000000.")]
+    [InlineData("""{"position": [0, 0, 0], "velocity": [0, 5, -20], "kicks": 1}""", "kicks is 1; allowed: 2 … 100000000.")]
     [InlineData("""{"position": [0, 0, 0], "velocity": [0, 5, -20], "spread": {"spedPercent": 3}}""", "spread.spedPercent is unknown")]
     [InlineData("""{"position": [0, 0, 0], "velocity": [0, 5, -20], "spread": {"speedPercent": -3}}""", "spread.speedPercent is -3; allowed: 0 … 100.")]
     public void A_request_for_a_chance_is_rejected_by_name(string json, string sentence)

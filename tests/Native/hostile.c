@@ -284,7 +284,7 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
         return FP_OK;
     case 38: return fp_intercept(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : &b->first);
     case 39: return fp_intercept_windows(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->windows, (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->numbers);
-    case 40: return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 240, 256);
+    case 40: return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 248);
     case 50:
         if (below(seed, 8) == 0) {
             fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);
