@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# ARM64: the golden file, by the program that prints it, published for linux-arm64, and kicks through the C library, which is built across; both run by qemu-user over Debian's C library for that machine.
+# ARM64: the golden file, by the program that prints it, published for linux-arm64, and kicks and a match through the C library, which is built across; all run by qemu-user over Debian's C library for that machine.
 #   tests/arm64.sh [golden]        golden: the golden file alone, as CI does
 # Needs qemu-aarch64-static (Debian: qemu-user-static), aarch64-linux-gnu-gcc (gcc-aarch64-linux-gnu, libc6-dev-arm64-cross) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
 set -euo pipefail
@@ -38,13 +38,21 @@ echo "ok    ARM64 under qemu-user: $(wc -l < "$work/hashes") lines as in golden.
 
 [[ ${1:-} != golden ]] || exit 0
 
-# --- the C library there: built across, and kicks.c against it
+# --- the C library there: built across, and kicks.c and match.c against it
 
 start=$SECONDS
 src/Football.Physics.Native/build.sh "$work/native" linux-arm64 > "$log" 2>&1 || fail "build.sh for linux-arm64"
-aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" tests/Native/kicks.c -o "$work/kicks" -L"$work/native/lib" -lfootball_physics > "$log" 2>&1 || fail "kicks.c for ARM64"
+for program in kicks match; do
+  aarch64-linux-gnu-gcc -O2 -std=c99 -I"$work/native/include" "tests/Native/$program.c" -o "$work/$program" -L"$work/native/lib" -lfootball_physics -lm > "$log" 2>&1 || fail "$program.c for ARM64"
+done
+newest=$(readelf -W --dyn-syms "$work/native/lib/libfootball_physics.so" | grep -oE '@GLIBC_[0-9.]+' | sort -uV | tail -n 1)
+printf '%s\n' "$newest" @GLIBC_2.31 | sort -CV || fail "the library for ARM64 needs glibc ${newest#@GLIBC_}; allowed: 2.31"
 built=$(( SECONDS - start ))
 start=$SECONDS
 run -E LD_LIBRARY_PATH="$work/native/lib" "$work/kicks" 300 > "$work/hashes" 2> "$log" || fail "kicks.c on ARM64"
 diff <(awk '$2 <= 300' tests/Native/kicks.txt) "$work/hashes" > "$log" || fail "kicks on ARM64: other hashes than C# has on x64"
 echo "ok    ARM64 under qemu-user: 900 kicks to rest through the C library, the hashes of C# on x64, built in $built s, run in $(( SECONDS - start )) s"
+start=$SECONDS
+run -E LD_LIBRARY_PATH="$work/native/lib" "$work/match" 2 > "$work/hashes" 2> "$log" || fail "match.c on ARM64"
+diff <(head -n 2 tests/Native/match.txt) "$work/hashes" > "$log" || fail "a match on ARM64: other hashes than C# has on x64"
+echo "ok    ARM64 under qemu-user: two minutes of a match with 22 moving players, the hashes of C# on x64, in $(( SECONDS - start )) s; glibc ${newest#@GLIBC_} or later"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks with the bits of C#, hostile calls, the header in C++, what is exported,
+# The C library as a stranger uses it: built and laid out, the sample found by CMake, ten thousand kicks and a match with the bits of C#, hostile calls, the header in C++, what is exported,
 # the wheel for Python, installed into a fresh environment, and the games in LÖVE and pygame, each with a picture.
 #   tests/native.sh [CALLS]       hostile calls; default 1 000 000
 # Needs clang or gcc, g++, CMake, and Debian's python3-numpy, python3-venv, python3-pygame, love, xvfb and xauth.
@@ -48,6 +48,10 @@ diff <(nm -D --defined-only "$library" | awk '{ sub(/@.*/, "", $3) } $3 ~ /^fp_/
   <(grep -oE '\bfp_[a-z_]+\(' "$prefix/include/football_physics.h" | grep -v '^fp_.*_ABI' | tr -d '(' | sort -u) > "$log" || fail "exports and header differ"
 ok "exports: the $(nm -D --defined-only "$library" | grep -c ' fp_') functions of the header, no more and no fewer"
 
+newest=$(readelf -W --dyn-syms "$library" | grep -oE '@GLIBC_[0-9.]+' | sort -uV | tail -n 1)
+printf '%s\n' "$newest" @GLIBC_2.31 | sort -CV || fail "the library needs glibc ${newest#@GLIBC_}; allowed: 2.31. Add the function to src/Football.Physics.Native/glibc.sh: $(readelf -W --dyn-syms "$library" | grep -- "$newest" | head -n 1)"
+ok "the newest version of a function of glibc is ${newest#@GLIBC_}; Debian 11 has 2.31"
+
 strict=(-Wall -Wextra -Werror -I"$prefix/include")
 link=(-L"$prefix/lib" -lfootball_physics "-Wl,-rpath,$prefix/lib" -lm)
 printf '#include <football_physics.h>\nint main() { return fp_hash(nullptr) != 0 || FP_CHECK_ABI() != FP_OK; }\n' > "$work/header.cpp"
@@ -61,11 +65,20 @@ ok "samples/C, $(grep -c . samples/C/free_kick.c) lines, found by CMake: $(head 
 
 # --- bits and hostile calls
 
+# The runtime has a handler of its own for a null pointer, and keeps its heap to the end.
+sanitizers=handle_segv=0:allow_user_segv_handler=1:detect_leaks=0
+
 quietly "kicks.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/kicks.c -o "$work/kicks" "${link[@]}"
 start=$SECONDS
 "$work/kicks" > "$work/kicks.txt" 2> "$log" || fail "kicks.c"
 diff tests/Native/kicks.txt "$work/kicks.txt" > "$log" || fail "kicks: other hashes than C# has"
 ok "10 000 kicks to rest in three scenes, every tick and event, saved and restored: the hashes of C#, in $(( SECONDS - start )) s"
+
+quietly "match.c" gcc -O1 -g -std=c99 -pedantic -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/match.c -o "$work/match" "${link[@]}"
+start=$SECONDS
+ASAN_OPTIONS=$sanitizers "$work/match" > "$work/match.txt" 2> "$log" || fail "match.c"
+diff tests/Native/match.txt "$work/match.txt" > "$log" || fail "match: other hashes than C# has"
+ok "a match of ten minutes with 22 moving players, restored and replayed on the way: the hashes of C#, under sanitizers, in $(( SECONDS - start )) s"
 
 quietly "one_default.c" gcc -O2 -std=c99 -pedantic "${strict[@]}" tests/Native/one_default.c -o "$work/one_default" "${link[@]}"
 "$work/one_default" tests/Golden/one-default.csv > "$work/said" 2> "$log" || fail "one_default.c"
@@ -81,8 +94,7 @@ ok "$(tail -n 1 "$work/said")"
 
 quietly "hostile.c" gcc -O1 -g -std=c99 -pthread -fsanitize=address,undefined -fno-sanitize-recover=undefined "${strict[@]}" tests/Native/hostile.c -o "$work/hostile" "${link[@]}"
 start=$SECONDS
-# The runtime has a handler of its own for a null pointer, and keeps its heap to the end.
-ASAN_OPTIONS=handle_segv=0:allow_user_segv_handler=1:detect_leaks=0 "$work/hostile" "$calls" > "$work/said" 2> "$log" || fail "hostile.c: $(tail -n 1 "$work/said")"
+ASAN_OPTIONS=$sanitizers "$work/hostile" "$calls" > "$work/said" 2> "$log" || fail "hostile.c: $(tail -n 1 "$work/said")"
 ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitizers, in $(( SECONDS - start )) s"
 
 # --- Python
@@ -90,6 +102,7 @@ ok "$(tail -n 1 "$work/said"), under the address and undefined-behaviour sanitiz
 # The system's Python has numpy.
 PATH=/usr/bin:$PATH page docs/data-sets.md#python
 wheel=$(echo "$work"/clone/out/wheel/*.whl)
+[[ $wheel == *-manylinux_2_31_* ]] || fail "the wheel has the tag of $(basename "$wheel"); PyPI accepts manylinux_2_31"
 python=$work/clone/out/python/bin/python
 quietly "wheel again" /usr/bin/python3 src/Football.Physics.Python/build_wheel.py "$library" "$work/again"
 cmp "$wheel" "$work"/again/*.whl > "$log" || fail "the wheel built twice differs"

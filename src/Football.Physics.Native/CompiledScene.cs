@@ -1,13 +1,16 @@
 namespace FootballPhysics.Native;
 
 /// <summary>What a handle of C stands for.</summary>
-internal sealed class CompiledScene
+internal sealed class CompiledScene : Handled
 {
     /// <summary>An aimer that no thread uses now: it belongs to one at a time.</summary>
     private Aimer? _aimer;
 
     /// <summary>One that no thread uses now.</summary>
     private LaunchDerivatives? _derivatives;
+
+    private GoalChance? _goalChance;
+    private Interceptor? _interceptor;
 
     /// <summary>Compiles a scene.</summary>
     public CompiledScene(Scene scene, SolverSettings settings)
@@ -22,18 +25,27 @@ internal sealed class CompiledScene
     /// <summary>The air of the scene, for bodies that C moves.</summary>
     public Aerodynamics Aerodynamics { get; }
 
-    /// <summary>The handle; 0 until there is one.</summary>
-    public nuint Handle { get; set; }
-
     /// <summary>An aimer, to be given back.</summary>
     public Aimer TakeAimer() => Interlocked.Exchange(ref _aimer, null) ?? new Aimer(Simulator);
 
     /// <summary>What finds derivatives, to be given back.</summary>
     public LaunchDerivatives TakeDerivatives() => Interlocked.Exchange(ref _derivatives, null) ?? new LaunchDerivatives(Simulator);
 
+    /// <summary>A search for chances to score, to be given back.</summary>
+    public GoalChance TakeGoalChance() => Interlocked.Exchange(ref _goalChance, null) ?? new GoalChance(Simulator.Scene);
+
+    /// <summary>A search for interceptions, to be given back.</summary>
+    public Interceptor TakeInterceptor() => Interlocked.Exchange(ref _interceptor, null) ?? new Interceptor(Simulator);
+
     /// <summary>Keeps an aimer for the next call.</summary>
     public void GiveBack(Aimer aimer) => Volatile.Write(ref _aimer, aimer);
 
     /// <summary>Keeps it for the next call.</summary>
     public void GiveBack(LaunchDerivatives derivatives) => Volatile.Write(ref _derivatives, derivatives);
+
+    /// <summary>Keeps it for the next call.</summary>
+    public void GiveBack(GoalChance goalChance) => Volatile.Write(ref _goalChance, goalChance);
+
+    /// <summary>Keeps it for the next call.</summary>
+    public void GiveBack(Interceptor interceptor) => Volatile.Write(ref _interceptor, interceptor);
 }

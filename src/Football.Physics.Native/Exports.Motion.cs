@@ -72,12 +72,7 @@ internal static unsafe partial class Exports
         try
         {
             CompiledScene compiled = Guard.SceneOf(scene);
-            if (capacity != 0)
-            {
-                Guard.AtLeast(capacity, 0, "capacity");
-                Guard.Given(events, "events");
-            }
-
+            Guard.Room(events, "events", capacity);
             ref BallState ball = ref Guard.State(state, compiled);
             StepLog log = ThreadMemory.Mine.ClearLog();
             compiled.Simulator.Step(ref ball, dt, log);
@@ -111,17 +106,7 @@ internal static unsafe partial class Exports
         {
             ref BallState ball = ref Guard.State(state, Guard.SceneOf(scene));
             Guard.Given(@out, "out");
-            Quaterniond orientation = ball.Orientation;
-            Put(ball.Position, @out->Position);
-            Put(ball.Velocity, @out->Velocity);
-            Put(ball.Spin, @out->Spin);
-            @out->Orientation[0] = orientation.X;
-            @out->Orientation[1] = orientation.Y;
-            @out->Orientation[2] = orientation.Z;
-            @out->Orientation[3] = orientation.W;
-            @out->Time = ball.Time;
-            @out->Motion = (int)ball.Motion;
-            @out->Reserved = 0;
+            Put(in ball, @out);
             return NativeStatus.Ok;
         }
         catch (Exception e)
@@ -397,35 +382,51 @@ internal static unsafe partial class Exports
     /// <summary>Hands the events of a step over.</summary>
     private static NativeStatus Tell(EventBuffer events, NativeEvent* into, int capacity, int* count)
     {
-        if (count is not null)
-        {
-            *count = (int)Math.Min(events.Count + events.Dropped, int.MaxValue);
-        }
-
-        if (into is null && count is null)
-        {
-            return NativeStatus.Ok;
-        }
-
         int told = Math.Min(capacity, events.Count);
         for (int i = 0; i < told; i++)
         {
-            ref readonly BallEvent from = ref events[i];
-            NativeEvent* to = into + i;
-            to->Kind = (int)from.Kind;
-            to->Thing = from.ColliderIndex;
-            to->Time = from.Time;
-            Put(from.Position, to->Position);
-            Put(from.VelocityBefore, to->VelocityBefore);
-            Put(from.Velocity, to->Velocity);
-            Put(from.SpinBefore, to->SpinBefore);
-            Put(from.Spin, to->Spin);
-            Put(from.Normal, to->Normal);
+            Put(in events[i], into + i);
         }
 
-        return told == events.Count && events.Dropped == 0
+        return Told(events, told, into, capacity, count);
+    }
+
+    /// <summary>Reports the number of events, and whether they fitted.</summary>
+    private static NativeStatus Told(EventBuffer events, int told, void* into, int capacity, int* count)
+    {
+        long all = events.Count + events.Dropped;
+        if (count is not null)
+        {
+            *count = (int)Math.Min(all, int.MaxValue);
+        }
+
+        return told == all || (into is null && count is null)
             ? NativeStatus.Ok
-            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the step had {events.Count + events.Dropped} events."));
+            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the step had {all} events."));
+    }
+
+    private static void Put(in BallEvent from, NativeEvent* to)
+    {
+        to->Kind = (int)from.Kind;
+        to->Thing = from.ColliderIndex;
+        to->Time = from.Time;
+        Put(from.Position, to->Position);
+        Put(from.VelocityBefore, to->VelocityBefore);
+        Put(from.Velocity, to->Velocity);
+        Put(from.SpinBefore, to->SpinBefore);
+        Put(from.Spin, to->Spin);
+        Put(from.Normal, to->Normal);
+    }
+
+    private static void Put(in BallState from, NativeBall* to)
+    {
+        Put(from.Position, to->Position);
+        Put(from.Velocity, to->Velocity);
+        Put(from.Spin, to->Spin);
+        Put(from.Orientation, to->Orientation);
+        to->Time = from.Time;
+        to->Motion = (int)from.Motion;
+        to->Reserved = 0;
     }
 
     private static Vector3d Row(double* rows, long row) => new(rows[3 * row], rows[(3 * row) + 1], rows[(3 * row) + 2]);
@@ -435,5 +436,13 @@ internal static unsafe partial class Exports
         to[0] = from.X;
         to[1] = from.Y;
         to[2] = from.Z;
+    }
+
+    private static void Put(Quaterniond from, double* to)
+    {
+        to[0] = from.X;
+        to[1] = from.Y;
+        to[2] = from.Z;
+        to[3] = from.W;
     }
 }

@@ -32,6 +32,31 @@ internal static unsafe partial class Exports
             : Guard.Fail(NativeStatus.Abi, $"version, state, ball and event bytes are {given}; allowed: {mine}, those of the loaded library.");
     }
 
+    /// <summary>Checks the sizes of the structures that fp_check_abi does not check. FP_CHECK_ABI() calls both.</summary>
+    /// <param name="bodyBytes">sizeof(fp_body).</param>
+    /// <param name="matchEventBytes">sizeof(fp_match_event).</param>
+    /// <param name="playerBytes">sizeof(fp_player).</param>
+    /// <param name="interceptionBytes">sizeof(fp_interception).</param>
+    /// <param name="windowBytes">sizeof(fp_window).</param>
+    /// <param name="goalChanceBytes">sizeof(fp_goal_chance_result).</param>
+    /// <param name="fitBytes">sizeof(fp_fit_result).</param>
+    /// <param name="pieceBytes">sizeof(fp_piece).</param>
+    /// <param name="fitMatchBytes">sizeof(fp_fit_match_result).</param>
+    /// <returns>FP_OK, or FP_ABI.</returns>
+    [UnmanagedCallersOnly(EntryPoint = "fp_check_structs")]
+    public static NativeStatus CheckStructs(
+        int bodyBytes, int matchEventBytes, int playerBytes, int interceptionBytes, int windowBytes, int goalChanceBytes, int fitBytes, int pieceBytes, int fitMatchBytes)
+    {
+        (int, int, int, int, int, int, int, int, int) mine = (
+            sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult),
+            sizeof(NativeFitResult), sizeof(NativePiece), sizeof(NativeFitMatchResult));
+        (int, int, int, int, int, int, int, int, int) given =
+            (bodyBytes, matchEventBytes, playerBytes, interceptionBytes, windowBytes, goalChanceBytes, fitBytes, pieceBytes, fitMatchBytes);
+        return given == mine
+            ? NativeStatus.Ok
+            : Guard.Fail(NativeStatus.Abi, $"the bytes of the structures are {given}; allowed: {mine}, those of the loaded library.");
+    }
+
     /// <summary>The version of the library, like "0.1.0".</summary>
     /// <returns>a text in UTF-8, for as long as the library is loaded.</returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_version")]
@@ -65,9 +90,9 @@ internal static unsafe partial class Exports
         {
             Guard.Given(scene, "scene");
             *scene = null;
-            nuint handle = SceneHandles.Add(Requests.Scene(Requests.Text(json, jsonBytes, "json")));
+            nuint handle = Handles.Add(Requests.Scene(Requests.Text(json, jsonBytes, "json")));
             *scene = (NativeScene*)handle;
-            return handle != 0 ? NativeStatus.Ok : Guard.Fail(NativeStatus.Internal, "there are 1 048 575 scenes; free some.");
+            return Guard.Made(handle);
         }
         catch (Exception e)
         {
@@ -84,7 +109,7 @@ internal static unsafe partial class Exports
         try
         {
             Guard.SceneOf(scene);
-            return SceneHandles.Remove((nuint)scene) ? NativeStatus.Ok : Guard.Fail(NativeStatus.Handle, "scene was freed by another thread.");
+            return Handles.Remove((nuint)scene) ? NativeStatus.Ok : Guard.Fail(NativeStatus.Handle, "scene was freed by another thread.");
         }
         catch (Exception e)
         {
@@ -103,13 +128,7 @@ internal static unsafe partial class Exports
     {
         try
         {
-            CompiledScene compiled = Guard.SceneOf(scene);
-            Guard.Given(name, "name");
-            Guard.AtLeast(capacity, 1, "capacity");
-            string text = compiled.Simulator.NameOf(thing) ?? "";
-            return ThreadMemory.Copy(text, name, capacity)
-                ? NativeStatus.Ok
-                : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the name \"{text}\" has more bytes."));
+            return TellName(Guard.SceneOf(scene).Simulator, thing, name, capacity);
         }
         catch (Exception e)
         {
@@ -168,6 +187,16 @@ internal static unsafe partial class Exports
             Guard.Fail(e);
             return 0;
         }
+    }
+
+    private static NativeStatus TellName(Simulator simulator, int thing, byte* name, int capacity)
+    {
+        Guard.Given(name, "name");
+        Guard.AtLeast(capacity, 1, "capacity");
+        string text = simulator.NameOf(thing) ?? "";
+        return ThreadMemory.Copy(text, name, capacity)
+            ? NativeStatus.Ok
+            : Guard.Fail(NativeStatus.Buffer, string.Create(CultureInfo.InvariantCulture, $"capacity is {capacity}; the name \"{text}\" has more bytes."));
     }
 
     private static byte* MakeText(string text)

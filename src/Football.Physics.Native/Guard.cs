@@ -19,7 +19,16 @@ internal static unsafe class Guard
     /// <summary>The scene of a handle.</summary>
     /// <exception cref="HandleException">It has none.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static CompiledScene SceneOf(NativeScene* handle) => SceneHandles.Find((nuint)handle) ?? throw NoScene(handle);
+    public static CompiledScene SceneOf(NativeScene* handle) => Handles.Find((nuint)handle) as CompiledScene ?? throw Invalid((nuint)handle, "scene");
+
+    /// <summary>The match of a handle.</summary>
+    /// <exception cref="HandleException">It has none.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Match MatchOf(NativeMatch* handle) => Handles.Find((nuint)handle) as Match ?? throw Invalid((nuint)handle, "match");
+
+    /// <summary>The status of a new handle.</summary>
+    public static NativeStatus Made(nuint handle) =>
+        handle != 0 ? NativeStatus.Ok : Fail(NativeStatus.Internal, "There are 1 048 575 scenes and matches. Free some.");
 
     /// <summary>Refuses null.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -62,6 +71,108 @@ internal static unsafe class Guard
         catch (ArgumentOutOfRangeException refusal)
         {
             throw new ArgumentException($"states[{Text(i)}]: {refusal.Message}", refusal);
+        }
+    }
+
+    /// <summary>Throws unless the items from one index on are among those that there are, and their array is given.</summary>
+    public static void Items(void* items, string name, int first, int n, int count)
+    {
+        Within(first, 0, count, "first");
+        Within(n, 0, count - first, "n");
+        if (n > 0)
+        {
+            Given(items, name);
+        }
+    }
+
+    /// <summary>Throws unless items have room, or none are wanted.</summary>
+    public static void Room(void* items, string name, int capacity)
+    {
+        if (capacity != 0)
+        {
+            AtLeast(capacity, 0, "capacity");
+            Given(items, name);
+        }
+    }
+
+    /// <summary>Throws unless the players and the time of a search are possible.</summary>
+    public static void Players(NativePlayer* players, int n, double seconds)
+    {
+        Within(seconds, double.Epsilon, 3600, "seconds");
+        Within(n, 0, 10_000, "n");
+        if (n > 0)
+        {
+            Given(players, "players");
+        }
+    }
+
+    /// <summary>A player of the caller's.</summary>
+    public static Player Player(NativePlayer* player, int index)
+    {
+        try
+        {
+            Vector3d position = Vector(player->Position, "position");
+            Vector3d velocity = Vector(player->Velocity, "velocity");
+            Check.Place("position", position);
+            Check.Size("velocity", velocity, Limits.Speed, "m/s");
+            Check.Within("reaction", player->Reaction, 0, LongestTime);
+            Check.Positive("acceleration", player->Acceleration);
+            Check.Within("speed", player->Speed, 0, Limits.Speed, exclusiveLow: true);
+            Check.Within("reach", player->Reach, 0, Limits.Length);
+            Check.Within("minimum_height", player->MinimumHeight, -Limits.Length, Limits.Length);
+            Check.Within("maximum_height", player->MaximumHeight, player->MinimumHeight, Limits.Length);
+            return new Player
+            {
+                Position = position,
+                Velocity = velocity,
+                Reaction = player->Reaction,
+                Acceleration = player->Acceleration,
+                Speed = player->Speed,
+                Reach = player->Reach,
+                MinimumHeight = player->MinimumHeight,
+                MaximumHeight = player->MaximumHeight,
+            };
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw new ArgumentException($"players[{Text(index)}].{refusal.Message}", refusal);
+        }
+    }
+
+    /// <summary>Throws unless a number of bytes is possible, and the bytes are given.</summary>
+    public static void Bytes(void* bytes, long count, string name)
+    {
+        AtLeast(count, 0, name);
+        if (count > 0)
+        {
+            Given(bytes, "bytes");
+        }
+    }
+
+    /// <summary>Throws if a body is out of range.</summary>
+    public static void Body(NativeBody* body, int index)
+    {
+        if (body->InPlay is not (0 or 1))
+        {
+            throw Refusal($"bodies[{Text(index)}].in_play", Text(body->InPlay), "0 or 1");
+        }
+
+        if (body->InPlay == 0)
+        {
+            return;
+        }
+
+        try
+        {
+            Check.Place("position", Vector(body->Position, "position"));
+            Check.Rotation("orientation", new Quaterniond(body->Orientation[0], body->Orientation[1], body->Orientation[2], body->Orientation[3]));
+            Check.Size("velocity", Vector(body->Velocity, "velocity"), Limits.Speed, "m/s");
+            Check.Size("spin", Vector(body->Spin, "spin"), Limits.Spin, "rad/s");
+            Check.Within("time", body->Time, -LongestTime, LongestTime);
+        }
+        catch (ArgumentOutOfRangeException refusal)
+        {
+            throw new ArgumentException($"bodies[{Text(index)}].{refusal.Message}", refusal);
         }
     }
 
@@ -149,14 +260,14 @@ internal static unsafe class Guard
 
     private static ArgumentException Null(string name) => Refusal(name, "null", "a pointer");
 
-    private static HandleException NoScene(NativeScene* handle) => new(
-        handle is null ? "scene is null. Pass a scene from fp_scene_create." : "scene is not a valid handle, or was freed. Pass a scene from fp_scene_create.");
+    private static HandleException Invalid(nuint handle, string kind) => new(
+        $"{kind} is {(handle == 0 ? "null" : "not a valid handle, or was freed")}. Pass a {kind} from fp_{kind}_create.");
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
 }
 
-/// <summary>A handle has no scene.</summary>
+/// <summary>A handle is invalid.</summary>
 /// <param name="message">The sentence.</param>
 internal sealed class HandleException(string message) : Exception(message);

@@ -21,30 +21,33 @@ internal static unsafe class Requests
 
     /// <summary>Reads, checks and compiles a scene.</summary>
     /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
-    public static CompiledScene Scene(ReadOnlySpan<byte> json)
+    public static CompiledScene Scene(ReadOnlySpan<byte> json) => Read(json, hasBodies: false, (scene, settings) =>
     {
-        InputFields fields = Fields(json);
-        try
+        // A scene of any number of balls and threads: nothing in it may be moved by one of them.
+        for (int i = 0; i < scene.Obstacles.Count; i++)
         {
-            Scene scene = SceneInput.Scene(fields.Root);
-            SolverSettings settings = SceneInput.Solver(fields.Root, out _);
-            fields.Check();
-
-            // A scene of any number of balls and threads: nothing in it may be moved by one of them.
-            for (int i = 0; i < scene.Obstacles.Count; i++)
+            if (double.IsFinite(scene.Obstacles[i].Mass))
             {
-                if (double.IsFinite(scene.Obstacles[i].Mass))
-                {
-                    throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "no mass, because all balls share a scene; leave it out");
-                }
+                throw new RefusedException($"obstacles[{i}].mass", scene.Obstacles[i].Mass.ToString(System.Globalization.CultureInfo.InvariantCulture), "no mass, because all balls share a scene; leave it out");
             }
+        }
 
-            return new CompiledScene(scene, settings);
-        }
-        catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
-        {
-            throw refusal;
-        }
+        return new CompiledScene(scene, settings);
+    });
+
+    /// <summary>Reads the scene of a match, and creates the match.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    public static Match Match(ReadOnlySpan<byte> json, int balls, double dt) => Read(json, hasBodies: true, (scene, settings) =>
+        new Match(new FixedStepRunner(new BallGroup(new Simulator(scene, settings), balls), dt, dt), null));
+
+    /// <summary>Reads the scene of a recording, and creates a match that replays it.</summary>
+    /// <exception cref="RefusedException">A member is unknown, of the wrong type or out of range.</exception>
+    /// <exception cref="FormatException">The recording is corrupt.</exception>
+    public static Match Replay(ReadOnlySpan<byte> json, ReadOnlySpan<byte> bytes)
+    {
+        Recording recording = Recording.FromBytes(bytes);
+        BallGroup group = Read(json, hasBodies: true, (scene, settings) => new BallGroup(new Simulator(scene, settings), recording.Balls));
+        return new Match(recording.Replay(group), recording);
     }
 
     /// <summary>Reads a request, and finds the kick.</summary>
@@ -55,18 +58,66 @@ internal static unsafe class Requests
         AimRequest request = AimInput.Request(fields.Root);
         fields.Check();
         Aimer aimer = scene.TakeAimer();
+        AimResult found = Translated(fields, () => aimer.Find(request));
+        scene.GiveBack(aimer);
+        return found;
+    }
+
+    /// <summary>Reads a shot, and finds its chance to score.</summary>
+    /// <exception cref="RefusedException">A member is unknown, missing, of the wrong type or out of range.</exception>
+    public static GoalChanceResult GoalChance(CompiledScene scene, ReadOnlySpan<byte> json)
+    {
+        InputFields fields = Fields(json);
+        GoalChanceRequest request = GoalChanceInput.Request(fields.Root, scene.Simulator.Scene.Goals);
+        fields.Check();
+        GoalChance search = scene.TakeGoalChance();
+        GoalChanceResult found = Translated(fields, () => search.Find(request));
+        scene.GiveBack(search);
+        return found;
+    }
+
+    /// <summary>Reads the request for a fit of one flight.</summary>
+    /// <exception cref="RefusedException">A member is unknown or of the wrong type.</exception>
+    public static TrackFitRequest Fit(ReadOnlySpan<byte> json) => Checked(json, FitInput.Track);
+
+    /// <summary>Reads the request for a fit of a match.</summary>
+    /// <exception cref="RefusedException">A member is unknown or of the wrong type.</exception>
+    public static MatchFitRequest MatchFit(ReadOnlySpan<byte> json) => Checked(json, FitInput.Match);
+
+    /// <summary>The parameter with a name of <see cref="MatchFitResult.Names"/>.</summary>
+    public static NativeFitParameter Parameter(string name) => Enum.Parse<NativeFitParameter>(name.Replace(".", ""), ignoreCase: true);
+
+    private static T Checked<T>(ReadOnlySpan<byte> json, Func<InputObject, T> read)
+    {
+        InputFields fields = Fields(json);
+        T request = read(fields.Root);
+        fields.Check();
+        return request;
+    }
+
+    private static T Translated<T>(InputFields fields, Func<T> find)
+    {
         try
         {
-            return aimer.Find(request);
+            return find();
         }
         catch (ArgumentException e) when (LibraryRefusal.Of(e, fields) is { } refusal)
         {
             throw refusal;
         }
-        finally
+    }
+
+    private static T Read<T>(ReadOnlySpan<byte> json, bool hasBodies, Func<Scene, SolverSettings, T> make)
+    {
+        InputFields fields = Fields(json);
+        return Translated(fields, () =>
         {
-            scene.GiveBack(aimer);
-        }
+            Scene scene = SceneInput.Scene(fields.Root);
+            scene = hasBodies ? scene with { Bodies = WorldInput.Bodies(fields.Root) } : scene;
+            SolverSettings settings = SceneInput.Solver(fields.Root, out _);
+            fields.Check();
+            return make(scene, settings);
+        });
     }
 
     private static InputFields Fields(ReadOnlySpan<byte> json)

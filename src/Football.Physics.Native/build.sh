@@ -2,10 +2,11 @@
 # Builds the C library and lays it out as it is installed: lib, include, and what CMake's find_package reads.
 #   src/Football.Physics.Native/build.sh DIR [RID]       RID: that of this machine, or linux-x64, linux-arm64, win-x64, osx-arm64
 # NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links.
+# A library for Linux needs glibc 2.31 or later.
 set -euo pipefail
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
-(( $# >= 1 && $# <= 2 )) || { sed -n '2,4s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+(( $# >= 1 && $# <= 2 )) || { sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 # DIR is relative to the folder of the caller.
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
@@ -16,15 +17,22 @@ rid=${2:-$here}
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cross=()
+compiler=$(command -v clang || command -v gcc || :)
+options=()
 if [[ $rid == linux-arm64 && $here == linux-x64 ]]; then
   # NativeAOT tells its linker the target as clang wants it; gcc's name says it.
   printf '#!/usr/bin/env bash\nargs=()\nfor arg; do [[ $arg == --target=* ]] || args+=("$arg"); done\nexec aarch64-linux-gnu-gcc "${args[@]}"\n' > "$work/gcc"
   chmod +x "$work/gcc"
-  cross=("-p:CppCompilerAndLinker=$work/gcc" -p:ObjCopyName=aarch64-linux-gnu-objcopy -p:LinkerFlavor=bfd)
+  compiler=aarch64-linux-gnu-gcc
+  options=("-p:CppCompilerAndLinker=$work/gcc" -p:ObjCopyName=aarch64-linux-gnu-objcopy -p:LinkerFlavor=bfd)
+fi
+if [[ $rid == linux-* ]]; then
+  mkdir "$work/glibc"
+  ./glibc.sh "$work/glibc" "$compiler"
+  options+=("-p:GlibcStandIns=$work/glibc")
 fi
 
-dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${cross[@]}" Football.Physics.Native.csproj >&2
+dotnet publish -c Release "-p:NativeSystem=$rid" --artifacts-path "$work/build" -o "$work" -p:RunAnalyzers=false "${options[@]}" Football.Physics.Native.csproj >&2
 
 mkdir -p "$out/include" "$out/lib/cmake/football_physics"
 cp include/football_physics.h "$out/include/"

@@ -1,6 +1,6 @@
 """Builds the wheel with the standard library alone: the package, and the C library that build.sh of Football.Physics.Native made.
 
-    python3 build_wheel.py LIBRARY DIR [PLATFORM]       PLATFORM: a wheel's tag, default that of this machine
+    python3 build_wheel.py LIBRARY DIR [PLATFORM]       PLATFORM: a wheel's tag, default manylinux_2_31 for a library for Linux, otherwise that of this machine
 """
 
 import base64
@@ -13,6 +13,8 @@ import zipfile
 
 HERE = pathlib.Path(__file__).parent
 TIME = (2026, 1, 1, 0, 0, 0)
+# That of Debian 11.
+GLIBC = 31
 
 
 def description() -> str:
@@ -22,15 +24,26 @@ def description() -> str:
     return re.sub(r"^#(#+ )", r"\1", section, flags=re.M)
 
 
+def platform_of(library: bytes) -> str:
+    """The tag of the platform that a library runs on. PyPI accepts a library for Linux only if its tag states the glibc that it needs."""
+    if library[:4] != b"\x7fELF":
+        return sysconfig.get_platform()
+    newest = max(int(minor) for minor in re.findall(rb"\0GLIBC_2\.(\d+)", library))
+    if newest > GLIBC:
+        sys.exit(f"the library needs glibc 2.{newest}; allowed: up to 2.{GLIBC}. Build it with build.sh of Football.Physics.Native")
+    machine = {62: "x86_64", 183: "aarch64"}[int.from_bytes(library[18:20], "little")]
+    return f"manylinux_2_{GLIBC}_{machine}"
+
+
 def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
     version = re.search(r"<VersionPrefix>(.*)</VersionPrefix>", (HERE.parents[1] / "Directory.Build.props").read_text(encoding="utf-8")).group(1)
-    tag = "py3-none-" + (platform or sysconfig.get_platform()).replace("-", "_").replace(".", "_")
+    tag = "py3-none-" + (platform or platform_of(pathlib.Path(library).read_bytes())).replace("-", "_").replace(".", "_")
     info = f"football_physics-{version}.dist-info"
     files = {f"football_physics/{path.name}": path.read_bytes() for path in sorted((HERE / "football_physics").iterdir()) if path.suffix in (".py", ".typed")}
     files[f"football_physics/{pathlib.Path(library).name}"] = pathlib.Path(library).read_bytes()
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: football-physics\nVersion: {version}\nSummary: The flight, bounce and roll of a football.\n"
-        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\nDescription-Content-Type: text/markdown\n\n"
+        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy>=1.20\nDescription-Content-Type: text/markdown\n\n"
     ).encode() + description().encode()
     files[f"{info}/LICENSE"] = (HERE.parents[1] / "LICENSE").read_bytes()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: build_wheel.py\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()

@@ -20,16 +20,24 @@ internal sealed partial class CHeader
         (typeof(BallEventKind), "fp_event_kind", "FP_EVENT_"),
         (typeof(StopAt), "fp_stop", "FP_STOP_"),
         (typeof(AimStatus), "fp_aim_status", "FP_AIM_"),
+        (typeof(GoalChanceMethod), "fp_chance_method", "FP_CHANCE_"),
+        (typeof(TrackVerdict), "fp_fit_verdict", "FP_FIT_"),
+        (typeof(MatchPieceKind), "fp_piece_kind", "FP_PIECE_"),
+        (typeof(NativeFitParameter), "fp_fit_parameter", "FP_PARAMETER_"),
     ];
 
-    private static readonly Type[] s_structs = [typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives)];
+    private static readonly Type[] s_structs =
+    [
+        typeof(NativeBall), typeof(NativeEvent), typeof(NativeDerivatives), typeof(NativeBody), typeof(NativeMatchEvent), typeof(NativePlayer), typeof(NativeInterception), typeof(NativeWindow),
+        typeof(NativeGoalChanceResult), typeof(NativeFitResult), typeof(NativePiece), typeof(NativeFitMatchResult),
+    ];
 
     private readonly StringBuilder _text = new();
     private readonly Dictionary<string, XElement> _documentation;
 
     private CHeader()
     {
-        Assembly[] assemblies = [typeof(Exports).Assembly, typeof(Scene).Assembly];
+        Assembly[] assemblies = [typeof(Exports).Assembly, typeof(Scene).Assembly, typeof(GoalChance).Assembly, typeof(TrackFit).Assembly];
         _documentation = assemblies
             .SelectMany(assembly => XDocument.Load(Path.ChangeExtension(assembly.Location, ".xml")).Descendants("member"))
             .ToDictionary(member => member.Attribute("name")!.Value);
@@ -76,6 +84,9 @@ internal sealed partial class CHeader
         Comment(Summary("T:" + typeof(NativeScene).FullName));
         Line("typedef struct fp_scene fp_scene;");
         Line();
+        Comment(Summary("T:" + typeof(NativeMatch).FullName));
+        Line("typedef struct fp_match fp_match;");
+        Line();
         Comment(Summary("T:" + typeof(NativeState).FullName));
         Line("typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;");
         Line();
@@ -89,7 +100,10 @@ internal sealed partial class CHeader
             Function(method);
         }
 
-        Line("#define FP_CHECK_ABI() fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event))");
+        // One line: readers without a preprocessor remove it as a whole.
+        string[] structs = ["body", "match_event", "player", "interception", "window", "goal_chance_result", "fit_result", "piece", "fit_match_result"];
+        Line("#define FP_CHECK_ABI() (fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? FP_ABI : "
+            + $"fp_check_structs({string.Join(", ", structs.Select(name => $"(int32_t)sizeof(fp_{name})"))}))");
         Line();
         Line("#ifdef __cplusplus");
         Line("}");

@@ -27,6 +27,10 @@ public sealed partial class HeaderTests
         Assert.Equal(NativeState.Size, sizeof(NativeState));
         Assert.Equal(120, sizeof(NativeBall));
         Assert.Equal(160, sizeof(NativeEvent));
+        Assert.Equal(
+            (144, 208, 96, 72, 72, 96, 280, 232, 248),
+            (sizeof(NativeBody), sizeof(NativeMatchEvent), sizeof(NativePlayer), sizeof(NativeInterception), sizeof(NativeWindow), sizeof(NativeGoalChanceResult), sizeof(NativeFitResult),
+                sizeof(NativePiece), sizeof(NativeFitMatchResult)));
     }
 
     [GeneratedRegex(@"^FP_API .*?(fp_\w+)\(", RegexOptions.Multiline)]

@@ -1,4 +1,4 @@
-/* Random calls with random arguments from eight threads that share scenes, free them under one another, and share a ball: nothing may crash, nothing may be written
+/* Random calls with random arguments from eight threads that share scenes and matches, free them under one another, and share a ball: nothing may crash, nothing may be written
    outside a buffer, every call that fails has a sentence, and a refused call leaves the ball as it was.
      hostile [CALLS [SEED]]       default 1 000 000 calls, seed 1 */
 #define _POSIX_C_SOURCE 200809L
@@ -12,12 +12,16 @@
 
 #define THREADS 8
 #define SCENES 24
+#define MATCHES 12
+#define BODIES 4
+#define BYTES 4096
+#define POINTS 24
 #define BALLS 16
 #define EVENTS 8
 #define ROWS 64
 #define GUARD 0xA5
 
-typedef struct { fp_scene *volatile at[SCENES]; } scene_pool;
+typedef struct { fp_scene *volatile at[SCENES]; fp_match *volatile matches[MATCHES]; } handle_pool;
 
 /* Every buffer that a call may write to, with bytes before and behind it that none may. */
 typedef struct {
@@ -39,10 +43,27 @@ typedef struct {
     unsigned char g7[64];
     int32_t numbers[BALLS];
     int64_t written;
+    unsigned char g8[64];
+    fp_match_event happened[EVENTS];
+    unsigned char g9[64];
+    fp_body bodies[BODIES];
+    unsigned char g10[64];
+    fp_player players[BODIES];
+    fp_interception first;
+    fp_window windows[BODIES];
+    unsigned char g11[64];
+    fp_goal_chance_result chance;
+    fp_fit_result fit;
+    fp_piece pieces[BODIES];
+    fp_fit_match_result match_fit;
+    unsigned char g12[64];
+    unsigned char saved[BYTES];
+    unsigned char g13[64];
+    unsigned char recording[4 * BYTES];
     unsigned char behind[64];
 } buffers;
 
-static scene_pool pool;
+static handle_pool pool;
 static fp_state shared;
 static long calls = 1000000;
 static uint64_t first_seed = 1;
@@ -62,6 +83,20 @@ static const char *const requests[] = {
     "{\"from\": [0, 0.11, 0], \"target\": [0, 0.11, 0], \"speed\": 25}", "{\"from\": [0, 0, 0], \"target\": [0, 1, -200], \"speed\": 5}", "{\"target\": [0, 1, -20]}",
     "{\"from\": [0, 0.11, 0], \"target\": [1, 1, -9], \"speed\": 1e9}", "{", "{}",
 };
+
+static const char *const match_texts[] = {
+    "{}", "{\"bodies\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 0.2, \"mass\": 3}]}",
+    "{\"bodies\": [{\"shape\": \"capsule\", \"from\": [0, 0.2, 0], \"to\": [0, 1.6, 0], \"radius\": 0.25}, {\"shape\": \"box\", \"center\": [0, 1, 0], \"halfSize\": [0.5, 1, 0.2], \"mass\": 75}]}",
+    "{\"obstacles\": [{\"shape\": \"sphere\", \"center\": [1, 0.3, -3], \"radius\": 0.3, \"mass\": 4}], \"zones\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 5}]}",
+    "{\"bodies\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": -1}]}", "{\"bodies\": 3}",
+};
+
+static const char *const chances[] = {
+    "{\"position\": [0, 0.11, 0], \"velocity\": [1, 5, -24]}", "{\"position\": [0, 0.11, 0], \"velocity\": [1, 5, -24], \"kicks\": 50, \"alwaysSimulate\": true}",
+    "{\"position\": [0, 0.11, 0], \"velocity\": [0, 0, 0], \"goal\": 7}", "{\"velocity\": [0, 5, -20]}",
+};
+
+static const char *const fits[] = { "{}", "{\"also\": [\"drag\"]}", "{\"spinDeviation\": 10}", "{\"free\": [\"height\"]}", "{\"also\": 7}", "{\"spinDeviation\": -1}" };
 
 static uint64_t next(uint64_t *seed)
 {
@@ -105,6 +140,66 @@ static fp_scene *scene(uint64_t *seed)
     return pool.at[below(seed, SCENES)];
 }
 
+/* A match that lives, one that was freed, a scene, or what never was one. */
+static fp_match *match(uint64_t *seed)
+{
+    if (seldom(seed)) return seldom(seed) ? NULL : seldom(seed) ? (fp_match *)pool.at[below(seed, SCENES)] : (fp_match *)(uintptr_t)next(seed);
+    return pool.matches[below(seed, MATCHES)];
+}
+
+static void keep_match(uint64_t *seed, fp_match *made)
+{
+    int slot = below(seed, MATCHES);
+    fp_match *old = pool.matches[slot];
+    pool.matches[slot] = made;
+    if (old) fp_match_free(old);
+}
+
+static int32_t index_of(uint64_t *seed, int room) { return seldom(seed) ? (int32_t)next(seed) >> below(seed, 32) : below(seed, room); }
+
+static fp_body *bodies(uint64_t *seed, fp_body *into, double time)
+{
+    int i, k;
+    for (i = 0; i < BODIES; i++) {
+        vector(seed, into[i].position, 5);
+        vector(seed, into[i].velocity, 8);
+        vector(seed, into[i].spin, 4);
+        for (k = 0; k < 4; k++) into[i].orientation[k] = number(seed, 1);
+        into[i].time = seldom(seed) ? number(seed, 10) : time;
+        into[i].in_play = seldom(seed) ? index_of(seed, 3) : 1;
+    }
+    return seldom(seed) ? NULL : into;
+}
+
+static fp_player *players(uint64_t *seed, fp_player *into)
+{
+    int i;
+    for (i = 0; i < BODIES; i++) {
+        fp_player_default(&into[i]);
+        vector(seed, into[i].position, 30);
+        vector(seed, into[i].velocity, 5);
+        if (seldom(seed)) into[i].reach = number(seed, 2);
+        if (seldom(seed)) into[i].acceleration = number(seed, 8);
+        if (seldom(seed)) into[i].maximum_height = number(seed, 3);
+    }
+    return seldom(seed) ? NULL : into;
+}
+
+/* A flight as a camera sees it, in rows: the times, then the positions. */
+static void track(uint64_t *seed, double *rows)
+{
+    int i, k;
+    for (i = 0; i < POINTS; i++) {
+        double t = 0.04 * i, *at = rows + POINTS + 3 * i;
+        rows[i] = t;
+        at[0] = 3 * t;
+        at[1] = 1 + 6 * t - 4.9 * t * t;
+        at[2] = -20 * t;
+        for (k = 0; k < 3; k++) at[k] += 0.02 * (below(seed, 100) / 50.0 - 1);
+    }
+    if (seldom(seed)) rows[below(seed, 4 * POINTS)] = number(seed, 50);
+}
+
 static double dt(uint64_t *seed)
 {
     static const double usual[] = { 0, 1e-4, 0.01, 1.0 / 60, 0.1, 1 };
@@ -135,6 +230,7 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     int64_t length;
     int slot = below(seed, SCENES);
     fp_scene *made = NULL;
+    fp_match *begun = NULL;
     fp_status status;
     const char *from;
     switch (what) {
@@ -164,8 +260,66 @@ static fp_status call(uint64_t *seed, buffers *b, int what, fp_state *state)
     case 16: return fp_step_many(scene(seed), seldom(seed) ? NULL : b->states, count(seed, BALLS, INT64_MAX), dt(seed), (int32_t)count(seed, 20, INT32_MAX));
     case 17: return fp_run_many(scene(seed), b->states, count(seed, 4, INT64_MAX), 0.05 + number(seed, 0.05), number(seed, 10), below(seed, 5) - 1, seldom(seed) ? NULL : b->numbers);
     case 18: return fp_look_ahead(scene(seed), state, number(seed, 5), fabs(number(seed, 0.1)), seldom(seed) ? NULL : b->rows, count(seed, ROWS, INT32_MAX), seldom(seed) ? NULL : &b->written);
+    case 21: case 22: case 23: return fp_match_step(match(seed), seldom(seed) ? NULL : b->happened, (int32_t)count(seed, EVENTS, INT32_MAX), seldom(seed) ? NULL : b->numbers);
+    case 24: return fp_match_kick(match(seed), index_of(seed, 3), vector(seed, v, 40), vector(seed, w, 100));
+    case 25: return fp_match_place(match(seed), index_of(seed, 3), vector(seed, p, 10));
+    case 26: case 27:
+        if (fp_match_read_balls(match(seed), 0, 1, &b->ball) != FP_OK) b->ball.time = number(seed, 3);
+        return fp_match_move_bodies(match(seed), index_of(seed, 2), (int32_t)count(seed, 2, INT32_MAX), bodies(seed, b->bodies, b->ball.time));
+    case 28: return fp_match_read_balls(match(seed), index_of(seed, 2), index_of(seed, 2), seldom(seed) ? NULL : &b->ball);
+    case 29: return fp_match_read_bodies(match(seed), index_of(seed, 2), index_of(seed, 3), seldom(seed) ? NULL : b->bodies);
+    case 30: return fp_match_save(match(seed), seldom(seed) ? NULL : b->saved, count(seed, BYTES, INT32_MAX), seldom(seed) ? NULL : &b->written);
+    case 31:
+        if (fp_match_save(match(seed), b->saved, BYTES, &b->written) != FP_OK) b->written = below(seed, BYTES);
+        if (below(seed, 4) == 0) b->saved[below(seed, BYTES)] ^= (unsigned char)next(seed);
+        return fp_match_restore(match(seed), seldom(seed) ? NULL : b->saved, seldom(seed) ? below(seed, BYTES) : b->written);
+    case 32: return fp_match_record(match(seed));
+    case 33: return fp_match_recording(match(seed), seldom(seed) ? NULL : b->recording, count(seed, 4 * BYTES, INT32_MAX), seldom(seed) ? NULL : &b->written);
+    case 34: return below(seed, 2) ? fp_match_seek(match(seed), below(seed, 90) - 10) : fp_match_verify(match(seed), seldom(seed) ? NULL : &b->written);
+    case 35: return fp_match_state(match(seed), index_of(seed, 2), scene(seed), state);
+    case 36: return fp_match_name(match(seed), index_of(seed, 6), seldom(seed) ? NULL : b->name, (int32_t)count(seed, (int64_t)sizeof b->name, INT32_MAX));
+    case 37:
+        fp_match_hash(match(seed));
+        fp_match_tick(match(seed));
+        return FP_OK;
+    case 38: return fp_intercept(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : &b->first);
+    case 39: return fp_intercept_windows(scene(seed), state, number(seed, 6), players(seed, b->players), (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->windows, (int32_t)count(seed, BODIES, INT32_MAX), seldom(seed) ? NULL : b->numbers);
+    case 40: return fp_check_structs(below(seed, 300), below(seed, 300), 96, 72, 72, 96, (int32_t)next(seed), 232, 248);
+    case 50:
+        if (below(seed, 8) == 0) {
+            fp_status recorded = fp_match_recording(match(seed), b->recording, 4 * BYTES, &b->written);
+            from = text(seed, match_texts, 4, json, &length);
+            status = fp_match_replay(from, length, b->recording, recorded == FP_OK ? b->written : below(seed, BYTES), &begun);
+        } else {
+            from = text(seed, match_texts, (int)(sizeof match_texts / sizeof match_texts[0]), json, &length);
+            status = fp_match_create(from, length, seldom(seed) ? 10001 - below(seed, 3) * 10001 : 1 + below(seed, 3), seldom(seed) ? number(seed, 0.1) : 1.0 / 60, seldom(seed) ? NULL : &begun);
+        }
+        if (begun) keep_match(seed, begun);
+        return status;
+    case 51: return fp_match_free(match(seed));
+    case 52:
+        from = text(seed, chances, (int)(sizeof chances / sizeof chances[0]), json, &length);
+        return fp_goal_chance(scene(seed), from, length, seldom(seed) ? NULL : &b->chance);
+    case 53:
+        track(seed, b->rows);
+        from = text(seed, fits, (int)(sizeof fits / sizeof fits[0]), json, &length);
+        return fp_fit(scene(seed), b->rows, seldom(seed) ? NULL : b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : &b->fit);
+    case 54:
+        track(seed, b->rows);
+        from = text(seed, fits, (int)(sizeof fits / sizeof fits[0]), json, &length);
+        status = fp_fit_match(scene(seed), b->rows, b->rows + POINTS, NULL, count(seed, POINTS, INT32_MAX), from, length, seldom(seed) ? NULL : b->pieces, (int32_t)count(seed, BODIES, INT32_MAX), b->numbers, seldom(seed) ? NULL : &b->match_fit, seldom(seed) ? NULL : &made);
+        if (made) fp_scene_free(made);
+        return status;
     default: return fp_step(scene(seed), state, dt(seed), seldom(seed) ? NULL : b->events, (int32_t)count(seed, EVENTS, INT32_MAX), seldom(seed) ? NULL : b->numbers);
     }
+}
+
+/* A call that takes milliseconds. */
+static int rare(uint64_t *seed)
+{
+    static const int calls_of[] = { 0, 0, 0, 0, 0, 1, 50, 50, 50, 51, 2, 52 };
+    int n = (int)(sizeof calls_of / sizeof calls_of[0]);
+    return below(seed, 8 * n) == 0 ? 53 + below(seed, 2) : calls_of[below(seed, n)];
 }
 
 static void *play(void *argument)
@@ -176,10 +330,11 @@ static void *play(void *argument)
     buffers *b = malloc(sizeof *b);
     memset(b, 0, sizeof *b);
     memset(b->before, GUARD, 64); memset(b->g1, GUARD, 64); memset(b->g2, GUARD, 64); memset(b->g3, GUARD, 64); memset(b->g4, GUARD, 64);
-    memset(b->g5, GUARD, 64); memset(b->g6, GUARD, 64); memset(b->g7, GUARD, 64); memset(b->behind, GUARD, 64);
+    memset(b->g5, GUARD, 64); memset(b->g6, GUARD, 64); memset(b->g7, GUARD, 64); memset(b->g8, GUARD, 64); memset(b->g9, GUARD, 64); memset(b->g10, GUARD, 64);
+    memset(b->g11, GUARD, 64); memset(b->g12, GUARD, 64); memset(b->g13, GUARD, 64); memset(b->behind, GUARD, 64);
     for (i = 0; i < calls / THREADS && !failed; i++) {
         /* Few that take milliseconds. */
-        int what = below(&seed, 40) ? 3 + below(&seed, 26) : below(&seed, 12) ? (below(&seed, 6) == 0) : 2;
+        int what = below(&seed, 40) ? 3 + below(&seed, 46) : rare(&seed);
         fp_state *own = &b->states[below(&seed, BALLS)], *state = own, before;
         fp_status status;
         if (what == 3 && below(&seed, 4)) what = 19;
@@ -199,7 +354,8 @@ static void *play(void *argument)
             failed = 1;
         }
         statuses[status]++;
-        if (!guarded(b->before) || !guarded(b->g1) || !guarded(b->g2) || !guarded(b->g3) || !guarded(b->g4) || !guarded(b->g5) || !guarded(b->g6) || !guarded(b->g7) || !guarded(b->behind)) {
+        if (!guarded(b->before) || !guarded(b->g1) || !guarded(b->g2) || !guarded(b->g3) || !guarded(b->g4) || !guarded(b->g5) || !guarded(b->g6) || !guarded(b->g7)
+            || !guarded(b->g8) || !guarded(b->g9) || !guarded(b->g10) || !guarded(b->g11) || !guarded(b->g12) || !guarded(b->g13) || !guarded(b->behind)) {
             printf("call %ld of thread %d (%d): written outside a buffer\n", i, thread, what);
             failed = 1;
         }
@@ -222,6 +378,12 @@ int main(int argc, char **argv)
         const char *json = texts[i % 7];
         if (fp_scene_create(json, (int64_t)strlen(json), &made) != FP_OK) { printf("%s: %s\n", json, fp_last_error()); return 1; }
         pool.at[i] = made;
+    }
+    for (i = 0; i < MATCHES; i++) {
+        fp_match *made;
+        const char *json = match_texts[i % 4];
+        if (fp_match_create(json, (int64_t)strlen(json), 1 + i % 3, 1.0 / 60, &made) != FP_OK) { printf("%s: %s\n", json, fp_last_error()); return 1; }
+        pool.matches[i] = made;
     }
     if (fp_launch(pool.at[0], place, still, still, &shared) != FP_OK) return 1;
     for (i = 0; i < THREADS; i++) if (pthread_create(&threads[i], NULL, play, (void *)(intptr_t)i)) return 1;

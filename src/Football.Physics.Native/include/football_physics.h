@@ -105,6 +105,10 @@ typedef enum {
    pointer is a handle, not an address. */
 typedef struct fp_scene fp_scene;
 
+/* A match: a scene with bodies that move and obstacles that have a mass, and balls that are stepped together. Calls of several threads wait
+   for each other. The pointer is a handle, not an address. */
+typedef struct fp_match fp_match;
+
 /* The whole state of a ball, plain: copy it to save, to restore and to roll back; balls in the same state have the same bytes. fp_launch
    makes one; all zero bytes are none. */
 typedef struct { unsigned char bytes[FP_STATE_BYTES]; } fp_state;
@@ -165,6 +169,44 @@ typedef struct {
     double time_by_spin[3];
 } fp_derivatives;
 
+/* A body that your game moves: a player, a foot, a head, a keeper's hand. */
+typedef struct {
+    /* Position, m; components within +-1e6. */
+    double position[3];
+    /* Orientation, body to world, a quaternion x, y, z, w of any length except 0. */
+    double orientation[4];
+    /* Velocity, m/s; at most 1000. A ball that hits a body with a mass changes it until you move the body again. */
+    double velocity[3];
+    /* Spin about the position, rad/s; at most 10 000. */
+    double spin[3];
+    /* The time of the position, s: the time of the balls before the step. The next step fails if they differ by more than 0.25 s. */
+    double time;
+    /* The impulse of the balls on the body in the last step, N s: the sum over its reported impacts. fp_match_move_bodies ignores it. */
+    double impulse[3];
+    /* 1 if the body is in play; 0 if it is withdrawn, so that no ball hits it. A body is at the origin and in play until you move it. */
+    int32_t in_play;
+    /* 0. */
+    int32_t reserved;
+} fp_body;
+
+/* An event of one of the balls of a match. */
+typedef struct {
+    /* The event. fp_match_name returns the name of its thing. */
+    fp_event event;
+    /* The index of the ball. */
+    int32_t ball;
+    /* The index of the other ball in an impact of two balls; otherwise -1. */
+    int32_t other_ball;
+    /* The index of the body that the ball hit or touches; otherwise -1. */
+    int32_t body;
+    /* 0. */
+    int32_t reserved;
+    /* The impulse on the ball in an impact, N s; zero for other events. The thing received the opposite impulse. */
+    double impulse[3];
+    /* The energy that a bumper added to the ball, J; otherwise 0. */
+    double added_energy;
+} fp_match_event;
+
 /* Checks that header and library belong together. Call it once, as FP_CHECK_ABI().
    version: FP_ABI_VERSION.
    state_bytes: sizeof(fp_state).
@@ -212,6 +254,95 @@ FP_API double fp_added_energy(const fp_scene* scene, const fp_event* event);
    state: The state.
    Returns the hash; 0 where the state is null. */
 FP_API uint64_t fp_hash(const fp_state* state);
+
+/* Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.
+   json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass.
+   json_bytes: Its length in bytes, without a zero at its end; at most 1 048 576.
+   balls: The number of balls; 1 ... 10 000.
+   dt: The length of a step, s; above 0, at most 1e12.
+   match: Receives the handle; null if the call fails.
+   Returns FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT. */
+FP_API fp_status fp_match_create(const char* json, int64_t json_bytes, int32_t balls, double dt, fp_match** match);
+
+/* Frees a match. A call of another thread that uses it continues to its end.
+   match: The match; null, or a handle that was freed before, is rejected.
+   Returns FP_OK, or FP_HANDLE. */
+FP_API fp_status fp_match_free(fp_match* match);
+
+/* Returns the name of the thing in an event of a match: "ground", "left post", that of a body or an obstacle.
+   match: The match.
+   thing: The event's thing; -1 has the name "".
+   name: Receives the name, UTF-8 with a zero at its end.
+   capacity: The number of bytes at name, at least 1. If the name is longer, it is cut, and the call returns FP_BUFFER.
+   Returns FP_OK, FP_BUFFER, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_name(const fp_match* match, int32_t thing, char* name, int32_t capacity);
+
+/* Moves a ball to a position, without velocity and spin, and discards its kick for the next step. The clock of the balls continues.
+   match: The match.
+   ball: The index of the ball, from 0.
+   position: Position of the centre, m; components within +-1e6. A ball that overlaps the ground is raised onto it.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_place(fp_match* match, int32_t ball, const double position[3]);
+
+/* Kicks a ball at the start of the next step: sets its velocity and spin. A second kick of this ball before the step replaces the first.
+   match: The match.
+   ball: The index of the ball, from 0.
+   velocity: Velocity, m/s; speed at most 1000.
+   spin: Spin, rad/s, world frame; at most 10 000.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_kick(fp_match* match, int32_t ball, const double velocity[3], const double spin[3]);
+
+/* Moves bodies for the next step, in which they keep their velocity and spin. Bodies that you do not move continue their motion. Allocates
+   nothing.
+   match: The match.
+   first: The index of the first body, from 0, in the order of the JSON.
+   n: The number of bodies, 0 or more.
+   bodies: The n bodies.
+   Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and no body has moved. */
+FP_API fp_status fp_match_move_bodies(fp_match* match, int32_t first, int32_t n, const fp_body* bodies);
+
+/* Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.
+   match: The match.
+   events: Receives the events of all balls, ordered by time, then by ball; null if they are not wanted.
+   capacity: The number of events that fit, 0 or more.
+   count: Receives the number of events, including those that do not fit; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if there are more events than capacity, and events or count is given: the step is taken, and the first events
+   are there; FP_ARGUMENT or FP_HANDLE, and nothing has changed. */
+FP_API fp_status fp_match_step(fp_match* match, fp_match_event* events, int32_t capacity, int32_t* count);
+
+/* Reads balls.
+   match: The match.
+   first: The index of the first ball, from 0.
+   n: The number of balls, 0 or more.
+   balls: Receives the n balls; their time is the time since the match began.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_read_balls(const fp_match* match, int32_t first, int32_t n, fp_ball* balls);
+
+/* Reads bodies, with the impulses of the last step.
+   match: The match.
+   first: The index of the first body, from 0, in the order of the JSON.
+   n: The number of bodies, 0 or more.
+   bodies: Receives the n bodies. A body is where it was at its time, and has moved on since with its velocity and spin.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_read_bodies(const fp_match* match, int32_t first, int32_t n, fp_body* bodies);
+
+/* Copies a ball into a scene, for fp_look_ahead, fp_intercept and fp_aim: same place and motion. The scene decides on what it lies there.
+   match: The match; unchanged.
+   ball: The index of the ball, from 0.
+   scene: The scene, for example that of the match without its bodies.
+   out: Receives the state.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_state(const fp_match* match, int32_t ball, const fp_scene* scene, fp_state* out);
+
+/* A hash of all balls, of 64 bits: the one that Snapshot.Hash has in C#, on every machine.
+   match: The match.
+   Returns the hash; 0 if the handle is invalid. */
+FP_API uint64_t fp_match_hash(const fp_match* match);
+
+/* The number of steps since the match began.
+   match: The match.
+   Returns the number; -1 if the handle is invalid. */
+FP_API int64_t fp_match_tick(const fp_match* match);
 
 /* A ball at the start of its way. In the ground it is raised straight up out of it; where it lies on the ground without speed, it stays.
    scene: The scene.
@@ -354,6 +485,59 @@ FP_API fp_status fp_aim(const fp_scene* scene, const char* request_json, int64_t
    ended: 1 where the event ended the run, 0 where its time did; null where it is not wanted.
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
 FP_API fp_status fp_derivatives_run(const fp_scene* scene, fp_state* state, double dt, double seconds, int32_t stop_at, fp_derivatives* out, int32_t* ended);
+
+/* Saves a match between two steps: balls, kicks, bodies and movable obstacles. The same bits follow after fp_match_restore. Allocates
+   nothing.
+   match: The match.
+   bytes: Receives the bytes, which are the same on every machine; null if capacity is 0.
+   capacity: The number of bytes that fit, 0 or more.
+   written: Receives the number of bytes of the whole, which is fixed for a match; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_save(const fp_match* match, unsigned char* bytes, int64_t capacity, int64_t* written);
+
+/* Restores what fp_match_save saved, also in another process or on another machine. Allocates nothing.
+   match: The match that was saved, or one that was created with the same arguments by the same version of the library.
+   bytes: The bytes.
+   n: The number of bytes.
+   Returns FP_OK; FP_ARGUMENT if the bytes are corrupt or belong to another match, or FP_HANDLE: nothing has changed. */
+FP_API fp_status fp_match_restore(fp_match* match, const unsigned char* bytes, int64_t n);
+
+/* Starts a recording at this tick. It ends when you place a ball, or restore a state that it does not contain.
+   match: The match.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_record(fp_match* match);
+
+/* Returns the recording so far as bytes, which Recording.FromBytes also reads in C#. The recording continues.
+   match: The match.
+   bytes: Receives the bytes; null if capacity is 0.
+   capacity: The number of bytes that fit, 0 or more.
+   written: Receives the number of bytes of the whole; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if capacity is too small, and nothing has been written at bytes; FP_ARGUMENT if nothing is recorded, or
+   FP_HANDLE. */
+FP_API fp_status fp_match_recording(const fp_match* match, unsigned char* bytes, int64_t capacity, int64_t* written);
+
+/* Creates a match at the start of a recording. Its steps repeat the recorded kicks and the motions of the bodies; you can only step, seek
+   and read it.
+   json: The scene, as for fp_match_create.
+   json_bytes: Its length in bytes; at most 1 048 576.
+   recording: The recording: bytes from fp_match_recording, or from Recording.ToBytes in C# for a BallGroup.
+   n: The number of bytes of the recording.
+   match: Receives the handle; null if the call fails.
+   Returns FP_OK, FP_SCENE if the text is rejected, or FP_ARGUMENT if the recording is corrupt or belongs to another scene. */
+FP_API fp_status fp_match_replay(const char* json, int64_t json_bytes, const unsigned char* recording, int64_t n, fp_match** match);
+
+/* Moves a replay to a tick, forwards or backwards, by at most 63 steps from a recorded state.
+   match: A match from fp_match_replay.
+   tick: The tick, from the first to the last of the recording.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_seek(fp_match* match, int64_t tick);
+
+/* Replays a recording from its start, and compares the hash of the balls after every step. The replay then is at the tick that differs, or
+   at the end.
+   match: A match from fp_match_replay.
+   tick: Receives the first tick at which the balls differ; -1 if all are bit-identical.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_match_verify(fp_match* match, int64_t* tick);
 
 /* Computes the air's force and torque on many bodies that something else moves: drag, Magnus force, spin decay and wind, as in a flight of
    the library. Gravity and buoyancy are not included. Ground and obstacles are ignored. Allocates nothing.

@@ -39,7 +39,7 @@ public static class LibraryRefusal
         {
             "timeStep" or "lookAhead.timeStep" => "solver.timeStep",
             "duration" or "lookAhead.duration" => "stop.time",
-            _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver.").Replace("aim.waypoint", "aim.through"),
+            _ => (path.Length > 0 ? path + "." : "") + name.Replace("batch.", "solver.").Replace("aim.waypoint", "aim.through").Replace("goalChance.", ""),
         };
         int marker = message.IndexOf(Marker, StringComparison.Ordinal);
         if (marker < 0)

@@ -17,28 +17,15 @@ internal sealed record FitScenario
     public static FitScenario Read(InputFields fields)
     {
         InputObject root = fields.Root;
-        var defaults = new TrackFitRequest();
         InputObject fit = root.Object("fit");
         double noise = fit.Number("noise", 0.02);
-        string[] also = fit.Texts("also") ?? [];
         var scenario = new FitScenario
         {
             Scene = SceneInput.Scene(root),
             Track = [.. root.Objects("track").Select(item => new TrackPoint(item.Number("time"), item.Vector("position"), item.Number("noise", noise)))],
-            Request = new TrackFitRequest
-            {
-                Drag = also.Contains("drag"),
-                Lift = also.Contains("lift"),
-                Restitution = also.Contains("restitution"),
-                Friction = also.Contains("friction"),
-                Spin = fit.Vector("spin", defaults.Spin),
-                SpinDeviation = fit.Number("spinDeviation", defaults.SpinDeviation),
-                FactorDeviation = fit.Number("factorDeviation", defaults.FactorDeviation),
-                TimeStep = fit.Number("timeStep", defaults.TimeStep),
-            },
+            Request = FitInput.Track(fit),
         };
         fields.Check();
-        string? unknown = Array.Find(also, name => name is not ("drag" or "lift" or "restitution" or "friction"));
-        return unknown is null ? scenario : throw new RefusedException($"fit.also has {Quote.Short(unknown)}; allowed: drag | lift | restitution | friction.");
+        return scenario;
     }
 }

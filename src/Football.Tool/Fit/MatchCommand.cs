@@ -10,7 +10,6 @@ namespace FootballPhysics.Tool.Fit;
 /// <summary>football fit --match: the analysis of a complete match track.</summary>
 internal sealed class MatchCommand
 {
-    private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
     private static readonly string[] s_ofBatches = ["--batch", "--jobs"];
 
     private readonly Option<string?> _match = new("--match")
@@ -155,18 +154,10 @@ internal sealed class MatchCommand
         }
 
         string[] names = free == "none" ? [] : [.. free.Split(',').Select(name => name.Trim())];
-        string? unknown = Array.Find(names, name => !Free.Contains(name));
+        string? unknown = Array.Find(names, name => !FitInput.Free.Contains(name));
         return unknown is null
-            ? new MatchFitRequest
-            {
-                Wind = names.Contains("wind"),
-                Drag = names.Contains("drag"),
-                Crisis = names.Contains("crisis"),
-                Lift = names.Contains("lift"),
-                Surface = names.Contains("surface"),
-                Height = names.Contains("height"),
-            }
-            : throw new RefusedException("--free", Quote.Short(unknown), string.Join(" | ", Free) + " | none");
+            ? FitInput.Match(names)
+            : throw new RefusedException("--free", Quote.Short(unknown), string.Join(" | ", FitInput.Free) + " | none");
     }
 
     /// <summary>Tells of the progress at once, in the thread that works.</summary>

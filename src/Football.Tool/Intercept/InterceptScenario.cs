@@ -22,26 +22,9 @@ internal sealed record InterceptScenario
         {
             Shot = Scenario.Take(root),
             Names = [.. runners.Select((item, i) => item.Text("name", FormattableString.Invariant($"runner {i}")))],
-            Runners = [.. runners.Select(Read)],
+            Runners = [.. runners.Select(PlayerInput.Player)],
         };
         fields.Check();
         return scenario;
-    }
-
-    private static Player Read(InputObject item)
-    {
-        var defaults = new Player();
-        double[] heights = item.Numbers("heights", "[lowest, highest]", [defaults.MinimumHeight, defaults.MaximumHeight]);
-        return new Player
-        {
-            Position = item.Vector("position"),
-            Velocity = item.Vector("velocity", Vector3d.Zero),
-            Reaction = item.Number("reaction", defaults.Reaction),
-            Acceleration = item.Number("acceleration", defaults.Acceleration),
-            Speed = item.Number("speed", defaults.Speed),
-            Reach = item.Number("reach", defaults.Reach),
-            MinimumHeight = heights[0],
-            MaximumHeight = heights[1],
-        };
     }
 }

@@ -1,0 +1,98 @@
+namespace FootballPhysics.Native;
+
+/// <summary>A match that C steps: a runner of one or more balls in a scene of its own.</summary>
+internal sealed class Match : Handled
+{
+    private readonly Recording? _replayed;
+    private readonly Vector3d[] _impulses;
+    private readonly int _firstBody;
+    private readonly double _ballMass;
+
+    /// <summary>Creates a match.</summary>
+    /// <param name="runner">The balls, in a scene that nothing else uses.</param>
+    /// <param name="replayed">The recording that it replays; null if the caller plays.</param>
+    public Match(FixedStepRunner runner, Recording? replayed)
+    {
+        Runner = runner;
+        _replayed = replayed;
+        Bodies = runner.Simulator.Scene.Bodies ?? new KinematicBodies();
+        _impulses = new Vector3d[Bodies.Count];
+        _firstBody = runner.Simulator.World.ThingOfNet(0) - Bodies.Count;
+        _ballMass = runner.Simulator.Scene.Ball.Mass;
+        Blob = new MatchBlob(this);
+    }
+
+    /// <summary>Serialises the calls of several threads.</summary>
+    public Lock Gate { get; } = new();
+
+    /// <summary>The balls.</summary>
+    public FixedStepRunner Runner { get; }
+
+    /// <summary>The bodies; empty if the scene has none.</summary>
+    public KinematicBodies Bodies { get; }
+
+    /// <summary>Saves and restores the match.</summary>
+    public MatchBlob Blob { get; }
+
+    /// <summary>The recording that the match replays.</summary>
+    /// <exception cref="ArgumentException">It replays none.</exception>
+    public Recording Replayed => _replayed ?? throw new ArgumentException("match replays no recording. Create it with fp_match_replay.");
+
+    /// <summary>Throws if the match replays a recording, which determines its kicks and bodies.</summary>
+    public void Plays()
+    {
+        if (_replayed is not null)
+        {
+            throw new ArgumentException("match replays a recording. Create another match with fp_match_create to change its balls and bodies.");
+        }
+    }
+
+    /// <summary>Takes a step.</summary>
+    public void Step()
+    {
+        ForgetImpulses();
+        Runner.Step();
+        foreach (ref readonly BallEvent happened in Runner.Events)
+        {
+            if (happened.Kind == BallEventKind.Impact && BodyOf(in happened) is >= 0 and int body)
+            {
+                _impulses[body] -= Impulse(in happened);
+            }
+        }
+    }
+
+    /// <summary>Sets the impulses of the last step to zero.</summary>
+    public void ForgetImpulses() => Array.Clear(_impulses);
+
+    /// <summary>The impulse of the balls on a body in the last step.</summary>
+    public Vector3d ImpulseOn(int body) => _impulses[body];
+
+    /// <summary>The impulse on the ball in an event.</summary>
+    public Vector3d Impulse(in BallEvent happened) =>
+        happened.Kind == BallEventKind.Impact ? _ballMass * (happened.Velocity - happened.VelocityBefore) : Vector3d.Zero;
+
+    /// <summary>The index of the body in an event; -1 if it is not about a body.</summary>
+    public int BodyOf(in BallEvent happened)
+    {
+        int body = happened.ColliderIndex - _firstBody;
+        return (uint)body < (uint)Bodies.Count ? body : -1;
+    }
+
+    /// <summary>Compares the match with the recording that it replays, from the start to the end.</summary>
+    /// <returns>The first tick whose balls differ; -1 if all are bit-identical.</returns>
+    public long FirstDivergence()
+    {
+        Recording recording = Replayed;
+        recording.Seek(Runner, recording.StartTick);
+        while (Runner.Tick < recording.EndTick)
+        {
+            Runner.Step();
+            if (Snapshot.Hash(Runner.States) != recording.HashAt(Runner.Tick))
+            {
+                return Runner.Tick;
+            }
+        }
+
+        return -1;
+    }
+}

@@ -1,0 +1,47 @@
+using FootballPhysics.Scenarios.Input;
+
+namespace FootballPhysics.Scenarios;
+
+/// <summary>Reads a shot and the spread of the player's kicks, for its chance to score.</summary>
+public static class GoalChanceInput
+{
+    /// <summary>The request. The library checks the numbers during the search.</summary>
+    /// <param name="shot">The input.</param>
+    /// <param name="goals">The goals of the scene; the member "goal" is the index of one of them.</param>
+    /// <exception cref="RefusedException">The scene has no such goal.</exception>
+    public static GoalChanceRequest Request(InputObject shot, IReadOnlyList<Goal> goals)
+    {
+        InputObject spread = shot.Object("spread");
+        var defaults = new KickSpread();
+        int goal = shot.Whole("goal", 0);
+        if (goal < 0 || goal >= goals.Count)
+        {
+            throw new RefusedException("goal", FormattableString.Invariant($"{goal}"), goals.Count == 0 ? "none, because the scene has no goals" : FormattableString.Invariant($"0 … {goals.Count - 1}"));
+        }
+
+        return new GoalChanceRequest
+        {
+            Position = shot.Vector("position"),
+            Velocity = shot.Vector("velocity"),
+            Spin = shot.Vector("spin", Vector3d.Zero),
+            Goal = goals[goal],
+            Keeper = shot.Has("keeper") ? PlayerInput.Player(shot.Object("keeper")) : null,
+            Kicks = shot.Whole("kicks", GoalChance.Flights),
+            Seed = shot.OptionalWhole("seed", 0) ?? 0,
+            AlwaysSimulate = shot.Flag("alwaysSimulate", false),
+            Spread = new KickSpread
+            {
+                SpeedPercent = spread.Number("speedPercent", defaults.SpeedPercent),
+                ElevationDegrees = spread.Number("elevationDegrees", defaults.ElevationDegrees),
+                AzimuthDegrees = spread.Number("azimuthDegrees", defaults.AzimuthDegrees),
+                SpinPercent = spread.Number("spinPercent", defaults.SpinPercent),
+                SpeedWithElevation = spread.Number("speedWithElevation", defaults.SpeedWithElevation),
+                SpeedWithAzimuth = spread.Number("speedWithAzimuth", defaults.SpeedWithAzimuth),
+                SpeedWithSpin = spread.Number("speedWithSpin", defaults.SpeedWithSpin),
+                ElevationWithAzimuth = spread.Number("elevationWithAzimuth", defaults.ElevationWithAzimuth),
+                ElevationWithSpin = spread.Number("elevationWithSpin", defaults.ElevationWithSpin),
+                AzimuthWithSpin = spread.Number("azimuthWithSpin", defaults.AzimuthWithSpin),
+            },
+        };
+    }
+}
