@@ -24,11 +24,7 @@ internal sealed unsafe class ThreadMemory
     ~ThreadMemory() => NativeMemory.Free(_error);
 
     /// <summary>That of this thread.</summary>
-    public static ThreadMemory Mine
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => t_mine ?? Make();
-    }
+    public static ThreadMemory Mine { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => t_mine ?? Make(); }
 
     /// <summary>A log without events, for the next step. Its counters are not reset, because nothing reads them.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

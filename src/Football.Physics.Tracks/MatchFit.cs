@@ -85,15 +85,7 @@ public sealed class MatchFit
     {
         Check.Given(nameof(track), track);
         request.Validate();
-        Check.AtLeast("track's points", track.Length, 8);
-        for (int i = 0; i < track.Length; i++)
-        {
-            string at = Check.Item("track", i);
-            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
-            Check.Place(at + ".position", track[i].Position);
-            Check.NotNegative(at + ".noise", track[i].Noise);
-        }
-
+        TrackPoint.Validate(track, 8, Check.NotNegative);
         Check.Within("track's last time", track[track.Length - 1].Time, track[0].Time, Limits.Time, exclusiveLow: true);
     }
 

@@ -82,4 +82,17 @@ public readonly struct TrackPoint
 
     /// <summary>The standard deviation of each coordinate, in m.</summary>
     public double Noise { get; }
+
+    /// <summary>Checks the points of a track: their number, the order of their times, and their ranges.</summary>
+    internal static void Validate(TrackPoint[] track, int fewest, Action<string, double> noise)
+    {
+        Check.AtLeast("track's points", track.Length, fewest);
+        for (int i = 0; i < track.Length; i++)
+        {
+            string at = Check.Item("track", i);
+            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
+            Check.Place(at + ".position", track[i].Position);
+            noise(at + ".noise", track[i].Noise);
+        }
+    }
 }

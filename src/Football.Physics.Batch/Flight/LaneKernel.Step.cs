@@ -53,24 +53,12 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
             }
 
             // Compensated sums (Kahan).
-            F x = Sum(ux, F.Load(now.UxRest, i), dux, out F rest);
-            F.Store(x, next.Ux, i);
-            F.Store(rest, next.UxRest, i);
-            F y = Sum(uy, F.Load(now.UyRest, i), duy, out rest);
-            F.Store(y, next.Uy, i);
-            F.Store(rest, next.UyRest, i);
-            F z = Sum(uz, F.Load(now.UzRest, i), duz, out rest);
-            F.Store(z, next.Uz, i);
-            F.Store(rest, next.UzRest, i);
-            F px = Sum(F.Load(now.Px, i), F.Load(now.PxRest, i), dpx, out rest);
-            F.Store(px, next.Px, i);
-            F.Store(rest, next.PxRest, i);
-            F py = Sum(F.Load(now.Py, i), F.Load(now.PyRest, i), dpy, out rest);
-            F.Store(py, next.Py, i);
-            F.Store(rest, next.PyRest, i);
-            F pz = Sum(F.Load(now.Pz, i), F.Load(now.PzRest, i), dpz, out rest);
-            F.Store(pz, next.Pz, i);
-            F.Store(rest, next.PzRest, i);
+            F x = Add(ux, now.UxRest, dux, next.Ux, next.UxRest, i);
+            F y = Add(uy, now.UyRest, duy, next.Uy, next.UyRest, i);
+            F z = Add(uz, now.UzRest, duz, next.Uz, next.UzRest, i);
+            Add(F.Load(now.Px, i), now.PxRest, dpx, next.Px, next.PxRest, i);
+            Add(F.Load(now.Py, i), now.PyRest, dpy, next.Py, next.PyRest, i);
+            Add(F.Load(now.Pz, i), now.PzRest, dpz, next.Pz, next.PzRest, i);
             F spin = F.AtLeast(w + dw, default);
             F.Store(spin, next.W, i);
 
@@ -210,12 +198,14 @@ internal sealed partial class LaneKernel<TLane, TLaw, TMethod>
         F.Store(F.Differs(side, after), balls.Astray, i);
     }
 
+    /// <summary>Adds a change, stores the sum and its rounding error, and returns the sum.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Add(F from, float[] fromRest, F change, float[] to, float[] toRest, int i)
+    private static F Add(F from, float[] fromRest, F change, float[] to, float[] toRest, int i)
     {
         F sum = Sum(from, F.Load(fromRest, i), change, out F rest);
         F.Store(sum, to, i);
         F.Store(rest, toRest, i);
+        return sum;
     }
 
     /// <summary>Adds with compensation of the rounding error (Kahan).</summary>

@@ -6,6 +6,7 @@ using System.Runtime.Intrinsics;
 namespace FootballPhysics.Batch;
 
 /// <summary>4 floats in a register of 128 bits.</summary>
+/// <remarks>The project file makes the wider registers from this text.</remarks>
 internal readonly struct Lanes4 : ILane<Lanes4>
 {
     private readonly Vector128<float> _v;

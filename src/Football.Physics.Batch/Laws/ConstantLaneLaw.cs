@@ -14,23 +14,11 @@ internal struct ConstantLaneLaw<TLane> : ILaneLaw<TLane>
     private float _lift;  // C_M π ρ r³ / m
     private float _decay; // k / I, 1/s
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     public void Prepare(Scene scene)
     {

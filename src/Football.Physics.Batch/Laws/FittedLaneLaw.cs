@@ -43,23 +43,11 @@ internal struct FittedLaneLaw<TLane, TFit> : ILaneLaw<TLane>
     private LanePolynomial _liftBySpeed; // |u|^(1−β)
     private LanePolynomial _decay;       // the plates' torque per I without spin, over |u|²
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => default(TFit).Jumps;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => default(TFit).Jumps; }
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     public void Prepare(Scene scene)
     {

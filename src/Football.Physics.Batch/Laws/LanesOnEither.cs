@@ -21,17 +21,9 @@ internal readonly struct LanesOnEither<TLane> : ILaneBranch<TLane>
         _none = !F.Any(withSpin);
     }
 
-    public bool AllWithSpin
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public bool AllWithSpin { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public bool NoneWithSpin
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => _none;
-    }
+    public bool NoneWithSpin { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _none; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public F Choose(F withSpin, F withoutSpin) => F.Select(_withSpin, withSpin, withoutSpin);

@@ -10,17 +10,9 @@ internal readonly struct LanesWithSpin<F> : ILaneBranch<F>
 internal readonly struct LanesWithSpin<TLane> : ILaneBranch<TLane>
 #endif
 {
-    public bool AllWithSpin
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public bool AllWithSpin { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public bool NoneWithSpin
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public bool NoneWithSpin { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public F Choose(F withSpin, F withoutSpin) => withSpin;

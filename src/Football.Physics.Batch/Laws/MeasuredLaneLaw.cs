@@ -32,23 +32,11 @@ internal struct MeasuredLaneLaw<TLane> : ILaneLaw<TLane>
     private float _decayPerMetre; // β π ρ r⁴ / I, 1/m
     private float _decayAtRest; // ε ρ/1.2, 1/s
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
     public void Prepare(Scene scene)
     {

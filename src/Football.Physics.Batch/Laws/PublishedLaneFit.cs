@@ -10,11 +10,7 @@ internal readonly struct PublishedLaneFit<F> : ILaneDragFit<F>
 internal readonly struct PublishedLaneFit<TLane> : ILaneDragFit<TLane>
 #endif
 {
-    public bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public F Join<TBranch>(in TBranch branch, F speed, F surfaceSpeed, F withSpin, F withoutSpin)

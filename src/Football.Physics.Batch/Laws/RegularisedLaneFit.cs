@@ -14,11 +14,7 @@ internal readonly struct RegularisedLaneFit<TLane> : ILaneDragFit<TLane>
     /// <summary>The |u|, in m/s, below which the spin parameter stays constant: the law with spin has no weight there.</summary>
     private const float Slowest = 1e-3f;
 
-    public bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     // w = σ((|u| − v_c)/0.25) · σ((Sp − 0.05)/0.0025),  C_D = w c Sp^d + (1 − w) C_D,no spin
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

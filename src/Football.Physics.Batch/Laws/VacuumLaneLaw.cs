@@ -10,23 +10,11 @@ internal struct VacuumLaneLaw<F> : ILaneLaw<F>
 internal struct VacuumLaneLaw<TLane> : ILaneLaw<TLane>
 #endif
 {
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     public readonly void Prepare(Scene scene)
     {

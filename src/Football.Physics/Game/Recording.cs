@@ -22,12 +22,6 @@ public sealed class Recording
     /// <summary>The number of ticks between two keyframes; a seek simulates fewer ticks than this.</summary>
     public const int KeyframeTicks = 64;
 
-    private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
-    private const ulong AnyFormat = 0x47_53_42_46; // "FBSG"
-    private const int LongestVersion = 64;
-    private const long LastTick = 1L << 52;
-    private const int MostBalls = 10_000;
-    private const int MostMovers = 100_000;
     private readonly BallState[] _start;
     private readonly RigidMotion[] _motions;
     private readonly Keyframes _keyframes;
@@ -43,7 +37,7 @@ public sealed class Recording
         QuantizationInterval = runner.QuantizationInterval;
     }
 
-    private Recording(double timeStep, long startTick, BallState[] start, KickLog kicks, PlacementLog bodies, RigidMotion[] motions, int capacity)
+    internal Recording(double timeStep, long startTick, BallState[] start, KickLog kicks, PlacementLog bodies, RigidMotion[] motions, int capacity)
     {
         TimeStep = timeStep;
         StartTick = startTick;
@@ -71,21 +65,30 @@ public sealed class Recording
     public int Balls => _start.Length;
 
     /// <summary>The combined scene hash of all balls.</summary>
-    public ulong SceneHash { get; private set; }
+    public ulong SceneHash { get; internal set; }
 
     /// <summary>The version of the library that made the recording.</summary>
     /// <remarks>A replay is bit-identical only with the same version of the library.</remarks>
-    public string Version { get; private set; } = LibraryVersion;
+    public string Version { get; internal set; } = LibraryVersion;
 
     /// <summary>The <see cref="FixedStepRunner.QuantizationInterval"/> of the match.</summary>
-    public int QuantizationInterval { get; private set; }
+    public int QuantizationInterval { get; internal set; }
 
     /// <summary>True if an engine's colliders moved during the recording.</summary>
     /// <remarks>The positions of these colliders are not recorded.</remarks>
-    public bool HasMovingColliders { get; private set; }
+    public bool HasMovingColliders { get; internal set; }
 
     /// <summary>The kicks; those before <see cref="StartTick"/>, or from <see cref="EndTick"/> on, are ignored.</summary>
     public KickLog Kicks { get; }
+
+    /// <summary>The states and the motions at the start, the hashes of the steps, and the keyframes.</summary>
+    internal Span<BallState> StartStates => _start;
+
+    internal Span<RigidMotion> StartMotions => _motions;
+
+    internal Span<ulong> Hashes => _hashes.AsSpan(0, _count);
+
+    internal Keyframes Keyframes => _keyframes;
 
     /// <summary>The recorded positions of the game's bodies.</summary>
     internal PlacementLog Bodies { get; }
@@ -173,58 +176,7 @@ public sealed class Recording
     }
 
     /// <summary>Serialises the segment; the bytes are the same on every machine.</summary>
-    public byte[] ToBytes()
-    {
-        // The runner may have kicks outside the segment: write only kicks inside it.
-        var kicks = new KickLog();
-        for (int i = Kicks.FirstAt(StartTick); i < Kicks.Count && Kicks[i].Tick < EndTick; i++)
-        {
-            kicks.Add(in Kicks[i]);
-        }
-
-        var writer = new ByteWriter();
-
-        // The header: format, library version, scene hash, time step, first tick, quantisation, and whether an engine moved colliders.
-        writer.Bits(Format, 5);
-        writer.Integer((ulong)Version.Length);
-        foreach (char letter in Version)
-        {
-            writer.Bits(letter, 1);
-        }
-
-        writer.Bits(SceneHash, 8);
-        writer.Bits((ulong)BitConverter.DoubleToInt64Bits(TimeStep), 8);
-        writer.Integer((ulong)StartTick);
-        writer.Integer((ulong)QuantizationInterval);
-        writer.Bits(HasMovingColliders ? 1UL : 0, 1);
-
-        // The initial state: the balls, then the bodies and movable obstacles.
-        writer.Integer((ulong)_start.Length);
-        for (int i = 0; i < _start.Length; i++)
-        {
-            writer.State(in _start[i]);
-        }
-
-        writer.Integer((ulong)_motions.Length);
-        for (int i = 0; i < _motions.Length; i++)
-        {
-            PlacementLog.Write(in _motions[i], ref writer);
-        }
-
-        // The inputs: kicks, then body positions.
-        kicks.Write(ref writer);
-        Bodies.Write(StartTick, EndTick, ref writer);
-
-        // The results: a hash per step, and the keyframes. ToArray appends the checksum.
-        writer.Integer((ulong)_count);
-        for (int i = 0; i < _count; i++)
-        {
-            writer.Bits(_hashes[i], 8);
-        }
-
-        _keyframes.Write(ref writer);
-        return writer.ToArray();
-    }
+    public byte[] ToBytes() => RecordingBytes.Write(this);
 
     /// <summary>Creates a zip file to attach to a bug report.</summary>
     /// <remarks>
@@ -266,96 +218,7 @@ public sealed class Recording
     /// <summary>Reads a recording written by <see cref="ToBytes"/>.</summary>
     /// <param name="bytes">The bytes; all of them are used.</param>
     /// <exception cref="FormatException">The bytes are not a recording, or are corrupt; the message states the reason.</exception>
-    public static Recording FromBytes(ReadOnlySpan<byte> bytes)
-    {
-        var reader = new ByteReader(bytes);
-
-        // Read in the same order as ToBytes writes. Check each number at once, because the bytes are untrusted.
-        ReadFormat(ref reader);
-        string version = ReadVersion(ref reader);
-        ulong sceneHash = reader.Bits(8);
-        double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
-        long startTick = reader.Long();
-        if (startTick > LastTick)
-        {
-            throw ByteReader.Broken("the first tick is too large");
-        }
-
-        int wireTicks = reader.Int();
-        bool engineMoves = reader.Bits(1) != 0;
-
-        // Check each count against the number of bytes left, so that a corrupt count does not allocate memory.
-        int balls = reader.Count(Snapshot.Size);
-        if (balls is 0 or > MostBalls)
-        {
-            throw ByteReader.Broken("there is no ball, or more than 10 000");
-        }
-
-        var start = new BallState[balls];
-        for (int i = 0; i < balls; i++)
-        {
-            start[i] = reader.State();
-        }
-
-        try
-        {
-            // If a runner would reject a value, report the bytes as corrupt.
-            Check.Within("wireTicks", wireTicks, 0, FixedStepRunner.MostWireTicks);
-            Check.Within("timeStep", timeStep, 0, Limits.Time, exclusiveLow: true);
-            Check.Advances("timeStep", timeStep, start[0].Time);
-            for (int i = 1; i < balls; i++)
-            {
-                Check.Within("time of a ball", start[i].Time, start[0].Time, start[0].Time);
-            }
-        }
-        catch (ArgumentOutOfRangeException refusal)
-        {
-            throw ByteReader.Broken(refusal);
-        }
-
-        // A motion takes many times more memory than bytes: limit their number too.
-        int movers = reader.Count(5);
-        if (movers > MostMovers)
-        {
-            throw ByteReader.Broken("there are more than 100 000 bodies");
-        }
-
-        var motions = new RigidMotion[movers];
-        for (int i = 0; i < motions.Length; i++)
-        {
-            motions[i] = PlacementLog.ReadMotion(ref reader);
-        }
-
-        KickLog kicks = KickLog.Read(ref reader);
-        for (int i = 0; i < kicks.Count; i++)
-        {
-            if (kicks[i].Ball >= balls)
-            {
-                throw ByteReader.Broken("a ball is kicked that there is not");
-            }
-        }
-
-        PlacementLog bodies = PlacementLog.Read(ref reader);
-
-        // Check this now: otherwise, an unknown body index would fail in the middle of a replay.
-        if (bodies.HighestBody() >= motions.Length)
-        {
-            throw ByteReader.Broken("a body is moved that is none of those at the start");
-        }
-
-        int count = reader.Count(sizeof(ulong));
-        var segment = new Recording(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, HasMovingColliders = engineMoves, Version = version, QuantizationInterval = wireTicks };
-        for (int i = 0; i < count; i++)
-        {
-            segment.Add(reader.Bits(8));
-        }
-
-        // All hashes are known now: compare the keyframes with them.
-        segment._keyframes.Read(ref reader);
-        segment.CheckKeyframes();
-        reader.End();
-        return segment;
-    }
+    public static Recording FromBytes(ReadOnlySpan<byte> bytes) => RecordingBytes.Read(bytes);
 
     /// <summary>Adds the states after a step.</summary>
     internal void Add(BallState[] states, World world)
@@ -369,7 +232,8 @@ public sealed class Recording
         }
     }
 
-    private void Add(ulong hash)
+    /// <summary>Adds the hash of the next step.</summary>
+    internal void Add(ulong hash)
     {
         if (_count == _hashes.Length)
         {
@@ -413,40 +277,8 @@ public sealed class Recording
         file.Write(bytes);
     }
 
-    private static void ReadFormat(ref ByteReader reader)
-    {
-        ulong format = reader.Bits(5);
-        if (format != Format)
-        {
-            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat
-                ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4"
-                : "a recording does not start like this");
-        }
-    }
-
-    private static string ReadVersion(ref ByteReader reader)
-    {
-        int length = reader.Count(1);
-        if (length > LongestVersion)
-        {
-            throw ByteReader.Broken("the name of the library's version is too long");
-        }
-
-        var letters = new char[length];
-        for (int i = 0; i < length; i++)
-        {
-            letters[i] = (char)reader.Bits(1);
-            if (letters[i] is < ' ' or > '~')
-            {
-                throw ByteReader.Broken("the name of the library's version is no plain text");
-            }
-        }
-
-        return new string(letters);
-    }
-
     /// <summary>Checks the number of keyframes, and each keyframe against the hash of its tick.</summary>
-    private void CheckKeyframes()
+    internal void CheckKeyframes()
     {
         if (_keyframes.Count != _count / KeyframeTicks)
         {

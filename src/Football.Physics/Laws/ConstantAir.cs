@@ -21,21 +21,13 @@ internal struct ConstantAir : IFlightAir
         _decay = SceneLaws.SpinDecay(scene).Factor(in unit);
     }
 
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
     public readonly bool HasField => false;
 
     public readonly bool HasSide => false;
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;

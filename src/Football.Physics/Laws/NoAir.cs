@@ -6,21 +6,13 @@ namespace FootballPhysics.Laws;
 /// <summary>No laws of the air: the flight step reduces to a parabola.</summary>
 internal struct NoAir : IFlightAir
 {
-    public readonly bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     public readonly bool HasField => false;
 
     public readonly bool HasSide => false;
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool Covers(double speedSquared, double spinRate, double h) => true;

@@ -46,11 +46,7 @@ public readonly struct Vector3d : IEquatable<Vector3d>, IFormattable
     /// <summary>The squared length.</summary>
     [JsonIgnore]
     [IgnoreDataMember]
-    public double LengthSquared
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => (X * X) + (Y * Y) + (Z * Z);
-    }
+    public double LengthSquared { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => (X * X) + (Y * Y) + (Z * Z); }
 
     /// <summary>The length.</summary>
     [JsonIgnore]

@@ -49,38 +49,12 @@ internal sealed class PlaneNewton
         // 1. Correct a closed-form guess in fitted air, which also measures the contraction per correction. 2. Simulate one full flight. 3. If it
         // misses by more than the guess did, rebuild the Jacobian. 4. Correct by the miss; skip the final flight if the predicted miss is far below
         // the tolerance. 5. Otherwise, apply Broyden's update and simulate again, while the misses shrink.
-        Miss = 0;
-        ThroughMiss = double.NaN;
-        Time = 0;
         bool through = _problem.HasThrough;
-        _patience = through ? NewtonPatience.Through : NewtonPatience.Target;
-        if (!_problem.Guess(X))
+        if (!Begin(out bool isRehearsed, out bool isKnown, out double before))
         {
             return false;
         }
 
-        // Longer steps have proved inaccurate, so the kick grazes the jump in the drag law: use full flights only.
-        double rehearsed = 0;
-        double contraction = 1;
-        _step.Reset();
-        bool isRehearsed = !_problem.IsFine && Rehearse(out rehearsed, out contraction);
-        if (!_problem.Fly(X, R, isRehearsed))
-        {
-            return false;
-        }
-
-        // Trust the contraction of the rehearsal only if the flight misses by less than the guess did.
-        bool isKnown = isRehearsed && Asked(R) < rehearsed;
-        if (!isKnown)
-        {
-            _step.Reset();
-            if (!Differentiate())
-            {
-                return false;
-            }
-        }
-
-        double before = isKnown ? Asked(R) / contraction : double.PositiveInfinity;
         double least = double.PositiveInfinity;
         int limit = Math.Min(_problem.Request.MaximumIterations, _patience.Flights);
         int stalled = 0;
@@ -134,6 +108,47 @@ internal sealed class PlaneNewton
                 return false;
             }
         }
+    }
+
+    /// <summary>Rehearses the closed-form guess, and simulates the first flight.</summary>
+    /// <param name="isRehearsed">True if the rehearsal succeeded.</param>
+    /// <param name="isKnown">True if the Jacobian and the contraction of the rehearsal are valid for the flight.</param>
+    /// <param name="before">The miss before the flight, in m; infinite if it is not known.</param>
+    /// <returns>False if there is no guess, or its flight fails.</returns>
+    private bool Begin(out bool isRehearsed, out bool isKnown, out double before)
+    {
+        Miss = 0;
+        ThroughMiss = double.NaN;
+        Time = 0;
+        isRehearsed = false;
+        isKnown = false;
+        before = double.PositiveInfinity;
+        _patience = _problem.HasThrough ? NewtonPatience.Through : NewtonPatience.Target;
+        if (!_problem.Guess(X))
+        {
+            return false;
+        }
+
+        // Longer steps have proved inaccurate, so the kick grazes the jump in the drag law: use full flights only.
+        double rehearsed = 0;
+        double contraction = 1;
+        _step.Reset();
+        isRehearsed = !_problem.IsFine && Rehearse(out rehearsed, out contraction);
+        if (!_problem.Fly(X, R, isRehearsed))
+        {
+            return false;
+        }
+
+        // Trust the contraction of the rehearsal only if the flight misses by less than the guess did.
+        isKnown = isRehearsed && Asked(R) < rehearsed;
+        if (isKnown)
+        {
+            before = Asked(R) / contraction;
+            return true;
+        }
+
+        _step.Reset();
+        return Differentiate();
     }
 
     /// <summary>Corrects the guess in fitted air.</summary>

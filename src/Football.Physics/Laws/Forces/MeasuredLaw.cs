@@ -32,23 +32,11 @@ internal struct MeasuredLaw : ITableLaw
     /// <summary>The Reynolds number above which C_D stays constant, at twice the speed of any kick, so that C_D is bounded.</summary>
     private double _largest;
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly double SpeedScale
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => _perSpeed;
-    }
+    public readonly double SpeedScale { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _perSpeed; }
 
     public readonly LawTables Tables
     {

@@ -21,23 +21,11 @@ internal struct PublishedLaw : ITableLaw
     private double _atRest; // C_D0
     private double _plate; // torque of a plate at 1 m/s, per I
 
-    public readonly bool NeedsSpinAcross
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => false;
-    }
+    public readonly bool NeedsSpinAcross { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => false; }
 
-    public readonly bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public readonly bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
-    public readonly double SpeedScale
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => 1;
-    }
+    public readonly double SpeedScale { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => 1; }
 
     public readonly LawTables Tables => Shared;
 

@@ -37,21 +37,13 @@ internal struct TableAir<TLaw> : IFlightAir
     private readonly double _slowestSquared; // |u|² within the tables
     private readonly double _fastestSquared;
 
-    public bool Acts
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => true;
-    }
+    public bool Acts { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => true; }
 
     public bool HasField => false;
 
     public bool HasSide => false;
 
-    public bool Jumps
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => _law.Jumps;
-    }
+    public bool Jumps { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => _law.Jumps; }
 
     /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>
     private double FastestSpin => TableRange.LargestSpinParameter * TableRange.Fastest / _radius;

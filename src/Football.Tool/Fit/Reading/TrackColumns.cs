@@ -50,9 +50,6 @@ internal sealed record TrackColumns
     /// <summary>Units of x, y and z, or null.</summary>
     public string?[] Units { get; init; } = [null, null, null];
 
-    /// <summary>True if the times are frame numbers.</summary>
-    public bool IsFrames => Time == Frame;
-
     /// <summary>The columns under a header, or null if it is not one.</summary>
     public static TrackColumns? Find(string[] header, TrackFormat format)
     {
