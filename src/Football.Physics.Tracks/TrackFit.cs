@@ -9,9 +9,6 @@ namespace FootballPhysics.Tracks;
 /// </remarks>
 public sealed class TrackFit
 {
-    /// <summary>The time span of the points that determine the initial velocity, in s.</summary>
-    private const double Beginning = 0.25;
-
     /// <summary>The ratio of χ² to its expectation above which a fit is poor.</summary>
     private const double Poor = 1.2;
 
@@ -44,44 +41,69 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
+        Check.Given(nameof(track), track);
+        request ??= new TrackFitRequest();
+        request.Validate();
+        return Find(new PositionSightings(track), request);
+    }
+
+    /// <summary>Estimates the launch of a ball from pixels of one or more cameras.</summary>
+    /// <remarks>
+    /// The residuals are distances in the image. One camera suffices: gravity, a bounce and a launch on the ground reveal the depth.
+    /// <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// </remarks>
+    /// <param name="cameras">The cameras, at least one.</param>
+    /// <param name="track">The observed pixels, in order of time; at least five points. The launch is at the first point.</param>
+    /// <param name="request">Additional parameters to estimate, and prior knowledge; default none.</param>
+    /// <exception cref="ArgumentNullException">An argument, a camera, or a ball of the request is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A number is out of range, or the ball is behind a camera; the message names the field, the value and the range.
+    /// </exception>
+    public TrackFitResult Find(TrackCamera[] cameras, PixelPoint[] track, TrackFitRequest? request = null)
+    {
+        Check.Given(nameof(cameras), cameras);
+        Check.Given(nameof(track), track);
+        request ??= new TrackFitRequest();
+        request.Validate();
+        return Find(new PixelSightings(cameras, track), request);
+    }
+
+    private TrackFitResult Find(Sightings seen, TrackFitRequest request)
+    {
         // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
         // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
-        request ??= new TrackFitRequest();
-        Validate(track, request);
-        TrackSearch best = Search(track, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
+        TrackSearch best = Search(seen, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
         bool converged = best.Measure(values);
-        return new TrackFitResult(
-            best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), FreedomOf(track, best), steps + best.Steps, converged)
+        var result = new TrackFitResult(
+            best.Model, values, best.Covariance, seen, best.ChiSquared(values), steps + best.Steps, converged)
         {
             OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
                 ? new Vector3d(rivals[6], rivals[7], rivals[8])
                 : null,
-            ByBall = WithOtherBalls(track, request, best.Cost),
+            ByBall = WithOtherBalls(seen, request, best.Cost),
         };
+        seen.RefusePoor(result.Probability);
+        return result;
     }
-
-    private static int FreedomOf(TrackPoint[] track, TrackSearch search) => (3 * track.Length) - search.Model.Count;
 
     /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
     /// <returns>The best fit with its parameters and, if others were tried, the second best with its own.</returns>
-    private TrackSearch Search(TrackPoint[] track, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
+    private TrackSearch Search(Sightings seen, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
     {
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
         steps = 0;
-        values = Start(track, launch);
-        TrackSearch best = Descend(track, launch, request, ref values, ref steps);
-        int freedom = FreedomOf(track, best);
+        values = seen.Start(launch, launch.Spin, _scene);
+        TrackSearch best = Descend(seen, launch, request, ref values, ref steps);
+        int freedom = seen.Rows - best.Model.Count;
         Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
         across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-        bool bounces = Bounces(values, track[track.Length - 1].Time - track[0].Time);
+        bool bounces = Bounces(values, seen.Duration);
         rival = null;
         rivals = null;
         for (int i = 0; i < OtherStarts && (best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
         {
-            double[] other = Start(track, launch);
-            Vector3d spin = OtherSpinOf(i, values, request, across);
-            (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
-            TrackSearch found = Descend(track, launch, request, ref other, ref steps);
+            double[] other = seen.Start(launch, OtherSpinOf(i, values, request, across), _scene);
+            TrackSearch found = Descend(seen, launch, request, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
                 (best, found) = (found, best);
@@ -141,12 +163,12 @@ public sealed class TrackFit
 
     /// <summary>Fits the other balls, each from the start: the best parameters of a wrong ball may lie near another minimum of the right
     /// one.</summary>
-    private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost)
+    private List<TrackFitByBall> WithOtherBalls(Sightings seen, TrackFitRequest request, double cost)
     {
         var all = new List<TrackFitByBall>();
         foreach (BallProperties ball in request.OtherBalls)
         {
-            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(track, request, out double[] found, out _, out _, out _);
+            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(seen, request, out double[] found, out _, out _, out _);
             all.Add(new TrackFitByBall(ball, found, other.ChiSquared(found), other.Cost - cost));
         }
 
@@ -154,14 +176,14 @@ public sealed class TrackFit
     }
 
     /// <summary>Minimises over the launch only, and then over the factors too.</summary>
-    private TrackSearch Descend(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
+    private TrackSearch Descend(Sightings seen, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
     {
-        var search = new TrackSearch(track, launch, new TrackModel(_scene, launch));
+        var search = new TrackSearch(seen, launch, new TrackModel(_scene, launch));
         search.Descend(values);
         if (request != launch)
         {
             steps += search.Steps;
-            search = new TrackSearch(track, request, new TrackModel(_scene, request));
+            search = new TrackSearch(seen, request, new TrackModel(_scene, request));
             double[] all = new double[search.Model.Count];
             all.AsSpan().Fill(1);
             Array.Copy(values, all, values.Length);
@@ -170,44 +192,5 @@ public sealed class TrackFit
         }
 
         return search;
-    }
-
-    private static void Validate(TrackPoint[] track, TrackFitRequest request)
-    {
-        Check.Given(nameof(track), track);
-        request.Validate();
-        Check.AtLeast("track's points", track.Length, 4);
-        for (int i = 0; i < track.Length; i++)
-        {
-            string at = Check.Item("track", i);
-            Check.Within(at + ".time", track[i].Time, i > 0 ? track[i - 1].Time : -Limits.Time, Limits.Time);
-            Check.Place(at + ".position", track[i].Position);
-            Check.Positive(at + ".noise", track[i].Noise);
-        }
-
-        Check.Within("track's last time", track[track.Length - 1].Time - track[0].Time, 0, 600, exclusiveLow: true);
-    }
-
-    /// <summary>Returns the initial values: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² over the first points.</summary>
-    private double[] Start(TrackPoint[] track, TrackFitRequest request)
-    {
-        double[] values = new double[TrackModel.Launch];
-        Vector3d first = track[0].Position;
-        Vector3d sum = Vector3d.Zero;
-        double squares = 0;
-        double upward = Weight.UpwardAcceleration(_scene);
-        for (int i = 1; i < track.Length && (i < 4 || track[i].Time - track[0].Time <= Beginning); i++)
-        {
-            double t = track[i].Time - track[0].Time;
-            sum += t * (track[i].Position - first - new Vector3d(0, 0.5 * upward * t * t, 0));
-            squares += t * t;
-        }
-
-        Vector3d velocity = request.Velocity ?? (squares > 0 ? sum / squares : Vector3d.Zero);
-        Vector3d spin = request.Spin;
-        (values[0], values[1], values[2]) = (first.X, first.Y, first.Z);
-        (values[3], values[4], values[5]) = (velocity.X, velocity.Y, velocity.Z);
-        (values[6], values[7], values[8]) = (spin.X, spin.Y, spin.Z);
-        return values;
     }
 }

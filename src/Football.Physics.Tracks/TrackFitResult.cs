@@ -7,6 +7,10 @@ public sealed class TrackFitResult
     /// <summary>1/√2: the track contributes as much information as the prior.</summary>
     private const double Identified = 0.7071067811865476;
 
+    /// <summary>The standard errors of position and velocity from which on they are not identified, in m and m/s.</summary>
+    private const double MostPlaceError = 0.5;
+    private const double MostVelocityError = 2;
+
     /// <summary>The probability of a χ² below which the fit is suspicious.</summary>
     private const double Rare = 1e-3;
 
@@ -19,15 +23,17 @@ public sealed class TrackFitResult
     private readonly double[] _covariance;
 
     private readonly TrackModel _model;
+    private readonly TrackCamera? _camera;
 
-    internal TrackFitResult(TrackModel model, double[] values, double[] covariance, double time, double chiSquared, int freedom, int iterations, bool converged)
+    internal TrackFitResult(TrackModel model, double[] values, double[] covariance, Sightings seen, double chiSquared, int iterations, bool converged)
     {
         _model = model;
         _values = values;
         _covariance = covariance;
-        Time = time;
+        _camera = seen.FirstCamera;
+        Time = seen.Time(0);
         ChiSquared = chiSquared;
-        DegreesOfFreedom = freedom;
+        DegreesOfFreedom = seen.Rows - model.Count;
         Iterations = iterations;
         Converged = converged;
     }
@@ -149,12 +155,50 @@ public sealed class TrackFitResult
 
     /// <summary>Returns true if the track contains more information about a parameter than the prior.</summary>
     /// <remarks>
-    /// The standard error is then less than 0.7 of the prior deviation. A restitution without a bounce, or a spin along the velocity, is not
+    /// The standard error is then less than 0.7 of the prior deviation. Position and velocity have no prior: their standard errors are then below 0.5 m and 2 m/s. A restitution without a bounce, or a spin along the velocity, is not
     /// identified: its value is the prior, not a result.
     /// </remarks>
     /// <param name="index">The index of the parameter, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
-    public bool IsIdentified(int index) => StandardError(index) < Identified * _model.KnownDeviation(index);
+    public bool IsIdentified(int index) => StandardError(index) < (index < 3 ? MostPlaceError : index < TrackModel.FirstKnown ? MostVelocityError : Identified * _model.KnownDeviation(index));
+
+    /// <summary>The names of the quantities that the observations do not reveal: their values are no results.</summary>
+    /// <remarks>
+    /// They are the parameters for which <see cref="IsIdentified"/> is false, then <c>spin.alongVelocity</c>, the component of the spin along the launch velocity,
+    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis.
+    /// </remarks>
+    public IReadOnlyList<string> Unidentified
+    {
+        get
+        {
+            List<string> names = [];
+            for (int i = 0; i < _values.Length; i++)
+            {
+                if (!IsIdentified(i))
+                {
+                    names.Add(Names[i]);
+                }
+            }
+
+            if (!(SpinAlongVelocityError < Identified * _model.KnownDeviation(TrackModel.FirstKnown)))
+            {
+                names.Add("spin.alongVelocity");
+            }
+
+            if (DepthError is { } depth && !(depth < MostPlaceError))
+            {
+                names.Add("position.depth");
+            }
+
+            return names;
+        }
+    }
+
+    /// <summary>The standard error of the spin's component along the launch velocity, in rad/s.</summary>
+    public double SpinAlongVelocityError => ErrorAlong(TrackModel.FirstKnown, Velocity.Length > 0 ? Velocity / Velocity.Length : Vector3d.Up);
+
+    /// <summary>The standard error of the launch's distance from the first camera along its axis, in m; null for a track of positions.</summary>
+    public double? DepthError => _camera is null ? null : ErrorAlong(0, _camera.Forward);
 
     /// <summary>Returns the covariance of two parameters.</summary>
     /// <param name="row">The index of the first parameter, from 0.</param>
@@ -165,6 +209,23 @@ public sealed class TrackFitResult
         Check.Index(nameof(row), row, _values.Length);
         Check.Index(nameof(column), column, _values.Length);
         return _covariance[(row * _values.Length) + column];
+    }
+
+    /// <summary>Returns the standard error of a vector's component along a unit vector.</summary>
+    private double ErrorAlong(int first, in Vector3d axis)
+    {
+        ReadOnlySpan<double> n = [axis.X, axis.Y, axis.Z];
+        double sum = 0;
+        for (int i = 0; i < n.Length; i++)
+        {
+            for (int j = 0; j < n.Length; j++)
+            {
+                // Skip 0 · ∞ of a fit without covariances.
+                sum += n[i] == 0 || n[j] == 0 ? 0 : n[i] * n[j] * _covariance[((first + i) * _values.Length) + first + j];
+            }
+        }
+
+        return double.IsNaN(sum) ? double.PositiveInfinity : Math.Sqrt(Math.Max(0, sum));
     }
 
     private double ProbabilityOf(double chiSquared)

@@ -141,23 +141,23 @@ internal sealed class TrackModel
     }
 }
 
-/// <summary>Simulates the ball to the times of a track, and computes the residuals.</summary>
+/// <summary>Simulates the ball to the times of its observations, and computes the residuals.</summary>
 internal sealed class TrackPaths
 {
-    private readonly TrackPoint[] _track;
+    private readonly Sightings _seen;
     private readonly TrackFitRequest _request;
     private readonly TrackModel _model;
     private readonly StepLog _log = new();
 
-    public TrackPaths(TrackPoint[] track, TrackFitRequest request, TrackModel model)
+    public TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model)
     {
-        _track = track;
+        _seen = seen;
         _request = request;
         _model = model;
     }
 
-    /// <summary>The number of observed coordinates.</summary>
-    public int Rows => 3 * _track.Length;
+    /// <summary>The number of residuals.</summary>
+    public int Rows => _seen.Rows;
 
     /// <summary>Simulates a ball.</summary>
     /// <returns>The cost: the squared residuals plus the prior.</returns>
@@ -167,18 +167,16 @@ internal sealed class TrackPaths
         BallState ball = TrackModel.Ball(simulator, values);
         (values[0], values[1], values[2]) = (ball.Position.X, ball.Position.Y, ball.Position.Z);
         double cost = _model.KnownCost(values);
-        for (int i = 0; i < _track.Length; i++)
+        for (int i = 0; i < _seen.Count; i++)
         {
-            double wait = i > 0 ? _track[i].Time - _track[i - 1].Time : 0;
+            double wait = i > 0 ? _seen.Time(i) - _seen.Time(i - 1) : 0;
             if (wait > 0)
             {
                 _log.Clear();
                 simulator.RunChecked(ref ball, _request.TimeStep, wait, StopAt.Time, _log, null);
             }
 
-            Vector3d miss = (_track[i].Position - ball.Position) / _track[i].Noise;
-            (misses[3 * i], misses[(3 * i) + 1], misses[(3 * i) + 2]) = (miss.X, miss.Y, miss.Z);
-            cost += miss.LengthSquared;
+            cost += _seen.Miss(i, ball.Position, misses);
         }
 
         return cost;

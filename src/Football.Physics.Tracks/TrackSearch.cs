@@ -43,10 +43,10 @@ internal sealed class TrackSearch
     private bool _isFound;
     private bool _hasAxes;
 
-    public TrackSearch(TrackPoint[] track, TrackFitRequest request, TrackModel model)
+    public TrackSearch(Sightings seen, TrackFitRequest request, TrackModel model)
     {
         Model = model;
-        _paths = new TrackPaths(track, request, model);
+        _paths = new TrackPaths(seen, request, model);
         _secants = new TrackSecants(_paths, model);
         _count = model.Count;
         _step = new double[_count];
@@ -68,7 +68,7 @@ internal sealed class TrackSearch
     /// <summary>The covariance matrix of the parameters.</summary>
     public double[] Covariance { get; }
 
-    /// <summary>Returns the χ² of the track, without the prior.</summary>
+    /// <summary>Returns the χ² of the observations, without the prior.</summary>
     public double ChiSquared(double[] values) => Cost - Model.KnownCost(values);
 
     /// <summary>Measures the uncertainty of the parameters; restarts the search if it finds a lower cost.</summary>
