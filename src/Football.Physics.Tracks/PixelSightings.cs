@@ -12,6 +12,9 @@ internal sealed class PixelSightings : Sightings
     /// <summary>The probability of χ² below which a ball behind a camera is the reason.</summary>
     private const double Rare = 1e-3;
 
+    /// <summary>The distance up to which cameras have one viewpoint, in m.</summary>
+    private const double OneView = 1;
+
     private readonly TrackCamera[] _cameras;
     private readonly PixelPoint[] _points;
     private string? _behind;
@@ -45,6 +48,8 @@ internal sealed class PixelSightings : Sightings
     public override int Rows => 2 * _points.Length;
 
     public override TrackCamera? FirstCamera => _cameras[_points[0].Camera];
+
+    public override bool IsOneView => !_points.Any(point => Vector3d.Distance(_cameras[point.Camera].Position, FirstCamera!.Position) > OneView);
 
     public override double Time(int index) => _points[index].Time;
 

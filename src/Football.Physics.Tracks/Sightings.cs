@@ -9,8 +9,11 @@ internal abstract class Sightings
     /// <summary>The number of residuals.</summary>
     public abstract int Rows { get; }
 
-    /// <summary>The direction and the camera of the depth, if the first observation is a pixel.</summary>
+    /// <summary>The camera of the first observation; null for positions.</summary>
     public abstract TrackCamera? FirstCamera { get; }
+
+    /// <summary>True if all observations are pixels from one viewpoint.</summary>
+    public abstract bool IsOneView { get; }
 
     /// <summary>Returns the time of an observation, in s.</summary>
     public abstract double Time(int index);
@@ -68,6 +71,8 @@ internal sealed class PositionSightings : Sightings
     public override int Rows => 3 * _track.Length;
 
     public override TrackCamera? FirstCamera => null;
+
+    public override bool IsOneView => false;
 
     public override double Time(int index) => _track[index].Time;
 

@@ -61,7 +61,11 @@ public sealed class TrackCamera
 
         (a, b, w) = (Row(_matrix, 0), Row(_matrix, 1), Row(_matrix, 2));
         Position = -((_matrix[3] * Vector3d.Cross(b, w)) + (_matrix[7] * Vector3d.Cross(w, a)) + (_matrix[11] * Vector3d.Cross(a, b))) / Vector3d.Dot(Vector3d.Cross(a, b), w);
-        Check.Place("camera's position", Position);
+        if (!(Math.Max(Math.Abs(Position.X), Math.Max(Math.Abs(Position.Y), Math.Abs(Position.Z))) <= Limits.Length))
+        {
+            throw Check.Refusal("matrix", FormattableString.Invariant($"one of a camera at {Position}"), FormattableString.Invariant($"a camera within ±{Limits.Length} m"));
+        }
+
         Forward = w;
     }
 

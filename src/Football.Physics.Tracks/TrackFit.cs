@@ -13,9 +13,10 @@ public sealed class TrackFit
     private const double Poor = 1.2;
 
     /// <summary>The spins from which a poor fit, or one with bounces, is repeated, in rad/s, and their number; another bounce may fit as
-    /// well.</summary>
+    /// well. From one viewpoint, so may another curl, towards the camera and not away from it.</summary>
     private const double OtherSpin = 35;
     private const int OtherStarts = 5;
+    private const int OtherStartsOfOneView = 6;
 
     /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
@@ -100,7 +101,8 @@ public sealed class TrackFit
         bool bounces = Bounces(values, seen.Duration);
         rival = null;
         rivals = null;
-        for (int i = 0; i < OtherStarts && (best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
+        int starts = seen.IsOneView ? OtherStartsOfOneView : OtherStarts;
+        for (int i = 0; i < starts && (seen.IsOneView || best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
         {
             double[] other = seen.Start(launch, OtherSpinOf(i, values, request, across), _scene);
             TrackSearch found = Descend(seen, launch, request, ref other, ref steps);
@@ -120,7 +122,7 @@ public sealed class TrackFit
     }
 
     /// <summary>Returns another initial spin: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
-    /// way.</summary>
+    /// way, then the spin found with reversed sidespin.</summary>
     private static Vector3d OtherSpinOf(int i, double[] values, TrackFitRequest request, in Vector3d across)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
@@ -130,7 +132,8 @@ public sealed class TrackFit
             1 => request.Spin + (OtherSpin * across),
             2 => request.Spin - (OtherSpin * across),
             3 => request.Spin + (OtherSpin * Vector3d.Up),
-            _ => request.Spin - (OtherSpin * Vector3d.Up),
+            4 => request.Spin - (OtherSpin * Vector3d.Up),
+            _ => found - (2 * found.Y * Vector3d.Up),
         };
     }
 

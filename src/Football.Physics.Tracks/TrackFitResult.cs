@@ -100,7 +100,7 @@ public sealed class TrackFitResult
             {
                 TrackVerdict.NotConverged => $"{chi}; the search did not end: neither numbers nor deviations are to be relied on.",
                 TrackVerdict.Poor => $"{chi}, which noise alone gives less than once in a thousand: the scene (ball, air, wind, ground) or the noise is not what was said. Deviations are those of noise alone; the truth may be many of them away.",
-                TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce. More points, or a known spin, tell them apart."),
+                TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce or, from one viewpoint, another curl. More points, another camera or a known spin tell them apart."),
                 TrackVerdict.OtherBall => $"{chi}, but another ball fits better: deviations are too small; DeviationOverBalls has what the balls differ by.",
                 TrackVerdict.NoiseOverestimated => $"{chi}, less than the noise that was said would leave: deviations are too large.",
                 TrackVerdict.AsExpected => $"{chi}, as it should be. Deviations are those of noise alone: they hold for the scene that was given.",
@@ -153,14 +153,14 @@ public sealed class TrackFitResult
         return Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
     }
 
-    /// <summary>Returns true if the track contains more information about a parameter than the prior.</summary>
+    /// <summary>Returns true if the fit converged and the track contains more information about a parameter than the prior.</summary>
     /// <remarks>
     /// The standard error is then less than 0.7 of the prior deviation. Position and velocity have no prior: their standard errors are then below 0.5 m and 2 m/s. A restitution without a bounce, or a spin along the velocity, is not
     /// identified: its value is the prior, not a result.
     /// </remarks>
     /// <param name="index">The index of the parameter, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
-    public bool IsIdentified(int index) => StandardError(index) < (index < 3 ? MostPlaceError : index < TrackModel.FirstKnown ? MostVelocityError : Identified * _model.KnownDeviation(index));
+    public bool IsIdentified(int index) => Converged && StandardError(index) < (index < 3 ? MostPlaceError : index < TrackModel.FirstSpin ? MostVelocityError : Identified * _model.KnownDeviation(index));
 
     /// <summary>The names of the quantities that the observations do not reveal: their values are no results.</summary>
     /// <remarks>
@@ -180,12 +180,12 @@ public sealed class TrackFitResult
                 }
             }
 
-            if (!(SpinAlongVelocityError < Identified * _model.KnownDeviation(TrackModel.FirstKnown)))
+            if (!Converged || !(SpinAlongVelocityError < Identified * _model.KnownDeviation(TrackModel.FirstSpin)))
             {
                 names.Add("spin.alongVelocity");
             }
 
-            if (DepthError is { } depth && !(depth < MostPlaceError))
+            if (DepthError is { } depth && !(Converged && depth < MostPlaceError))
             {
                 names.Add("position.depth");
             }
@@ -195,7 +195,7 @@ public sealed class TrackFitResult
     }
 
     /// <summary>The standard error of the spin's component along the launch velocity, in rad/s.</summary>
-    public double SpinAlongVelocityError => ErrorAlong(TrackModel.FirstKnown, Velocity.Length > 0 ? Velocity / Velocity.Length : Vector3d.Up);
+    public double SpinAlongVelocityError => ErrorAlong(TrackModel.FirstSpin, Velocity.Length > 0 ? Velocity / Velocity.Length : Vector3d.Up);
 
     /// <summary>The standard error of the launch's distance from the first camera along its axis, in m; null for a track of positions.</summary>
     public double? DepthError => _camera is null ? null : ErrorAlong(0, _camera.Forward);

@@ -31,7 +31,7 @@ internal sealed class TrackSearch
     /// <summary>The first parameter whose axis is measured, and the first whose pairs are: positions are nearly linear, velocities nearly
     /// so.</summary>
     private const int FirstMeasured = 3;
-    private const int FirstPaired = TrackModel.FirstKnown;
+    private const int FirstPaired = TrackModel.FirstSpin;
 
     private readonly TrackPaths _paths;
     private readonly TrackSecants _secants;
@@ -203,6 +203,7 @@ internal sealed class TrackSearch
     private bool GoOut(double[] values, int axis, double best, double[] end, ref double share)
     {
         double next = share;
+        double rise = 0;
         for (int i = 0; i < MostTries; i++)
         {
             share = next;
@@ -211,7 +212,7 @@ internal sealed class TrackSearch
                 end[k] = values[k] + (share * _secants.Axes[axis][k]);
             }
 
-            double rise = Settle(end, axis) - best;
+            rise = Settle(end, axis) - best;
             if (rise < -Lower)
             {
                 Array.Copy(end, values, _count);
@@ -220,10 +221,22 @@ internal sealed class TrackSearch
 
             if (rise > LeastRise && rise < LargestRise)
             {
-                break;
+                return true;
             }
 
             next = share * Math.Min(LargestChange, Math.Max(1.0 / LargestChange, 1.0 / Math.Sqrt(Math.Max(1e-3, rise))));
+        }
+
+        if (rise < LargestRise)
+        {
+            return true;
+        }
+
+        // The cost rises steeply right beside the minimum: keep the axis, whose deviation holds for a smooth cost.
+        share = Math.Sign(share);
+        for (int k = 0; k < _count; k++)
+        {
+            end[k] = values[k] + (share * _secants.Axes[axis][k]);
         }
 
         return true;

@@ -7,6 +7,9 @@ internal sealed class CameraCheck
 {
     private const double Interval = 0.02;
     private const double Noise = 1;
+
+    /// <summary>The deviation of a spin's component that a request has by default, rad/s.</summary>
+    private const double SpinDeviation = 60;
     private const double Longest = 3;
     private const double Width = 1920;
     private const double Height = 1080;
@@ -21,16 +24,19 @@ internal sealed class CameraCheck
     private readonly TrackFit _fit = new(Scene.Measured);
     private readonly TrackCamera[] _cameras;
     private readonly double _longest;
+    private readonly bool _fromGround;
     private double _squares;
     private long _points;
 
     /// <summary>Prepares.</summary>
     /// <param name="cameras">The number of cameras.</param>
     /// <param name="longest">The time for which a flight is seen, s.</param>
-    public CameraCheck(int cameras, double longest = Longest)
+    /// <param name="fromGround">Whether the fit is told that the ball starts on the ground.</param>
+    public CameraCheck(int cameras, bool fromGround, double longest = Longest)
     {
         _cameras = s_cameras[..cameras];
         _longest = longest;
+        _fromGround = fromGround;
     }
 
     /// <summary>The results, flight by flight.</summary>
@@ -53,13 +59,16 @@ internal sealed class CameraCheck
         List<PixelPoint> seen = [];
         List<Vector3d> truth = [];
         int last = 0;
+        double noise = spin.LengthSquared / (SpinDeviation * SpinDeviation);
         for (int i = 0; i * Interval <= _longest; i++)
         {
             for (int camera = 0; camera < _cameras.Length; camera++)
             {
                 if (_cameras[camera].TryProject(ball.Position, out double u, out double v) && u >= 0 && u <= Width && v >= 0 && v <= Height)
                 {
-                    seen.Add(new PixelPoint(i * Interval, camera, Normal(random, u), Normal(random, v), Noise));
+                    var point = new PixelPoint(i * Interval, camera, Normal(random, u), Normal(random, v), Noise);
+                    noise += (((point.U - u) * (point.U - u)) + ((point.V - v) * (point.V - v))) / (Noise * Noise);
+                    seen.Add(point);
                     last = i;
                 }
             }
@@ -69,14 +78,14 @@ internal sealed class CameraCheck
             simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
         }
 
-        TrackFitResult found = _fit.Find(_cameras, [.. seen]);
-        Judge(found, [.. truth.Take(last + 1)], from, velocity, spin);
+        TrackFitResult found = _fit.Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround });
+        Judge(found, [.. truth.Take(last + 1)], from, velocity, spin, noise);
     }
 
     private static double Normal(SeededRandom random, double mean) =>
         mean + (Noise * Math.Sqrt(-2 * Math.Log(1 - random.Next())) * Math.Cos(2 * Math.PI * random.Next()));
 
-    private void Judge(TrackFitResult found, Vector3d[] truth, Vector3d from, Vector3d velocity, Vector3d spin)
+    private void Judge(TrackFitResult found, Vector3d[] truth, Vector3d from, Vector3d velocity, Vector3d spin, double cost)
     {
         var simulator = new Simulator(Scene.Measured);
         BallState ball = simulator.Launch(found.Position, found.Velocity, found.Spin);
@@ -98,10 +107,11 @@ internal sealed class CameraCheck
         Flights.Add(new CameraFlight(
             Math.Sqrt(squares / truth.Length), off.Length, (off - (offAlong * along)).Length, offAlong, found.SpinAlongVelocityError, (found.Position - from).Length,
             found.DepthError ?? 0, found.Converged, found.Verdict, found.Unidentified,
-            Enumerable.Range(0, 9).Count(i => found.IsIdentified(i) && Math.Abs(errors[i]) > 4 * found.StandardError(i)), found.Iterations));
+            Enumerable.Range(0, 9).Count(i => found.IsIdentified(i) && Math.Abs(errors[i]) > 4 * found.StandardError(i)), found.Iterations,
+            found.ChiSquared + (found.Spin.LengthSquared / (SpinDeviation * SpinDeviation)) - cost));
     }
 }
 
 /// <summary>A fit of a flight.</summary>
 internal sealed record CameraFlight(
-    double Rms, double Spin, double SpinAcross, double SpinAlong, double SpinAlongError, double Position, double DepthError, bool Converged, TrackVerdict Verdict, IReadOnlyList<string> Unidentified, int Wrong, int Steps);
+    double Rms, double Spin, double SpinAcross, double SpinAlong, double SpinAlongError, double Position, double DepthError, bool Converged, TrackVerdict Verdict, IReadOnlyList<string> Unidentified, int Wrong, int Steps, double Cost);

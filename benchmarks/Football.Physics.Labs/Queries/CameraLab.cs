@@ -25,14 +25,14 @@ internal static class CameraLab
             "Fits of pixels", "cameras", "seen for, s", "flights", "rms in space, cm", "of nine in ten flights, cm", "spin within 15 rad/s, %", "across the velocity, %",
             "4 σ exceeded, %", "depth unidentified, %", "spin along velocity unidentified, %", "not converged", "verdict");
         var report = new LabReport { Name = "camera", Seed = seed, Tables = { table } };
-        foreach ((int cameras, double longest, double most) in ((int, double, double)[])[(1, 3, 10), (2, 3, 3), (1, 0.2, double.PositiveInfinity)])
+        foreach ((int cameras, bool fromGround, double longest, double most) in ((int, bool, double, double)[])[(1, true, 3, 10), (1, false, 3, double.PositiveInfinity), (2, false, 3, 3), (1, false, 0.2, double.PositiveInfinity)])
         {
-            var check = new CameraCheck(cameras, longest);
+            var check = new CameraCheck(cameras, fromGround, longest);
             for (int i = 0; i < flights; i++)
             {
                 progress.Report(i, flights, () => $"{cameras} cameras");
                 check.Run(new SeededRandom(SeededRandom.Mix(seed, i)));
-                if (Environment.GetEnvironmentVariable("CAMDEBUG") is not null) Console.Error.WriteLine($"{cameras} {i} {check.Flights[^1]} {string.Join(',', check.Flights[^1].Unidentified)}");
+                if (Environment.GetEnvironmentVariable("CAMDEBUG") is not null) Console.Error.WriteLine($"{cameras} {fromGround} {longest} {i} {check.Flights[^1]} {string.Join(',', check.Flights[^1].Unidentified)}");
             }
 
             List<CameraFlight> all = check.Flights;

@@ -11,7 +11,7 @@ namespace FootballPhysics.Tool.Fit;
 internal sealed class MatchCommand
 {
     private static readonly string[] Free = ["wind", "drag", "crisis", "lift", "surface", "height"];
-    private static readonly string[] s_ofBatches = ["--batch", "--jobs"];
+    private static readonly string[] s_ofBatches = ["--batch", "--jobs", "--cameras", "--pixels"];
 
     private readonly Option<string?> _match = new("--match")
     {
