@@ -9,15 +9,11 @@ internal sealed class PixelSightings : Sightings
     /// <summary>The largest pixel, by its size: a thousand images wide.</summary>
     private const double MostPixel = 1e7;
 
-    /// <summary>The probability of χ² below which a ball behind a camera is the reason.</summary>
-    private const double Rare = 1e-3;
-
     /// <summary>The distance up to which cameras have one viewpoint, in m.</summary>
     private const double OneView = 1;
 
     private readonly TrackCamera[] _cameras;
     private readonly PixelPoint[] _points;
-    private string? _behind;
 
     public PixelSightings(TrackCamera[] cameras, PixelPoint[] points)
     {
@@ -63,25 +59,13 @@ internal sealed class PixelSightings : Sightings
         return (across * across) + (down * down);
     }
 
-    public override double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene)
-    {
-        var start = new PixelStart(_cameras, _points, request, scene);
-        double[] values = start.Find(this, in spin);
-        if (start.Behind is { } camera)
-        {
-            _behind = Check.Item("cameras", camera);
-        }
+    public override double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene) => new PixelStart(_cameras, _points, request, scene).Find(this, in spin);
 
-        return values;
-    }
-
-    public override void RefusePoor(double probability)
+    public override (Sightings Seen, int Index, TrackCamera Turned)? Opposite(TrackFitRequest request, Scene scene)
     {
-        if (probability < Rare && _behind is { } camera)
-        {
-            throw Check.Refusal(
-                camera + ".matrix", "one for which the ball falls upwards, or is behind the camera",
-                "a matrix with the ball in front of the camera (w above 0) and gravity along −y");
-        }
+        bool[] behind = new PixelStart(_cameras, _points, request, scene).Behind();
+        TrackCamera[] turned = [.. _cameras.Select((item, i) => behind[i] ? item.Opposite() : item)];
+        int first = Array.IndexOf(behind, true);
+        return first < 0 ? null : (new PixelSightings(turned, _points), first, turned[first]);
     }
 }

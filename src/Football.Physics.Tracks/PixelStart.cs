@@ -45,9 +45,6 @@ internal sealed class PixelStart
         _weights = new double[points.Length];
     }
 
-    /// <summary>The index of a camera that has the ball behind it in the solution of all points without assumptions; null if none has.</summary>
-    public int? Behind { get; private set; }
-
     /// <summary>Returns the launch with the lowest cost of those that are tried.</summary>
     public double[] Find(Sightings seen, in Vector3d spin)
     {
@@ -67,11 +64,6 @@ internal sealed class PixelStart
                 if (!Solve(count, in axis, value, deviation))
                 {
                     return;
-                }
-
-                if (pass == 0 && deviation == double.PositiveInfinity && count == _points.Length)
-                {
-                    Behind = CameraBehind();
                 }
 
                 if (!Weigh(count))
@@ -108,6 +100,23 @@ internal sealed class PixelStart
         }
 
         return best.Length > 0 ? best : throw Check.Conflict("track", "track has pixels that no position in front of the cameras gives. Check the matrices and the order of u and v.");
+    }
+
+    /// <summary>Returns the cameras that the ball is behind if gravity alone bends its path.</summary>
+    public bool[] Behind()
+    {
+        bool[] behind = new bool[_cameras.Length];
+        int count = CountWithin(s_spans[1]);
+        StartOver();
+        if (Solve(count, Vector3d.Zero, 0, double.PositiveInfinity))
+        {
+            for (int i = 0; i < count; i++)
+            {
+                behind[_points[i].Camera] |= DepthAt(i) < 0;
+            }
+        }
+
+        return behind;
     }
 
     private int CountWithin(double span)
@@ -181,19 +190,6 @@ internal sealed class PixelStart
         }
 
         return true;
-    }
-
-    private int? CameraBehind()
-    {
-        for (int i = 0; i < _points.Length; i++)
-        {
-            if (DepthAt(i) < 0)
-            {
-                return _points[i].Camera;
-            }
-        }
-
-        return null;
     }
 
     private double DepthAt(int i)

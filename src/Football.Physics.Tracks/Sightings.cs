@@ -25,10 +25,8 @@ internal abstract class Sightings
     /// <summary>Returns initial values for the launch with a given spin.</summary>
     public abstract double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene);
 
-    /// <summary>Throws if the observations contradict their cameras.</summary>
-    public virtual void RefusePoor(double probability)
-    {
-    }
+    /// <summary>Returns the same pixels with the cameras turned round that the ball seems to be behind, and the first of these; null if there is none.</summary>
+    public virtual (Sightings Seen, int Index, TrackCamera Turned)? Opposite(TrackFitRequest request, Scene scene) => null;
 
     /// <summary>The duration, in s.</summary>
     public double Duration => Time(Count - 1) - Time(0);

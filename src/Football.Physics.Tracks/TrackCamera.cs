@@ -69,6 +69,14 @@ public sealed class TrackCamera
         Forward = w;
     }
 
+    /// <summary>Creates the camera with the same pixels that looks the other way.</summary>
+    private TrackCamera(TrackCamera opposite)
+    {
+        _matrix = Array.ConvertAll(opposite._matrix, element => -element);
+        Position = opposite.Position;
+        Forward = -opposite.Forward;
+    }
+
     /// <summary>The matrix, row by row, scaled so that w is the depth in m.</summary>
     public IReadOnlyList<double> Matrix => _matrix;
 
@@ -126,6 +134,9 @@ public sealed class TrackCamera
         v = isInFront ? Along(1, in position) / depth : double.NaN;
         return isInFront;
     }
+
+    /// <summary>Returns the camera with the same pixels that looks the other way.</summary>
+    internal TrackCamera Opposite() => new(this);
 
     /// <summary>Returns the distance of a position from the camera along the optical axis, in m.</summary>
     internal double Depth(in Vector3d position) => Along(2, in position);

@@ -75,16 +75,39 @@ public sealed class TrackFit
         // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
         TrackSearch best = Search(seen, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
         bool converged = best.Measure(values);
+        bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
+        if (isAmbiguous)
+        {
+            AddRival(best.Covariance, values, rivals!, rival!.Cost - best.Cost);
+        }
+
         var result = new TrackFitResult(
             best.Model, values, best.Covariance, seen, best.ChiSquared(values), steps + best.Steps, converged)
         {
-            OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
-                ? new Vector3d(rivals[6], rivals[7], rivals[8])
-                : null,
+            OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
             ByBall = WithOtherBalls(seen, request, best.Cost),
         };
-        seen.RefusePoor(result.Probability);
+        RefuseBehind(seen, request, result);
         return result;
+    }
+
+    /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
+    private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result)
+    {
+        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite)
+        {
+            return;
+        }
+
+        TrackSearch search = Search(opposite.Seen, request, out double[] values, out _, out _, out _);
+        var other = new TrackFitResult(search.Model, values, search.Covariance, opposite.Seen, search.ChiSquared(values), 0, true);
+        if (!other.IsPoor)
+        {
+            throw Check.Refusal(
+                Check.Item("cameras", opposite.Index) + ".matrix",
+                FormattableString.Invariant($"one with the ball behind the camera, at a depth of {-opposite.Turned.Depth(other.Position):0.#} m"),
+                "a matrix with the ball in front of the camera, at a depth above 0");
+        }
     }
 
     /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
@@ -135,6 +158,19 @@ public sealed class TrackFit
             4 => request.Spin - (OtherSpin * Vector3d.Up),
             _ => found - (2 * found.Y * Vector3d.Up),
         };
+    }
+
+    /// <summary>Adds the other launch, by its probability p: C += p d dᵀ, with d its distance.</summary>
+    private static void AddRival(double[] covariance, double[] values, double[] others, double excess)
+    {
+        double probability = 1 / (1 + Elementary.Exp(0.5 * Math.Max(0, excess)));
+        for (int i = 0; i < values.Length; i++)
+        {
+            for (int j = 0; j < values.Length; j++)
+            {
+                covariance[(i * values.Length) + j] += probability * (others[i] - values[i]) * (others[j] - values[j]);
+            }
+        }
     }
 
     /// <summary>True if the spins of two results differ by more than their uncertainty.</summary>

@@ -81,6 +81,8 @@ public sealed class TrackFitResult
     /// wrong.</remarks>
     public double Probability => ProbabilityOf(ChiSquared);
 
+    internal bool IsPoor => Probability < Rare;
+
     /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged

@@ -4,7 +4,7 @@ namespace FootballPhysics.Tracks;
 /// <remarks>It moves along an axis, with the earlier parameters following, until the cost has risen by one.</remarks>
 internal sealed class TrackSearch
 {
-    private const int MostSteps = 25;
+    private const int MostSteps = 60;
     private const double FirstDamping = 0.1;
     private const double LeastDamping = 1e-2;
 

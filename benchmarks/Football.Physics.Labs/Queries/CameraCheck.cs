@@ -8,8 +8,9 @@ internal sealed class CameraCheck
     private const double Interval = 0.02;
     private const double Noise = 1;
 
-    /// <summary>The deviation of a spin's component that a request has by default, rad/s.</summary>
-    private const double SpinDeviation = 60;
+    /// <summary>The largest spin that is drawn, and the deviation of its components, which the fits are told, rad/s.</summary>
+    private const double MostSpin = 60;
+    private const double SpinDeviation = 20;
     private const double Longest = 3;
     private const double Width = 1920;
     private const double Height = 1080;
@@ -25,8 +26,6 @@ internal sealed class CameraCheck
     private readonly TrackCamera[] _cameras;
     private readonly double _longest;
     private readonly bool _fromGround;
-    private double _squares;
-    private long _points;
 
     /// <summary>Prepares.</summary>
     /// <param name="cameras">The number of cameras.</param>
@@ -42,16 +41,13 @@ internal sealed class CameraCheck
     /// <summary>The results, flight by flight.</summary>
     public List<CameraFlight> Flights { get; } = [];
 
-    /// <summary>The root mean square of the distances of all points, m.</summary>
-    public double Rms => Math.Sqrt(_squares / _points);
-
     /// <summary>Draws a kick, sees it, fits it.</summary>
     public void Run(SeededRandom random)
     {
         // The kick begins on the ground before the centre of the image and is seen until it leaves the image.
         var simulator = new Simulator(Scene.Measured);
         Vector3d velocity = random.Velocity(14, 28, 8, 35);
-        Vector3d spin = random.Uniform(0, 60) * random.Direction();
+        Vector3d spin = random.Uniform(0, MostSpin) * random.Direction();
         var ahead = new Vector3d(velocity.X, 0, velocity.Z);
         Vector3d from = (-random.Uniform(6, 12) / ahead.Length * ahead) + new Vector3d(random.Uniform(-3, 3), 0.11, random.Uniform(-3, 3));
         BallState ball = simulator.Launch(from, velocity, spin);
@@ -78,7 +74,7 @@ internal sealed class CameraCheck
             simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
         }
 
-        TrackFitResult found = _fit.Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround });
+        TrackFitResult found = _fit.Find(_cameras, [.. seen], new TrackFitRequest { FromGround = _fromGround, SpinDeviation = SpinDeviation });
         Judge(found, [.. truth.Take(last + 1)], from, velocity, spin, noise);
     }
 
@@ -98,20 +94,27 @@ internal sealed class CameraCheck
             simulator.Run(ref ball, Interval, Interval, StopAt.Time, log);
         }
 
-        _squares += squares;
-        _points += truth.Length;
-        Vector3d along = velocity / velocity.Length;
-        Vector3d off = found.Spin - spin;
-        double offAlong = Vector3d.Dot(in off, in along);
-        double[] errors = [.. new[] { found.Position - from, found.Velocity - velocity, off }.SelectMany(v => new[] { v.X, v.Y, v.Z })];
+        double[] errors = [.. new[] { found.Position - from, found.Velocity - velocity, found.Spin - spin }.SelectMany(v => new[] { v.X, v.Y, v.Z })];
         Flights.Add(new CameraFlight(
-            Math.Sqrt(squares / truth.Length), off.Length, (off - (offAlong * along)).Length, offAlong, found.SpinAlongVelocityError, (found.Position - from).Length,
-            found.DepthError ?? 0, found.Converged, found.Verdict, found.Unidentified,
-            Enumerable.Range(0, 9).Count(i => found.IsIdentified(i) && Math.Abs(errors[i]) > 4 * found.StandardError(i)), found.Iterations,
+            squares, truth.Length, (found.Spin - spin).Length, found.Verdict, found.Unidentified,
+            Enumerable.Range(0, errors.Length).Count(i => found.IsIdentified(i) && Math.Abs(errors[i]) > 4 * found.StandardError(i)),
             found.ChiSquared + (found.Spin.LengthSquared / (SpinDeviation * SpinDeviation)) - cost));
     }
 }
 
 /// <summary>A fit of a flight.</summary>
-internal sealed record CameraFlight(
-    double Rms, double Spin, double SpinAcross, double SpinAlong, double SpinAlongError, double Position, double DepthError, bool Converged, TrackVerdict Verdict, IReadOnlyList<string> Unidentified, int Wrong, int Steps, double Cost);
+/// <param name="Squares">The sum of the squared distances between fitted and true path, m².</param>
+/// <param name="Points">The number of distances.</param>
+/// <param name="Spin">The error of the spin, rad/s.</param>
+/// <param name="Verdict">The fit's verdict.</param>
+/// <param name="Unidentified">The quantities that it does not give as results.</param>
+/// <param name="Wrong">The number of given results that are off by more than four standard errors.</param>
+/// <param name="Excess">The cost above that of the true launch; negative for a minimum that is as good.</param>
+internal sealed record CameraFlight(double Squares, int Points, double Spin, TrackVerdict Verdict, IReadOnlyList<string> Unidentified, int Wrong, double Excess)
+{
+    /// <summary>Whether the fit gives a depth, and finds nothing wrong with itself.</summary>
+    public bool IsGood => Verdict is TrackVerdict.AsExpected or TrackVerdict.NoiseOverestimated && !Unidentified.Contains("position.depth");
+
+    /// <summary>The root mean square of the distances of some flights, m.</summary>
+    public static double Rms(IEnumerable<CameraFlight> flights) => Math.Sqrt(flights.Sum(flight => flight.Squares) / Math.Max(1, flights.Sum(flight => flight.Points)));
+}
