@@ -59,13 +59,22 @@ internal sealed class PixelSightings : Sightings
         return (across * across) + (down * down);
     }
 
-    public override double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene) => new PixelStart(_cameras, _points, request, scene).Find(this, in spin);
+    public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost) =>
+        new PixelStart(_cameras, _points, request, scene).Find(this, in spin, out cost);
 
-    public override (Sightings Seen, int Index, TrackCamera Turned)? Opposite(TrackFitRequest request, Scene scene)
+    public override Sightings? Opposite(TrackFitRequest request, Scene scene)
     {
-        bool[] behind = new PixelStart(_cameras, _points, request, scene).Behind();
-        TrackCamera[] turned = [.. _cameras.Select((item, i) => behind[i] ? item.Opposite() : item)];
-        int first = Array.IndexOf(behind, true);
-        return first < 0 ? null : (new PixelSightings(turned, _points), first, turned[first]);
+        bool[] behind = new PixelStart(_cameras, _points, request, scene).Behind(out _);
+        return behind.Contains(true) ? new PixelSightings([.. _cameras.Select((item, i) => behind[i] ? item.Opposite() : item)], _points) : null;
+    }
+
+    public override ArgumentOutOfRangeException Unseen(TrackFitRequest request, Scene scene)
+    {
+        int first = Array.IndexOf(new PixelStart(_cameras, _points, request, scene).Behind(out double depth), true);
+        return first < 0
+            ? Check.Conflict("track", "track has pixels that no position in front of the cameras gives. Check the matrices and the order of u and v.")
+            : Check.Refusal(
+                Check.Item("cameras", first) + ".matrix", FormattableString.Invariant($"one with the ball behind the camera, at a depth of {depth:0.#} m"),
+                "a matrix with the ball in front of the camera, at a depth above 0");
     }
 }

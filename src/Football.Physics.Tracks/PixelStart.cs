@@ -45,14 +45,14 @@ internal sealed class PixelStart
         _weights = new double[points.Length];
     }
 
-    /// <summary>Returns the launch with the lowest cost of those that are tried.</summary>
-    public double[] Find(Sightings seen, in Vector3d spin)
+    /// <summary>Returns the launch with the lowest cost of those that are tried; null if the ball would be behind a camera in all of them.</summary>
+    public double[]? Find(Sightings seen, in Vector3d spin, out double least)
     {
         // 1. Spans of points, freely and from the ground. 2. Assumed depths, for tracks too short to contain one. 3. The lowest cost wins.
         var paths = new TrackPaths(seen, _request, _model);
         double[] misses = new double[seen.Rows];
-        double[] best = [];
-        double least = double.PositiveInfinity;
+        double[]? best = null;
+        double lowest = double.PositiveInfinity;
         TrackCamera first = _cameras[_points[0].Camera];
         double contact = _model.Simulator(new double[TrackModel.Launch]).ContactHeight;
         void Try(double span, Vector3d axis, double value, double deviation, in Vector3d spin)
@@ -78,9 +78,9 @@ internal sealed class PixelStart
                 }
 
                 double cost = paths.Follow(values, misses);
-                if (cost < least)
+                if (cost < lowest)
                 {
-                    (least, best) = (cost, values);
+                    (lowest, best) = (cost, values);
                 }
 
                 Deflect(values);
@@ -99,12 +99,14 @@ internal sealed class PixelStart
             Try(s_spans[1], first.Forward, depth - from, Tried, in spin);
         }
 
-        return best.Length > 0 ? best : throw Check.Conflict("track", "track has pixels that no position in front of the cameras gives. Check the matrices and the order of u and v.");
+        least = lowest;
+        return best;
     }
 
-    /// <summary>Returns the cameras that the ball is behind if gravity alone bends its path.</summary>
-    public bool[] Behind()
+    /// <summary>Returns which cameras the ball is behind if gravity alone bends its path, and its depth there at first.</summary>
+    public bool[] Behind(out double depth)
     {
+        depth = 0;
         bool[] behind = new bool[_cameras.Length];
         int count = CountWithin(s_spans[1]);
         StartOver();
@@ -112,7 +114,9 @@ internal sealed class PixelStart
         {
             for (int i = 0; i < count; i++)
             {
-                behind[_points[i].Camera] |= DepthAt(i) < 0;
+                double here = DepthAt(i);
+                depth = here < 0 && depth == 0 ? here : depth;
+                behind[_points[i].Camera] |= here < 0;
             }
         }
 

@@ -22,11 +22,14 @@ internal abstract class Sightings
     /// <returns>Their sum of squares.</returns>
     public abstract double Miss(int index, in Vector3d position, double[] misses);
 
-    /// <summary>Returns initial values for the launch with a given spin.</summary>
-    public abstract double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene);
+    /// <summary>Returns initial values for the launch with a given spin, and their cost if it was computed; null if there are none.</summary>
+    public abstract double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost);
 
-    /// <summary>Returns the same pixels with the cameras turned round that the ball seems to be behind, and the first of these; null if there is none.</summary>
-    public virtual (Sightings Seen, int Index, TrackCamera Turned)? Opposite(TrackFitRequest request, Scene scene) => null;
+    /// <summary>Returns the same pixels with the cameras turned round that the ball seems to be behind; null if there is no such camera.</summary>
+    public virtual Sightings? Opposite(TrackFitRequest request, Scene scene) => null;
+
+    /// <summary>Returns the exception for observations that no ball in front of the cameras explains.</summary>
+    public virtual ArgumentOutOfRangeException Unseen(TrackFitRequest request, Scene scene) => throw new NotSupportedException();
 
     /// <summary>The duration, in s.</summary>
     public double Duration => Time(Count - 1) - Time(0);
@@ -82,8 +85,9 @@ internal sealed class PositionSightings : Sightings
     }
 
     /// <summary>Returns the initial values: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² over the first points.</summary>
-    public override double[] Start(TrackFitRequest request, in Vector3d spin, Scene scene)
+    public override double[]? Start(TrackFitRequest request, in Vector3d spin, Scene scene, out double cost)
     {
+        cost = 0;
         Vector3d first = _track[0].Position;
         Vector3d sum = Vector3d.Zero;
         double squares = 0;

@@ -12,11 +12,15 @@ public sealed class TrackFit
     /// <summary>The ratio of χ² to its expectation above which a fit is poor.</summary>
     private const double Poor = 1.2;
 
-    /// <summary>The spins from which a poor fit, or one with bounces, is repeated, in rad/s, and their number; another bounce may fit as
-    /// well. From one viewpoint, so may another curl, towards the camera and not away from it.</summary>
+    /// <summary>The size of the spins from which a poor fit, or one with bounces, is repeated, in rad/s, and the number of these if it bounces:
+    /// another bounce may fit as well.</summary>
     private const double OtherSpin = 35;
-    private const int OtherStarts = 5;
-    private const int OtherStartsOfOneView = 6;
+    private const int TriedIfBouncing = 3;
+
+    /// <summary>From one viewpoint, another curl may fit as well, towards the camera and not away from it: the number of repetitions, and half the
+    /// edge of a cube of spins, in rad/s.</summary>
+    private const int OneViewTried = 8;
+    private const double Corner = 20;
 
     /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
@@ -99,14 +103,10 @@ public sealed class TrackFit
             return;
         }
 
-        TrackSearch search = Search(opposite.Seen, request, out double[] values, out _, out _, out _);
-        var other = new TrackFitResult(search.Model, values, search.Covariance, opposite.Seen, search.ChiSquared(values), 0, true);
-        if (!other.IsPoor)
+        TrackSearch search = Search(opposite, request, out double[] values, out _, out _, out _);
+        if (!new TrackFitResult(search.Model, values, search.Covariance, opposite, search.ChiSquared(values), 0, true).IsPoor)
         {
-            throw Check.Refusal(
-                Check.Item("cameras", opposite.Index) + ".matrix",
-                FormattableString.Invariant($"one with the ball behind the camera, at a depth of {-opposite.Turned.Depth(other.Position):0.#} m"),
-                "a matrix with the ball in front of the camera, at a depth above 0");
+            throw seen.Unseen(request, _scene);
         }
     }
 
@@ -116,18 +116,23 @@ public sealed class TrackFit
     {
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
         steps = 0;
-        values = seen.Start(launch, launch.Spin, _scene);
+        values = seen.Start(launch, launch.Spin, _scene, out _) ?? throw seen.Unseen(launch, _scene);
         TrackSearch best = Descend(seen, launch, request, ref values, ref steps);
-        int freedom = seen.Rows - best.Model.Count;
-        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
-        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
         bool bounces = Bounces(values, seen.Duration);
         rival = null;
         rivals = null;
-        int starts = seen.IsOneView ? OtherStartsOfOneView : OtherStarts;
-        for (int i = 0; i < starts && (seen.IsOneView || best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
+        double expected = seen.Rows - best.Model.Count;
+        int tried = 0;
+        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts(seen, launch, values) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
+        foreach (double[] start in starts.OfType<double[]>())
         {
-            double[] other = seen.Start(launch, OtherSpinOf(i, values, request, across), _scene);
+            if (!seen.IsOneView && best.ChiSquared(values) <= Poor * expected && (!bounces || tried == TriedIfBouncing))
+            {
+                break;
+            }
+
+            tried++;
+            double[] other = start;
             TrackSearch found = Descend(seen, launch, request, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
@@ -144,20 +149,34 @@ public sealed class TrackFit
         return best;
     }
 
-    /// <summary>Returns another initial spin: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
-    /// way, then the spin found with reversed sidespin.</summary>
-    private static Vector3d OtherSpinOf(int i, double[] values, TrackFitRequest request, in Vector3d across)
+    /// <summary>Returns other initial spins: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
+    /// way.</summary>
+    private static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
-        return i switch
+        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
+        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
+        return
+        [
+            found - (2.0 * Vector3d.Dot(in found, in across) * across),
+            request.Spin + (OtherSpin * across),
+            request.Spin - (OtherSpin * across),
+            request.Spin + (OtherSpin * Vector3d.Up),
+            request.Spin - (OtherSpin * Vector3d.Up),
+        ];
+    }
+
+    /// <summary>Returns the best starts of one viewpoint: those of the other spins, of the spin found with reversed sidespin, and of the corners of a cube.</summary>
+    private IEnumerable<double[]?> OneViewStarts(Sightings seen, TrackFitRequest launch, double[] values)
+    {
+        var found = new Vector3d(values[6], values[7], values[8]);
+        List<Vector3d> spins = [.. OtherSpins(values, launch), found - (2 * found.Y * Vector3d.Up), -found];
+        for (int i = 0; i < 8; i++)
         {
-            0 => found - (2.0 * Vector3d.Dot(in found, in across) * across),
-            1 => request.Spin + (OtherSpin * across),
-            2 => request.Spin - (OtherSpin * across),
-            3 => request.Spin + (OtherSpin * Vector3d.Up),
-            4 => request.Spin - (OtherSpin * Vector3d.Up),
-            _ => found - (2 * found.Y * Vector3d.Up),
-        };
+            spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
+        }
+
+        return spins.Select(spin => (Values: seen.Start(launch, in spin, _scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(OneViewTried).Select(start => start.Values);
     }
 
     /// <summary>Adds the other launch, by its probability p: C += p d dᵀ, with d its distance.</summary>

@@ -111,7 +111,7 @@ public sealed class CameraFitTests
     [Fact]
     public void The_command_fits_the_pixels_of_a_sweep()
     {
-        const string Cameras = """"cameras": [{"position": [60, 25, 0], "target": [0, 2, 0], "focalLength": 3000}, {"position": [0, 25, 60], "target": [0, 2, 0], "focalLength": 3000}]"""";
+        const string Cameras = "\"cameras\": [{\"position\": [60, 25, 0], \"target\": [0, 2, 0], \"focalLength\": 3000}, {\"position\": [0, 25, 60], \"target\": [0, 2, 0], \"focalLength\": 3000}]";
         string times = string.Join(',', Enumerable.Range(0, 60).Select(i => (0.02 * i).ToString("R", CultureInfo.InvariantCulture)));
         JsonElement row = FootballCommand.Run(
             $$$"""{"launch": {"position": [0, 0.11, 0], "velocity": [2, 7, -18], "spin": [10, 30, 0]}, {{{Cameras}}}, "stop": {"at": "time", "time": 1.5}, "row": {"samples": [{{{times}}}]}}""",

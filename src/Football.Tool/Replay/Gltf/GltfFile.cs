@@ -58,6 +58,7 @@ internal sealed class GltfFile
     /// <summary>The text, with the numbers in it and not in a file beside it.</summary>
     private string InOneFile()
     {
+        _root.MergeBuffers();
         var files = new Dictionary<string, ArraySegment<byte>>();
         WriteContext.CreateFromDictionary(files).WithTextSettings().WriteTextSchema2(Base, _root);
         JsonNode text = JsonNode.Parse(files[Base + ".gltf"])!;
