@@ -11,6 +11,9 @@ namespace FootballPhysics.Tool.Cameras;
 /// <summary>CSV files of cameras and of pixels, which take the place of the members "cameras" and "track".</summary>
 internal static class CameraTables
 {
+    /// <summary>The largest number of lines, which bounds the memory.</summary>
+    private const int MostLines = 1_000_000;
+
     private static readonly string[] s_matrix = [.. from row in Enumerable.Range(1, 3) from column in Enumerable.Range(1, 4) select FormattableString.Invariant($"p{row}{column}")];
 
     /// <summary>--pixels FILE.csv: the track as pixels.</summary>
@@ -54,6 +57,11 @@ internal static class CameraTables
             var list = new JsonArray();
             foreach (SepReader.Row row in reader)
             {
+                if (list.Count == MostLines)
+                {
+                    throw new RefusedException($"{name}'s lines", "more", FormattableString.Invariant($"at most {MostLines}"));
+                }
+
                 list.Add(item(row, header));
             }
 
