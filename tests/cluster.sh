@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs samples/cluster on a real Slurm with two nodes on this machine, and with GNU parallel: 16 shards, one of them killed half-way and requeued,
-# must merge to the bytes that one process writes.
+# Runs samples/cluster on a real Slurm with two nodes on this machine, with Dask and with GNU parallel: 16 shards, one of them killed half-way and requeued,
+# must merge to the bytes that one process writes. So must 8 shards of Dask, one of whose two workers is killed.
 #   tests/cluster.sh            one line a check; exit code 1 at the first that fails
-# Needs slurm-wlm, munge and parallel (Debian's packages of these names). Slurm and munge have folders, a key and ports of their own, listen on the
+# Needs slurm-wlm, munge, parallel and python3-distributed (Debian's packages of these names). Slurm and munge have folders, a key and ports of their own, listen on the
 # loopback only, and are stopped at the end.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -79,6 +79,30 @@ same() {
 
 ROWS=$work/parallel samples/cluster/parallel.sh 16 > "$log" 2>&1 || fail "GNU parallel"
 same "GNU parallel, 16 shards" "$work/parallel"
+
+# --- Dask: two workers, one of which is killed with everything that it started
+
+dask_port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+(cd "$work" && exec /usr/bin/python3 /usr/bin/dask-scheduler --host 127.0.0.1 --port "$dask_port" --no-dashboard > "$work/dask-scheduler.log" 2>&1) &
+pids+=($!)
+for worker in 1 2; do
+  # A group of its own, so that a machine's end can be played.
+  (cd "$work" && exec setsid /usr/bin/python3 /usr/bin/dask-worker "tcp://127.0.0.1:$dask_port" --no-nanny --no-dashboard --nthreads 1 --name "$worker" > "$work/dask-$worker.log" 2>&1) &
+  workers[worker]=$!
+  pids+=($!)
+done
+ROWS=$work/dask /usr/bin/python3 samples/cluster/dask_sweep.py "tcp://127.0.0.1:$dask_port" 8 > "$work/dask.out" 2>&1 &
+dask=$!
+pids+=("$dask")
+certain() { grep -qs '"rows": [1-9]' "$work"/dask/shard-*/checkpoint.json; }
+until_true 60 "rows by Dask" certain
+kill -9 -- "-${workers[1]}"
+wait "$dask" || { cp "$work/dask.out" "$log"; fail "Dask"; }
+# The other worker has resumed a shard: less than all of its rows were left.
+resumed=$(awk -v all=$(( COUNT / 8 )) '{ for (i = 2; i < NF; i++) if ($(i + 1) == "of" && $(i + 2) == "them" && $i < all) { print; exit } } /all there before/ { print; exit }' "$work/dask.out")
+[[ -n $resumed ]] || { cp "$work/dask.out" "$log"; fail "no shard of Dask was resumed"; }
+ok "Dask: 8 shards on two workers, one of which was killed after its first certain rows"
+same "Dask, 8 shards" "$work/dask"
 
 # --- Slurm
 

@@ -42,6 +42,7 @@ internal static class Laboratories
         BankShotLab.Create(terminal),
         ScatterLab.Create(terminal),
         FitLab.Create(terminal),
+        CameraLab.Create(terminal),
         ObstaclesLab.Create(terminal),
         GoalsLab.Create(terminal),
         MatchesLab.Create(terminal),

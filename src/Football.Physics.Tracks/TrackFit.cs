@@ -12,16 +12,18 @@ namespace FootballPhysics.Tracks;
 /// </remarks>
 public sealed class TrackFit
 {
-    /// <summary>The time span of the points that determine the initial velocity, in s.</summary>
-    private const double Beginning = 0.25;
-
     /// <summary>The ratio of χ² to its expectation above which a fit is poor.</summary>
     private const double Poor = 1.2;
 
-    /// <summary>The spins from which a poor fit, or one with bounces, is repeated, in rad/s, and their number; another bounce may fit as
-    /// well.</summary>
+    /// <summary>The size of the spins from which a poor fit, or one with bounces, is repeated, in rad/s, and the number of these if it bounces:
+    /// another bounce may fit as well.</summary>
     private const double OtherSpin = 35;
-    private const int OtherStarts = 5;
+    private const int TriedIfBouncing = 3;
+
+    /// <summary>From one viewpoint, another curl may fit as well, towards the camera and not away from it: the number of repetitions, and half the
+    /// edge of a cube of spins, in rad/s.</summary>
+    private const int OneViewTried = 8;
+    private const double Corner = 20;
 
     /// <summary>The excess of the cost up to which a minimum is an alternative result: three standard deviations of one parameter.</summary>
     private const double AsGood = 9;
@@ -47,44 +49,94 @@ public sealed class TrackFit
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range; the message names the field, the value and the range.</exception>
     public TrackFitResult Find(TrackPoint[] track, TrackFitRequest? request = null)
     {
-        // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
-        // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
+        Check.Given(nameof(track), track);
         request ??= new TrackFitRequest();
-        Validate(track, request);
-        TrackSearch best = Search(track, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
-        bool converged = best.Measure(values);
-        return new TrackFitResult(
-            best.Model, values, best.Covariance, track[0].Time, best.ChiSquared(values), FreedomOf(track, best), steps + best.Steps, converged)
-        {
-            OtherSpin = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance)
-                ? new Vector3d(rivals[6], rivals[7], rivals[8])
-                : null,
-            ByBall = WithOtherBalls(track, request, best.Cost),
-        };
+        request.Validate();
+        return Find(new PositionSightings(track), request);
     }
 
-    private static int FreedomOf(TrackPoint[] track, TrackSearch search) => (3 * track.Length) - search.Model.Count;
+    /// <summary>Estimates the launch of a ball from pixels of one or more cameras.</summary>
+    /// <remarks>
+    /// The residuals are distances in the image. One camera suffices: gravity, a bounce and a launch on the ground reveal the depth.
+    /// <see cref="TrackFitResult.Unidentified"/> lists what the pixels do not reveal.
+    /// </remarks>
+    /// <param name="cameras">The cameras, at least one.</param>
+    /// <param name="track">The observed pixels, in order of time; at least five points. The launch is at the first point.</param>
+    /// <param name="request">Additional parameters to estimate, and prior knowledge; default none.</param>
+    /// <exception cref="ArgumentNullException">An argument, a camera, or a ball of the request is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A number is out of range, or the ball is behind a camera; the message names the field, the value and the range.
+    /// </exception>
+    public TrackFitResult Find(TrackCamera[] cameras, PixelPoint[] track, TrackFitRequest? request = null)
+    {
+        Check.Given(nameof(cameras), cameras);
+        Check.Given(nameof(track), track);
+        request ??= new TrackFitRequest();
+        request.Validate();
+        return Find(new PixelSightings(cameras, track), request);
+    }
+
+    private TrackFitResult Find(Sightings seen, TrackFitRequest request)
+    {
+        // 1. Start from the first points; minimise over the launch, then over the factors too; repeat from other spins if the fit is poor or the ball
+        // bounces. 2. Measure the uncertainty. 3. Fit the other balls of the request.
+        TrackSearch best = Search(seen, request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps);
+        bool converged = best.Measure(values);
+        bool isAmbiguous = rival is not null && rivals is not null && rival.Cost - best.Cost < AsGood && AreApart(values, rivals, best.Covariance);
+        if (isAmbiguous)
+        {
+            AddRival(best.Covariance, values, rivals!, rival!.Cost - best.Cost);
+        }
+
+        var result = new TrackFitResult(
+            best.Model, values, best.Covariance, seen, best.ChiSquared(values), steps + best.Steps, converged)
+        {
+            OtherSpin = isAmbiguous ? new Vector3d(rivals![6], rivals[7], rivals[8]) : null,
+            ByBall = WithOtherBalls(seen, request, best.Cost),
+        };
+        RefuseBehind(seen, request, result);
+        return result;
+    }
+
+    /// <summary>Throws if a poor fit becomes a good one if cameras look the other way.</summary>
+    private void RefuseBehind(Sightings seen, TrackFitRequest request, TrackFitResult result)
+    {
+        if (!result.IsPoor || seen.Opposite(request, _scene) is not { } opposite)
+        {
+            return;
+        }
+
+        TrackSearch search = Search(opposite, request, out double[] values, out _, out _, out _);
+        if (!new TrackFitResult(search.Model, values, search.Covariance, opposite, search.ChiSquared(values), 0, true).IsPoor)
+        {
+            throw seen.Unseen(request, _scene);
+        }
+    }
 
     /// <summary>Searches from the start that the first points give, and from other spins if the fit is poor or the ball bounces.</summary>
     /// <returns>The best fit with its parameters and, if others were tried, the second best with its own.</returns>
-    private TrackSearch Search(TrackPoint[] track, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
+    private TrackSearch Search(Sightings seen, TrackFitRequest request, out double[] values, out TrackSearch? rival, out double[]? rivals, out int steps)
     {
         TrackFitRequest launch = request with { Drag = false, Lift = false, Restitution = false, Friction = false };
         steps = 0;
-        values = Start(track, launch);
-        TrackSearch best = Descend(track, launch, request, ref values, ref steps);
-        int freedom = FreedomOf(track, best);
-        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
-        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
-        bool bounces = Bounces(values, track[track.Length - 1].Time - track[0].Time);
+        values = seen.Start(launch, launch.Spin, _scene, out _) ?? throw seen.Unseen(launch, _scene);
+        TrackSearch best = Descend(seen, launch, request, ref values, ref steps);
+        bool bounces = Bounces(values, seen.Duration);
         rival = null;
         rivals = null;
-        for (int i = 0; i < OtherStarts && (best.ChiSquared(values) > Poor * freedom || (bounces && i < 3)); i++)
+        double expected = seen.Rows - best.Model.Count;
+        int tried = 0;
+        IEnumerable<double[]?> starts = seen.IsOneView ? OneViewStarts(seen, launch, values) : OtherSpins(values, launch).Select(spin => seen.Start(launch, in spin, _scene, out _));
+        foreach (double[] start in starts.OfType<double[]>())
         {
-            double[] other = Start(track, launch);
-            Vector3d spin = OtherSpinOf(i, values, request, across);
-            (other[6], other[7], other[8]) = (spin.X, spin.Y, spin.Z);
-            TrackSearch found = Descend(track, launch, request, ref other, ref steps);
+            if (!seen.IsOneView && best.ChiSquared(values) <= Poor * expected && (!bounces || tried == TriedIfBouncing))
+            {
+                break;
+            }
+
+            tried++;
+            double[] other = start;
+            TrackSearch found = Descend(seen, launch, request, ref other, ref steps);
             if (found.Cost < best.Cost)
             {
                 (best, found) = (found, best);
@@ -100,19 +152,47 @@ public sealed class TrackFit
         return best;
     }
 
-    /// <summary>Returns another initial spin: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
+    /// <summary>Returns other initial spins: the spin found with reversed topspin, then strong topspin and backspin, then strong sidespin each
     /// way.</summary>
-    private static Vector3d OtherSpinOf(int i, double[] values, TrackFitRequest request, in Vector3d across)
+    private static Vector3d[] OtherSpins(double[] values, TrackFitRequest request)
     {
         var found = new Vector3d(values[6], values[7], values[8]);
-        return i switch
+        Vector3d across = Vector3d.Cross(Vector3d.Up, new Vector3d(values[3], 0, values[5]));
+        across = across.Length > 0 ? across / across.Length : Vector3d.Zero;
+        return
+        [
+            found - (2.0 * Vector3d.Dot(in found, in across) * across),
+            request.Spin + (OtherSpin * across),
+            request.Spin - (OtherSpin * across),
+            request.Spin + (OtherSpin * Vector3d.Up),
+            request.Spin - (OtherSpin * Vector3d.Up),
+        ];
+    }
+
+    /// <summary>Returns the best starts of one viewpoint: those of the other spins, of the spin found with reversed sidespin, and of the corners of a cube.</summary>
+    private IEnumerable<double[]?> OneViewStarts(Sightings seen, TrackFitRequest launch, double[] values)
+    {
+        var found = new Vector3d(values[6], values[7], values[8]);
+        List<Vector3d> spins = [.. OtherSpins(values, launch), found - (2 * found.Y * Vector3d.Up), -found];
+        for (int i = 0; i < 8; i++)
         {
-            0 => found - (2.0 * Vector3d.Dot(in found, in across) * across),
-            1 => request.Spin + (OtherSpin * across),
-            2 => request.Spin - (OtherSpin * across),
-            3 => request.Spin + (OtherSpin * Vector3d.Up),
-            _ => request.Spin - (OtherSpin * Vector3d.Up),
-        };
+            spins.Add(launch.Spin + (Corner * new Vector3d((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1)));
+        }
+
+        return spins.Select(spin => (Values: seen.Start(launch, in spin, _scene, out double cost), Cost: cost)).OrderBy(start => start.Cost).Take(OneViewTried).Select(start => start.Values);
+    }
+
+    /// <summary>Adds the other launch, by its probability p: C += p d dᵀ, with d its distance.</summary>
+    private static void AddRival(double[] covariance, double[] values, double[] others, double excess)
+    {
+        double probability = 1 / (1 + Elementary.Exp(0.5 * Math.Max(0, excess)));
+        for (int i = 0; i < values.Length; i++)
+        {
+            for (int j = 0; j < values.Length; j++)
+            {
+                covariance[(i * values.Length) + j] += probability * (others[i] - values[i]) * (others[j] - values[j]);
+            }
+        }
     }
 
     /// <summary>True if the spins of two results differ by more than their uncertainty.</summary>
@@ -144,12 +224,12 @@ public sealed class TrackFit
 
     /// <summary>Fits the other balls, each from the start: the best parameters of a wrong ball may lie near another minimum of the right
     /// one.</summary>
-    private List<TrackFitByBall> WithOtherBalls(TrackPoint[] track, TrackFitRequest request, double cost)
+    private List<TrackFitByBall> WithOtherBalls(Sightings seen, TrackFitRequest request, double cost)
     {
         var all = new List<TrackFitByBall>();
         foreach (BallProperties ball in request.OtherBalls)
         {
-            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(track, request, out double[] found, out _, out _, out _);
+            TrackSearch other = new TrackFit(_scene with { Ball = ball }).Search(seen, request, out double[] found, out _, out _, out _);
             all.Add(new TrackFitByBall(ball, found, other.ChiSquared(found), other.Cost - cost));
         }
 
@@ -157,14 +237,14 @@ public sealed class TrackFit
     }
 
     /// <summary>Minimises over the launch only, and then over the factors too.</summary>
-    private TrackSearch Descend(TrackPoint[] track, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
+    private TrackSearch Descend(Sightings seen, TrackFitRequest launch, TrackFitRequest request, ref double[] values, ref int steps)
     {
-        var search = new TrackSearch(track, launch, new TrackModel(_scene, launch));
+        var search = new TrackSearch(seen, launch, new TrackModel(_scene, launch));
         search.Descend(values);
         if (request != launch)
         {
             steps += search.Steps;
-            search = new TrackSearch(track, request, new TrackModel(_scene, request));
+            search = new TrackSearch(seen, request, new TrackModel(_scene, request));
             double[] all = new double[search.Model.Count];
             all.AsSpan().Fill(1);
             Array.Copy(values, all, values.Length);
@@ -173,36 +253,5 @@ public sealed class TrackFit
         }
 
         return search;
-    }
-
-    private static void Validate(TrackPoint[] track, TrackFitRequest request)
-    {
-        Check.Given(nameof(track), track);
-        request.Validate();
-        TrackPoint.Validate(track, 4, Check.Positive);
-        Check.Within("track's last time", track[track.Length - 1].Time - track[0].Time, 0, 600, exclusiveLow: true);
-    }
-
-    /// <summary>Returns the initial values: v = Σ t (p − p₀ + ½ g t² ŷ)/Σ t² over the first points.</summary>
-    private double[] Start(TrackPoint[] track, TrackFitRequest request)
-    {
-        double[] values = new double[TrackModel.Launch];
-        Vector3d first = track[0].Position;
-        Vector3d sum = Vector3d.Zero;
-        double squares = 0;
-        double upward = Weight.UpwardAcceleration(_scene);
-        for (int i = 1; i < track.Length && (i < 4 || track[i].Time - track[0].Time <= Beginning); i++)
-        {
-            double t = track[i].Time - track[0].Time;
-            sum += t * (track[i].Position - first - new Vector3d(0, 0.5 * upward * t * t, 0));
-            squares += t * t;
-        }
-
-        Vector3d velocity = request.Velocity ?? (squares > 0 ? sum / squares : Vector3d.Zero);
-        Vector3d spin = request.Spin;
-        (values[0], values[1], values[2]) = (first.X, first.Y, first.Z);
-        (values[3], values[4], values[5]) = (velocity.X, velocity.Y, velocity.Z);
-        (values[6], values[7], values[8]) = (spin.X, spin.Y, spin.Z);
-        return values;
     }
 }

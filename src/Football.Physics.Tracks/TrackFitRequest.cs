@@ -30,6 +30,10 @@ public sealed record TrackFitRequest
     /// <summary>The prior standard deviation of the factors of drag, lift, restitution and friction, whose prior mean is 1. Above 0; default 0.3.</summary>
     public double FactorDeviation { get; init; } = 0.3;
 
+    /// <summary>True if the launch is on the ground. Default false.</summary>
+    /// <remarks>The height of the launch is then that of contact, to 1 cm. From the pixels of one camera, this gives the depth of a flight without a bounce.</remarks>
+    public bool FromGround { get; init; }
+
     /// <summary>Other balls that could be the tracked ball. Default none.</summary>
     /// <remarks>
     /// The fit is repeated with each of them, for <see cref="TrackFitResult.DeviationOverBalls"/>. The standard errors of a single fit contain only

@@ -9,6 +9,10 @@ public sealed class TrackFitResult
     /// <summary>1/√2: the track contributes as much information as the prior.</summary>
     private const double Identified = 0.7071067811865476;
 
+    /// <summary>The standard errors of position and velocity from which on they are not identified, in m and m/s.</summary>
+    private const double MostPlaceError = 0.5;
+    private const double MostVelocityError = 2;
+
     /// <summary>The probability of a χ² below which the fit is suspicious.</summary>
     private const double Rare = 1e-3;
 
@@ -21,15 +25,17 @@ public sealed class TrackFitResult
     private readonly double[] _covariance;
 
     private readonly TrackModel _model;
+    private readonly TrackCamera? _camera;
 
-    internal TrackFitResult(TrackModel model, double[] values, double[] covariance, double time, double chiSquared, int freedom, int iterations, bool converged)
+    internal TrackFitResult(TrackModel model, double[] values, double[] covariance, Sightings seen, double chiSquared, int iterations, bool converged)
     {
         _model = model;
         _values = values;
         _covariance = covariance;
-        Time = time;
+        _camera = seen.FirstCamera;
+        Time = seen.Time(0);
         ChiSquared = chiSquared;
-        DegreesOfFreedom = freedom;
+        DegreesOfFreedom = seen.Rows - model.Count;
         Iterations = iterations;
         Converged = converged;
     }
@@ -77,6 +83,8 @@ public sealed class TrackFitResult
     /// wrong.</remarks>
     public double Probability => ProbabilityOf(ChiSquared);
 
+    internal bool IsPoor => Probability < Rare;
+
     /// <summary>The verdict on the fit, from χ², the search, other minima and other balls.</summary>
     public TrackVerdict Verdict =>
         !Converged ? TrackVerdict.NotConverged
@@ -96,7 +104,7 @@ public sealed class TrackFitResult
             {
                 TrackVerdict.NotConverged => $"{chi}; the search did not end: neither numbers nor deviations are to be relied on.",
                 TrackVerdict.Poor => $"{chi}, which noise alone gives less than once in a thousand: the scene (ball, air, wind, ground) or the noise is not what was said. Deviations are those of noise alone; the truth may be many of them away.",
-                TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce. More points, or a known spin, tell them apart."),
+                TrackVerdict.Ambiguous => FormattableString.Invariant($"{chi}, but a spin of {OtherSpin:F1} rad/s fits about as well: another bounce or, from one viewpoint, another curl. More points, another camera or a known spin tell them apart."),
                 TrackVerdict.OtherBall => $"{chi}, but another ball fits better: deviations are too small; DeviationOverBalls has what the balls differ by.",
                 TrackVerdict.NoiseOverestimated => $"{chi}, less than the noise that was said would leave: deviations are too large.",
                 TrackVerdict.AsExpected => $"{chi}, as it should be. Deviations are those of noise alone: they hold for the scene that was given.",
@@ -149,14 +157,52 @@ public sealed class TrackFitResult
         return Math.Sqrt(Math.Max(0, _covariance[(index * _values.Length) + index]));
     }
 
-    /// <summary>Returns true if the track contains more information about a parameter than the prior.</summary>
+    /// <summary>Returns true if the fit converged and the track contains more information about a parameter than the prior.</summary>
     /// <remarks>
-    /// The standard error is then less than 0.7 of the prior deviation. A restitution without a bounce, or a spin along the velocity, is not
+    /// The standard error is then less than 0.7 of the prior deviation. Position and velocity have no prior: their standard errors are then below 0.5 m and 2 m/s. A restitution without a bounce, or a spin along the velocity, is not
     /// identified: its value is the prior, not a result.
     /// </remarks>
     /// <param name="index">The index of the parameter, from 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such parameter.</exception>
-    public bool IsIdentified(int index) => StandardError(index) < Identified * _model.KnownDeviation(index);
+    public bool IsIdentified(int index) => Converged && StandardError(index) < (index < 3 ? MostPlaceError : index < TrackModel.FirstSpin ? MostVelocityError : Identified * _model.KnownDeviation(index));
+
+    /// <summary>The names of the quantities that the observations do not reveal: their values are no results.</summary>
+    /// <remarks>
+    /// They are the parameters for which <see cref="IsIdentified"/> is false, then <c>spin.alongVelocity</c>, the component of the spin along the launch velocity,
+    /// and, for pixels, <c>position.depth</c>, the distance of the launch from the first camera along its axis.
+    /// </remarks>
+    public IReadOnlyList<string> Unidentified
+    {
+        get
+        {
+            List<string> names = [];
+            for (int i = 0; i < _values.Length; i++)
+            {
+                if (!IsIdentified(i))
+                {
+                    names.Add(Names[i]);
+                }
+            }
+
+            if (!Converged || !(SpinAlongVelocityError < Identified * _model.KnownDeviation(TrackModel.FirstSpin)))
+            {
+                names.Add("spin.alongVelocity");
+            }
+
+            if (DepthError is { } depth && !(Converged && depth < MostPlaceError))
+            {
+                names.Add("position.depth");
+            }
+
+            return names;
+        }
+    }
+
+    /// <summary>The standard error of the spin's component along the launch velocity, in rad/s.</summary>
+    public double SpinAlongVelocityError => ErrorAlong(TrackModel.FirstSpin, Velocity.Length > 0 ? Velocity / Velocity.Length : Vector3d.Up);
+
+    /// <summary>The standard error of the launch's distance from the first camera along its axis, in m; null for a track of positions.</summary>
+    public double? DepthError => _camera is null ? null : ErrorAlong(0, _camera.Forward);
 
     /// <summary>Returns the covariance of two parameters.</summary>
     /// <param name="row">The index of the first parameter, from 0.</param>
@@ -167,6 +213,23 @@ public sealed class TrackFitResult
         Check.Index(nameof(row), row, _values.Length);
         Check.Index(nameof(column), column, _values.Length);
         return _covariance[(row * _values.Length) + column];
+    }
+
+    /// <summary>Returns the standard error of a vector's component along a unit vector.</summary>
+    private double ErrorAlong(int first, in Vector3d axis)
+    {
+        ReadOnlySpan<double> n = [axis.X, axis.Y, axis.Z];
+        double sum = 0;
+        for (int i = 0; i < n.Length; i++)
+        {
+            for (int j = 0; j < n.Length; j++)
+            {
+                // Skip 0 · ∞ of a fit without covariances.
+                sum += n[i] == 0 || n[j] == 0 ? 0 : n[i] * n[j] * _covariance[((first + i) * _values.Length) + first + j];
+            }
+        }
+
+        return double.IsNaN(sum) ? double.PositiveInfinity : Math.Sqrt(Math.Max(0, sum));
     }
 
     private double ProbabilityOf(double chiSquared)

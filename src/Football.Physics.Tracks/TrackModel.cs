@@ -10,14 +10,19 @@ internal sealed class TrackModel
     private const double MostSpeed = 300;
     private const double MostSpin = 1000;
 
-    /// <summary>The index of the first parameter with a prior: the spin, then the factors.</summary>
-    public const int FirstKnown = 6;
+    /// <summary>The index of the first component of the spin. It, and all after it, have a prior.</summary>
+    public const int FirstSpin = 6;
+
+    /// <summary>The index of the height, which has a prior if the launch is on the ground, and its deviation, in m.</summary>
+    private const int Height = 1;
+    private const double GroundDeviation = 0.01;
 
     private static readonly string[] LaunchNames =
         ["position.x", "position.y", "position.z", "velocity.x", "velocity.y", "velocity.z", "spin.x", "spin.y", "spin.z"];
 
     private readonly Scene _scene;
     private readonly TrackFitRequest _request;
+    private readonly double _contactHeight;
 
     /// <summary>The last simulator and its factors, cached because most paths differ in the launch only.</summary>
     private Simulator? _simulator;
@@ -33,6 +38,7 @@ internal sealed class TrackModel
         Add(names, "restitution", request.Restitution);
         Add(names, "friction", request.Friction);
         Names = [.. names];
+        _contactHeight = new Simulator(scene).ContactHeight;
     }
 
     /// <summary>The names of the parameters.</summary>
@@ -43,14 +49,15 @@ internal sealed class TrackModel
 
     /// <summary>Returns the prior standard deviation of a parameter; infinite without a prior.</summary>
     public double KnownDeviation(int number) =>
-        number < FirstKnown ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
+        number == Height && _request.FromGround ? GroundDeviation
+        : number < FirstSpin ? double.PositiveInfinity : number < Launch ? _request.SpinDeviation : _request.FactorDeviation;
 
     /// <summary>Adds the prior: N += 1/σ², g += (likely − value)/σ².</summary>
     /// <returns>Σ (likely − value)²/σ².</returns>
     public double AddKnown(double[] values, double[]? normal, double[] gradient)
     {
         double cost = 0;
-        for (int i = FirstKnown; i < Count; i++)
+        for (int i = 0; i < Count; i++)
         {
             double weight = 1.0 / (KnownDeviation(i) * KnownDeviation(i));
             double off = Likely(i) - values[i];
@@ -69,7 +76,7 @@ internal sealed class TrackModel
     public double KnownCost(double[] values)
     {
         double cost = 0;
-        for (int i = FirstKnown; i < Count; i++)
+        for (int i = 0; i < Count; i++)
         {
             double off = (Likely(i) - values[i]) / KnownDeviation(i);
             cost += off * off;
@@ -130,7 +137,8 @@ internal sealed class TrackModel
     }
 
     private double Likely(int number) =>
-        number == FirstKnown ? _request.Spin.X : number == FirstKnown + 1 ? _request.Spin.Y : number == FirstKnown + 2 ? _request.Spin.Z : 1;
+        number == Height ? _contactHeight : number < FirstSpin ? 0
+        : number == FirstSpin ? _request.Spin.X : number == FirstSpin + 1 ? _request.Spin.Y : number == FirstSpin + 2 ? _request.Spin.Z : 1;
 
     private static void Add(List<string> names, string name, bool wanted)
     {
@@ -141,23 +149,23 @@ internal sealed class TrackModel
     }
 }
 
-/// <summary>Simulates the ball to the times of a track, and computes the residuals.</summary>
+/// <summary>Simulates the ball to the times of its observations, and computes the residuals.</summary>
 internal sealed class TrackPaths
 {
-    private readonly TrackPoint[] _track;
+    private readonly Sightings _seen;
     private readonly TrackFitRequest _request;
     private readonly TrackModel _model;
     private readonly StepLog _log = new();
 
-    public TrackPaths(TrackPoint[] track, TrackFitRequest request, TrackModel model)
+    public TrackPaths(Sightings seen, TrackFitRequest request, TrackModel model)
     {
-        _track = track;
+        _seen = seen;
         _request = request;
         _model = model;
     }
 
-    /// <summary>The number of observed coordinates.</summary>
-    public int Rows => 3 * _track.Length;
+    /// <summary>The number of residuals.</summary>
+    public int Rows => _seen.Rows;
 
     /// <summary>Simulates a ball.</summary>
     /// <returns>The cost: the squared residuals plus the prior.</returns>
@@ -167,18 +175,16 @@ internal sealed class TrackPaths
         BallState ball = TrackModel.Ball(simulator, values);
         (values[0], values[1], values[2]) = (ball.Position.X, ball.Position.Y, ball.Position.Z);
         double cost = _model.KnownCost(values);
-        for (int i = 0; i < _track.Length; i++)
+        for (int i = 0; i < _seen.Count; i++)
         {
-            double wait = i > 0 ? _track[i].Time - _track[i - 1].Time : 0;
+            double wait = i > 0 ? _seen.Time(i) - _seen.Time(i - 1) : 0;
             if (wait > 0)
             {
                 _log.Clear();
                 simulator.RunChecked(ref ball, _request.TimeStep, wait, StopAt.Time, _log, null);
             }
 
-            Vector3d miss = (_track[i].Position - ball.Position) / _track[i].Noise;
-            (misses[3 * i], misses[(3 * i) + 1], misses[(3 * i) + 2]) = (miss.X, miss.Y, miss.Z);
-            cost += miss.LengthSquared;
+            cost += _seen.Miss(i, ball.Position, misses);
         }
 
         return cost;

@@ -4,7 +4,7 @@ namespace FootballPhysics.Tracks;
 /// <remarks>It moves along an axis, with the earlier parameters following, until the cost has risen by one.</remarks>
 internal sealed class TrackSearch
 {
-    private const int MostSteps = 25;
+    private const int MostSteps = 60;
     private const double FirstDamping = 0.1;
     private const double LeastDamping = 1e-2;
 
@@ -31,7 +31,7 @@ internal sealed class TrackSearch
     /// <summary>The first parameter whose axis is measured, and the first whose pairs are: positions are nearly linear, velocities nearly
     /// so.</summary>
     private const int FirstMeasured = 3;
-    private const int FirstPaired = TrackModel.FirstKnown;
+    private const int FirstPaired = TrackModel.FirstSpin;
 
     private readonly TrackPaths _paths;
     private readonly TrackSecants _secants;
@@ -43,10 +43,10 @@ internal sealed class TrackSearch
     private bool _isFound;
     private bool _hasAxes;
 
-    public TrackSearch(TrackPoint[] track, TrackFitRequest request, TrackModel model)
+    public TrackSearch(Sightings seen, TrackFitRequest request, TrackModel model)
     {
         Model = model;
-        _paths = new TrackPaths(track, request, model);
+        _paths = new TrackPaths(seen, request, model);
         _secants = new TrackSecants(_paths, model);
         _count = model.Count;
         _step = new double[_count];
@@ -68,7 +68,7 @@ internal sealed class TrackSearch
     /// <summary>The covariance matrix of the parameters.</summary>
     public double[] Covariance { get; }
 
-    /// <summary>Returns the χ² of the track, without the prior.</summary>
+    /// <summary>Returns the χ² of the observations, without the prior.</summary>
     public double ChiSquared(double[] values) => Cost - Model.KnownCost(values);
 
     /// <summary>Measures the uncertainty of the parameters; restarts the search if it finds a lower cost.</summary>
@@ -203,6 +203,7 @@ internal sealed class TrackSearch
     private bool GoOut(double[] values, int axis, double best, double[] end, ref double share)
     {
         double next = share;
+        double rise = 0;
         for (int i = 0; i < MostTries; i++)
         {
             share = next;
@@ -211,7 +212,7 @@ internal sealed class TrackSearch
                 end[k] = values[k] + (share * _secants.Axes[axis][k]);
             }
 
-            double rise = Settle(end, axis) - best;
+            rise = Settle(end, axis) - best;
             if (rise < -Lower)
             {
                 Array.Copy(end, values, _count);
@@ -220,10 +221,22 @@ internal sealed class TrackSearch
 
             if (rise > LeastRise && rise < LargestRise)
             {
-                break;
+                return true;
             }
 
             next = share * Math.Min(LargestChange, Math.Max(1.0 / LargestChange, 1.0 / Math.Sqrt(Math.Max(1e-3, rise))));
+        }
+
+        if (rise < LargestRise)
+        {
+            return true;
+        }
+
+        // The cost rises steeply right beside the minimum: keep the axis, whose deviation holds for a smooth cost.
+        share = Math.Sign(share);
+        for (int k = 0; k < _count; k++)
+        {
+            end[k] = values[k] + (share * _secants.Axes[axis][k]);
         }
 
         return true;

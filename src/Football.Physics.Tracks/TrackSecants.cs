@@ -17,6 +17,12 @@ internal sealed class TrackSecants
     private const double FirstSpin = 2;
     private const double FirstFactor = 0.02;
 
+    /// <summary>The largest half widths, in m, m/s, rad/s and as a factor: beyond them, a path differs too much for a derivative.</summary>
+    private const double MostPlace = 0.5;
+    private const double MostVelocity = 2;
+    private const double MostSpin = 30;
+    private const double MostFactor = 0.15;
+
     /// <summary>The index of the height, the parameter that the ground limits.</summary>
     private const int Height = 1;
 
@@ -52,7 +58,7 @@ internal sealed class TrackSecants
         for (int i = 0; i < _count; i++)
         {
             Axes[i] = new double[_count];
-            Axes[i][i] = i < 3 ? FirstPlace : i < TrackModel.FirstKnown ? FirstVelocity : i < TrackModel.Launch ? FirstSpin : FirstFactor;
+            Axes[i][i] = Kind(i, FirstPlace, FirstVelocity, FirstSpin, FirstFactor);
         }
     }
 
@@ -70,7 +76,7 @@ internal sealed class TrackSecants
         _floor = _model.Simulator(values).ContactHeight;
         for (int j = 0; j < _count; j++)
         {
-            lift = Math.Max(lift, HalfWidth * Math.Abs(Axes[j][Height]));
+            lift = Math.Max(lift, Share(Axes[j]) * Math.Abs(Axes[j][Height]));
         }
 
         // Both ends of every secant are above the ground.
@@ -78,14 +84,15 @@ internal sealed class TrackSecants
         for (int j = 0; j < _count; j++)
         {
             double[] axis = Axes[j];
-            Follow(values, axis, HalfWidth, lift, _high);
-            Follow(values, axis, -HalfWidth, lift, _low);
+            double share = Share(axis);
+            Follow(values, axis, share, lift, _high);
+            Follow(values, axis, -share, lift, _low);
 
             // The secant is J lⱼ, and lⱼ only contains parameters up to j: compute column j of J from the earlier columns.
             for (int row = 0; row < _high.Length; row++)
             {
                 int at = row * _count;
-                double sum = 0.5 / HalfWidth * (_low[row] - _high[row]);
+                double sum = 0.5 / share * (_low[row] - _high[row]);
                 for (int k = 0; k < j; k++)
                 {
                     sum -= _jacobian[at + k] * axis[k];
@@ -142,6 +149,22 @@ internal sealed class TrackSecants
 
         return solved && !double.IsNaN(gain);
     }
+
+    /// <summary>Returns the half width of a secant along an axis, as a share of the axis.</summary>
+    private double Share(double[] axis)
+    {
+        double share = HalfWidth;
+        for (int i = 0; i < _count; i++)
+        {
+            double most = Kind(i, MostPlace, MostVelocity, MostSpin, MostFactor);
+            share = share * Math.Abs(axis[i]) > most ? most / Math.Abs(axis[i]) : share;
+        }
+
+        return share;
+    }
+
+    private static double Kind(int parameter, double place, double velocity, double spin, double factor) =>
+        parameter < 3 ? place : parameter < TrackModel.FirstSpin ? velocity : parameter < TrackModel.Launch ? spin : factor;
 
     private void Follow(double[] values, double[] axis, double share, double lift, double[] misses)
     {

@@ -26,6 +26,7 @@ public static class FitInput
             Spin = fit.Vector("spin", defaults.Spin),
             SpinDeviation = fit.Number("spinDeviation", defaults.SpinDeviation),
             FactorDeviation = fit.Number("factorDeviation", defaults.FactorDeviation),
+            FromGround = fit.Flag("fromGround", false),
             TimeStep = fit.Number("timeStep", defaults.TimeStep),
         };
     }

@@ -28,16 +28,17 @@ public sealed partial class CommandLinePageTests
         {
             "aim" => first.GetProperty("status").GetString(),
             "intercept" => first.GetProperty("first").GetString(),
+            "fit" => first.GetProperty("verdict").GetString(),
             "sweep" => first.GetProperty("end").GetString(),
             // Several balls have an end each.
             _ => (first.TryGetProperty("balls", out JsonElement balls) ? balls[0] : first).GetProperty("final").GetProperty("state").GetString(),
         };
-        Assert.Equal(command switch { "aim" => "hit", "intercept" => "nine", "sweep" => "impact", _ when first.TryGetProperty("balls", out _) || input.Contains("\"at\": \"rest\"", StringComparison.Ordinal) => "stopped", _ => "airborne" }, said);
+        Assert.Equal(command switch { "aim" => "hit", "intercept" => "nine", "fit" => "asExpected", "sweep" => "impact", _ when first.TryGetProperty("balls", out _) || input.Contains("\"at\": \"rest\"", StringComparison.Ordinal) => "stopped", _ => "airborne" }, said);
     }
 
     [Fact]
-    public void There_are_inputs_for_every_command() => Assert.Equal(14, Inputs().Count);
+    public void There_are_inputs_for_every_command() => Assert.Equal(16, Inputs().Count);
 
-    [GeneratedRegex("^```json (simulate|aim|intercept|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
+    [GeneratedRegex("^```json (simulate|aim|intercept|fit|sweep)\n(.*?)^```$", RegexOptions.Multiline | RegexOptions.Singleline)]
     private static partial Regex Block();
 }

@@ -24,6 +24,9 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
     private readonly Option<FieldOverride[]> _profile = Arguments.Profile();
     private readonly Option<FieldOverride[]> _set = Arguments.Set("solver.timeStep=0.04");
 
+    /// <summary>Options of the command that set members of the input from files.</summary>
+    public IReadOnlyList<Option<FieldOverride[]>> Tables { get; init; } = [];
+
     /// <summary>Makes it what a command does.</summary>
     /// <param name="command">The command.</param>
     /// <param name="terminal">Where it reads and writes.</param>
@@ -36,6 +39,11 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
         command.Add(_jobs);
         command.Add(_profile);
         command.Add(_set);
+        foreach (Option<FieldOverride[]> table in Tables)
+        {
+            command.Add(table);
+        }
+
         if (instead is not { } other)
         {
             command.SetAction(parsed => Run(parsed, terminal));
@@ -69,7 +77,7 @@ internal sealed class BatchRunner<T>(Func<InputFields, T> work, Func<string?, T,
             : RunOne(reader.ReadToEnd(), overrides, terminal, parsed.GetValue(_json) || terminal.OutputRedirected);
     }
 
-    private FieldOverride[] Overrides(ParseResult parsed) => [.. parsed.GetRequiredValue(_profile), .. parsed.GetRequiredValue(_set)];
+    private FieldOverride[] Overrides(ParseResult parsed) => [.. parsed.GetRequiredValue(_profile), .. Tables.SelectMany(parsed.GetRequiredValue), .. parsed.GetRequiredValue(_set)];
 
     private int RunOne(InputLine text, FieldOverride[] overrides, Terminal terminal, bool json)
     {

@@ -1,5 +1,6 @@
 using FootballPhysics.Scenarios.Input;
 using System.CommandLine;
+using FootballPhysics.Tool.Cameras;
 using FootballPhysics.Tool.Fit;
 
 namespace FootballPhysics.Tool.Commands;
@@ -18,16 +19,16 @@ internal static class FitCommand
             "Estimate launch and spin from camera tracks",
             $"echo '{Example}' | football fit -",
             $"echo '{Example}' | football fit - --set fit.noise=0.05",
+            "echo '{}' | football fit - --cameras CAMERAS.csv --pixels PIXELS.csv",
             "football fit --match TRACK.csv --ball modern --plot match.svg");
-        command.Details = "The result has uncertainties. --match reads the track of a whole match and writes one line per flight, impact or touch.";
+        command.Details = "The result has uncertainties. With cameras, the track has pixels. --match reads the track of a whole match and writes one line per flight, impact or touch.";
         match.AddTo(command);
         return new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)
+            {
+                Tables = [CameraTables.Cameras(), CameraTables.Pixels()],
+            }
             .Of(command, terminal, (match.Option, (parsed, overrides, json) => match.Run(parsed, overrides, json, terminal)));
     }
 
-    private static TrackFitResult Find(InputFields fields)
-    {
-        FitScenario scenario = FitScenario.Read(fields);
-        return new TrackFit(scenario.Scene).Find(scenario.Track, scenario.Request);
-    }
+    private static TrackFitResult Find(InputFields fields) => FitScenario.Read(fields).Find();
 }

@@ -1,14 +1,21 @@
-using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
+using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Tool.Cameras;
 
 namespace FootballPhysics.Tool.Fit;
 
-/// <summary>A scene, and where a camera saw a ball in it.</summary>
+/// <summary>A scene, and the positions or pixels at which cameras saw a ball in it.</summary>
 internal sealed record FitScenario
 {
     public required Scene Scene { get; init; }
 
-    public required TrackPoint[] Track { get; init; }
+    /// <summary>The positions; empty if there are cameras.</summary>
+    public TrackPoint[] Track { get; init; } = [];
+
+    /// <summary>The cameras that saw the pixels; empty if the track has positions.</summary>
+    public TrackCamera[] Cameras { get; init; } = [];
+
+    public PixelPoint[] Pixels { get; init; } = [];
 
     public required TrackFitRequest Request { get; init; }
 
@@ -18,14 +25,28 @@ internal sealed record FitScenario
     {
         InputObject root = fields.Root;
         InputObject fit = root.Object("fit");
-        double noise = fit.Number("noise", 0.02);
+        bool hasCameras = root.Has("cameras");
+        CameraView[] cameras = CameraView.Take(root);
+        double noise = fit.Number("noise", hasCameras ? 1 : 0.02);
+        IReadOnlyList<InputObject> track = root.Objects("track");
         var scenario = new FitScenario
         {
             Scene = SceneInput.Scene(root),
-            Track = [.. root.Objects("track").Select(item => new TrackPoint(item.Number("time"), item.Vector("position"), item.Number("noise", noise)))],
+            Track = hasCameras ? [] : [.. track.Select(item => new TrackPoint(item.Number("time"), item.Vector("position"), item.Number("noise", noise)))],
+            Cameras = [.. cameras.Select(view => view.Camera)],
+            Pixels = hasCameras ? [.. track.Select(item => Pixel(item, noise))] : [],
             Request = FitInput.Track(fit),
         };
         fields.Check();
         return scenario;
+    }
+
+    /// <summary>Fits the launch.</summary>
+    public TrackFitResult Find() => Cameras.Length > 0 ? new TrackFit(Scene).Find(Cameras, Pixels, Request) : new TrackFit(Scene).Find(Track, Request);
+
+    private static PixelPoint Pixel(InputObject item, double noise)
+    {
+        double[] pixel = item.Numbers("pixel", "[u, v]", 2);
+        return new PixelPoint(item.Number("time"), item.Whole("camera", 0), pixel[0], pixel[1], item.Number("noise", noise));
     }
 }

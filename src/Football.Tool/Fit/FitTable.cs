@@ -20,6 +20,11 @@ internal static class FitTable
         }
 
         terminal.PersonConsole.Write(table);
+        if (fit.Unidentified.Count > 0)
+        {
+            terminal.Person.WriteLine($"not identified: {string.Join(", ", fit.Unidentified)}");
+        }
+
         terminal.Person.WriteLine(fit.Explanation);
     }
 }

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using FootballPhysics.Scenarios;
 using FootballPhysics.Scenarios.Input;
 
@@ -24,17 +25,20 @@ internal static class FitWriter
         writer.WriteStartObject("deviations");
         for (int i = 0; i < fit.Names.Count; i++)
         {
-            writer.WriteNumber(fit.Names[i], fit.StandardError(i));
+            WriteError(writer, fit.Names[i], fit.StandardError(i));
+        }
+
+        WriteError(writer, "spin.alongVelocity", fit.SpinAlongVelocityError);
+        if (fit.DepthError is { } depth)
+        {
+            WriteError(writer, "position.depth", depth);
         }
 
         writer.WriteEndObject();
         writer.WriteStartArray("unidentified");
-        for (int i = 0; i < fit.Names.Count; i++)
+        foreach (string unidentified in fit.Unidentified)
         {
-            if (!fit.IsIdentified(i))
-            {
-                writer.WriteStringValue(fit.Names[i]);
-            }
+            writer.WriteStringValue(unidentified);
         }
 
         writer.WriteEndArray();
@@ -50,4 +54,17 @@ internal static class FitWriter
             ResultWriter.WriteVector(writer, "otherSpin", other);
         }
     });
+
+    /// <summary>An infinite error is null.</summary>
+    private static void WriteError(Utf8JsonWriter writer, string name, double error)
+    {
+        if (double.IsFinite(error))
+        {
+            writer.WriteNumber(name, error);
+        }
+        else
+        {
+            writer.WriteNull(name);
+        }
+    }
 }

@@ -10,7 +10,7 @@ namespace FootballPhysics.Tool.Fit;
 /// <summary>football fit --match: the analysis of a complete match track.</summary>
 internal sealed class MatchCommand
 {
-    private static readonly string[] s_ofBatches = ["--batch", "--jobs"];
+    private static readonly string[] s_ofBatches = ["--batch", "--jobs", "--cameras", "--pixels"];
 
     private readonly Option<string?> _match = new("--match")
     {

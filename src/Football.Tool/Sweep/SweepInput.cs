@@ -178,6 +178,16 @@ internal static class SweepInput
             return true;
         }
 
+        if (scene.Cameras.Count > 0 && plan.Row.Samples.Count == 0)
+        {
+            throw new RefusedException("cameras requires row.samples. Add the times at which the cameras see the ball, such as \"row\": {\"samples\": [0, 0.02, 0.04]}.");
+        }
+
+        if (scene.Cameras.Count != plan.Scene.Cameras.Count)
+        {
+            throw new RefusedException(FormattableString.Invariant($"cameras has {scene.Cameras.Count} items in one row and {plan.Scene.Cameras.Count} in another. Use the same number in all."));
+        }
+
         if (plan.FliesInLanes)
         {
             new BallBatch(scene.Scene, scene.BatchSettings).Fly(new BatchLaunches(1), new BatchFlights(1), 0, scene.Duration);

@@ -1,4 +1,5 @@
 using FootballPhysics.Tool.Aim;
+using FootballPhysics.Tool.Cameras;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Scenarios;
 
@@ -35,6 +36,9 @@ internal sealed record SweepScene
 
     /// <summary>The orientation at the launch; null if not given.</summary>
     public Quaterniond? Orientation { get; init; }
+
+    /// <summary>The cameras that see the samples.</summary>
+    public IReadOnlyList<CameraView> Cameras { get; init; } = [];
 
     /// <summary>The aim; null if the sweep simulates launches.</summary>
     public AimScenario? Aim { get; init; }
@@ -106,6 +110,7 @@ internal sealed record SweepScene
             Duration = duration,
             Numbers = [.. kick, position.X, position.Y, position.Z, velocity.X, velocity.Y, velocity.Z, spin.X, spin.Y, spin.Z],
             HasVectors = hasVectors,
+            Cameras = CameraView.Take(root),
             Orientation = launch.Has("orientation") ? Scenario.OrientationOf(launch) : null,
         };
     }

@@ -156,7 +156,7 @@ internal sealed class GltfRules(string text)
             Names("materials", material);
             JsonElement metal = material.GetProperty("pbrMetallicRoughness");
             Names("pbrMetallicRoughness", metal);
-            double[] factors = [.. metal.GetProperty("baseColorFactor").EnumerateArray().Select(value => value.GetDouble())];
+            double[] factors = metal.TryGetProperty("baseColorFactor", out JsonElement colour) ? [.. colour.EnumerateArray().Select(value => value.GetDouble())] : [1, 1, 1, 1];
             Check(factors.Length == 4, "baseColorFactor has four numbers");
             Check(factors.Append(metal.GetProperty("metallicFactor").GetDouble()).Append(metal.GetProperty("roughnessFactor").GetDouble()).All(value => value is >= 0 and <= 1), "factors are 0 to 1");
         }
@@ -257,7 +257,7 @@ internal sealed class GltfRules(string text)
     private void Sampler(JsonElement sampler, string path)
     {
         Names("samplers", sampler);
-        string interpolation = sampler.GetProperty("interpolation").GetString()!;
+        string interpolation = sampler.TryGetProperty("interpolation", out JsonElement said) ? said.GetString()! : "LINEAR";
         Check(interpolation is "LINEAR" or "STEP" or "CUBICSPLINE", "an interpolation of the specification");
         JsonElement input = List("accessors")[Whole(sampler, "input")];
         JsonElement output = List("accessors")[Whole(sampler, "output")];

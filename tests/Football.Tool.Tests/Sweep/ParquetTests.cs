@@ -34,6 +34,7 @@ public sealed class ParquetTests : IDisposable
         Assert.Equal(Numbers("position").Where((_, i) => i % 3 == 2), read.Select(row => (double)row[2]));
         Assert.Equal(Numbers("velocityAfter").Where((_, i) => i % 3 == 1), read.Select(row => (double)row[3]));
         Assert.Equal("impact", Assert.Single(read.Select(row => (string)row[5]).Distinct()));
+        Assert.Equal(File.ReadAllText(At("rows", "schema.json")), (string)Assert.Single(Query(database, $"select decode(value) from parquet_kv_metadata('{At("rows", "rows.parquet")}') where decode(key) = 'schema'"))[0]);
         Assert.Equal((3L, Rows), ((long)Query(database, $"select count(distinct row_group_id) from parquet_metadata('{At("rows", "rows.parquet")}')")[0][0], (int)(long)Query(database, $"select num_rows from parquet_file_metadata('{At("rows", "rows.parquet")}')")[0][0]));
     }
 

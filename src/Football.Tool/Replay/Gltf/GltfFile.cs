@@ -1,35 +1,40 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
 using System.Text.Json.Nodes;
 using FootballPhysics.Drawing;
 using FootballPhysics.Scenarios.Input;
+using SharpGLTF.Memory;
+using SharpGLTF.Schema2;
+using SharpGLTF.Transforms;
 
 namespace FootballPhysics.Tool.Replay.Gltf;
 
 /// <summary>A moving picture as a glTF 2.0 file: right-handed, y up, metres and seconds, as the library has them.</summary>
 internal sealed class GltfFile
 {
-    private const int Lines = 1;
-    private const int LineStrip = 3;
-    private const int Triangles = 4;
+    private const string Base = "scene";
 
-    private readonly GltfData _data = new();
-    private readonly JsonArray _nodes = [];
-    private readonly JsonArray _meshes = [];
-    private readonly JsonArray _materials = [];
-    private readonly JsonArray _samplers = [];
-    private readonly JsonArray _channels = [];
-    private readonly Dictionary<string, int> _materialOf = [];
+    private readonly ModelRoot _root = ModelRoot.CreateModel();
+    private readonly SharpGLTF.Schema2.Scene _scene;
+    private readonly Animation _play;
+    private readonly Dictionary<string, Material> _materials = [];
 
-    private GltfFile()
+    private GltfFile(string name)
     {
+        _root.Asset.Generator = "Football.Physics";
+        _scene = _root.UseScene(name);
+        _play = _root.CreateAnimation("play");
     }
 
     /// <summary>The file's text.</summary>
     public static string Text(ReplayPicture picture)
     {
-        var file = new GltfFile();
+        var file = new GltfFile(picture.Name);
         if (picture.Ground is { } ground)
         {
-            file.AddNode("ground", file.AddMesh("ground", file.Surface(Mesh.Of(ground), "#5d8a52")));
+            SharpGLTF.Schema2.Mesh mesh = file._root.CreateMesh("ground");
+            file.AddSurface(mesh, Mesh.Of(ground), "#5d8a52");
+            file.AddNode("ground", mesh);
         }
 
         foreach (SceneShape shape in picture.Shapes)
@@ -37,30 +42,29 @@ internal sealed class GltfFile
             file.Add(shape, picture.Shots.Max(shot => shot.Track.Keys[^1].Time));
         }
 
-        int ball = file.AddMesh("ball", file.Surface(Mesh.Panels(pentagons: false), "#f4f6f8"), file.Surface(Mesh.Panels(pentagons: true), "#20262c"));
-        int marker = file.AddMesh("event", file.Surface(Mesh.Rod(Vector3d.Zero, Vector3d.Zero, 0.06), "#ffd23f"));
+        SharpGLTF.Schema2.Mesh ball = file._root.CreateMesh("ball");
+        file.AddSurface(ball, Mesh.Panels(pentagons: false), "#f4f6f8");
+        file.AddSurface(ball, Mesh.Panels(pentagons: true), "#20262c");
+        SharpGLTF.Schema2.Mesh marker = file._root.CreateMesh("event");
+        file.AddSurface(marker, Mesh.Rod(Vector3d.Zero, Vector3d.Zero, 0.06), "#ffd23f");
         for (int i = 0; i < picture.Shots.Count; i++)
         {
             file.Add(picture.Shots[i], Palette.Series[i % Palette.Series.Count], ball, marker);
         }
 
-        return file.Root(picture.Name).ToJsonString();
+        return file.InOneFile();
     }
 
-    private JsonObject Root(string name)
+    /// <summary>The text, with the numbers in it and not in a file beside it.</summary>
+    private string InOneFile()
     {
-        var root = new JsonObject
-        {
-            ["asset"] = new JsonObject { ["version"] = "2.0", ["generator"] = "Football.Physics" },
-            ["scene"] = 0,
-            ["scenes"] = new JsonArray(new JsonObject { ["name"] = name, ["nodes"] = new JsonArray([.. Enumerable.Range(0, _nodes.Count).Select(i => (JsonNode)i)]) }),
-            ["nodes"] = _nodes,
-            ["meshes"] = _meshes,
-            ["materials"] = _materials,
-            ["animations"] = new JsonArray(new JsonObject { ["name"] = "play", ["samplers"] = _samplers, ["channels"] = _channels }),
-        };
-        _data.AddTo(root);
-        return root;
+        _root.MergeBuffers();
+        var files = new Dictionary<string, ArraySegment<byte>>();
+        WriteContext.CreateFromDictionary(files).WithTextSettings().WriteTextSchema2(Base, _root);
+        JsonNode text = JsonNode.Parse(files[Base + ".gltf"])!;
+        JsonNode buffer = text["buffers"]![0]!;
+        buffer["uri"] = "data:application/octet-stream;base64," + Convert.ToBase64String(files[buffer["uri"]!.GetValue<string>()]);
+        return text.ToJsonString();
     }
 
     private void Add(SceneShape shape, double end)
@@ -74,53 +78,54 @@ internal sealed class GltfFile
             SceneShapeKind.Guide => "#e07b00",
             _ => throw new ArgumentOutOfRangeException(nameof(shape), shape.Kind, null),
         };
-        List<JsonObject> parts = [];
-        if (shape.Radius > 0)
-        {
-            parts.AddRange(shape.Lines.Select(line => Surface(Mesh.Rod(line[0], line[^1], shape.Radius), colour)));
-        }
-        else if (shape.Lines.Count > 0)
-        {
-            parts.Add(Thin([.. shape.Lines.SelectMany(line => line.Zip(line.Skip(1), (a, b) => (Vector3d[])[a, b]).SelectMany(pair => pair))], Lines, colour));
-        }
-
-        if (shape.Faces.Count > 0)
-        {
-            parts.Add(Surface(Mesh.Of(shape.Faces), colour));
-        }
-
-        if (parts.Count == 0)
+        if (shape.Lines.Count == 0 && shape.Faces.Count == 0)
         {
             return;
         }
 
-        int node = AddNode(shape.Name, AddMesh(shape.Name, [.. parts]));
+        SharpGLTF.Schema2.Mesh mesh = _root.CreateMesh(shape.Name);
+        if (shape.Radius > 0)
+        {
+            foreach (Vector3d[] line in shape.Lines)
+            {
+                AddSurface(mesh, Mesh.Rod(line[0], line[^1], shape.Radius), colour);
+            }
+        }
+        else if (shape.Lines.Count > 0)
+        {
+            AddThin(mesh, shape.Lines.SelectMany(line => line.Zip(line.Skip(1), (a, b) => (Vector3d[])[a, b]).SelectMany(pair => pair)), PrimitiveType.LINES, colour);
+        }
+
+        if (shape.Faces.Count > 0)
+        {
+            AddSurface(mesh, Mesh.Of(shape.Faces), colour);
+        }
+
+        Node node = AddNode(shape.Name, mesh);
         if (shape.Velocity != Vector3d.Zero && end > 0)
         {
-            Animate(node, "translation", "LINEAR", [0, end], [.. GltfData.Parts(Vector3d.Zero), .. GltfData.Parts(end * shape.Velocity)], 3);
+            _play.CreateTranslationChannel(node, new Dictionary<float, Vector3> { [0] = Vector3.Zero, [(float)end] = Single(end * shape.Velocity) });
         }
     }
 
-    private void Add(ReplayShot shot, string colour, int ball, int marker)
+    private void Add(ReplayShot shot, string colour, SharpGLTF.Schema2.Mesh ball, SharpGLTF.Schema2.Mesh marker)
     {
         IReadOnlyList<TrackKey> keys = Distinct(shot.Track.Keys);
-        int node = AddNode(shot.Name, ball);
-        JsonObject said = _nodes[node]!.AsObject();
-        said["scale"] = new JsonArray(shot.Track.Radius, shot.Track.Radius, shot.Track.Radius);
-        said["translation"] = Array(GltfData.Parts(keys[0].Position));
-        said["rotation"] = Array(Parts(keys[0].Orientation));
-        said["extras"] = new JsonObject { ["kick"] = shot.Kick };
-        double[] times = [.. keys.Select(key => key.Time)];
-        Animate(node, "translation", "CUBICSPLINE", times, [.. keys.SelectMany(key => (Vector3d[])[key.VelocityBefore, key.Position, key.Velocity]).SelectMany(GltfData.Parts)], 3);
-        Animate(node, "rotation", "LINEAR", times, [.. keys.SelectMany(key => Parts(key.Orientation))], 4);
+        Node node = AddNode(shot.Name, ball);
+        node.LocalTransform = new AffineTransform(new Vector3((float)shot.Track.Radius), Single(keys[0].Orientation), Single(keys[0].Position));
+        node.Extras = new JsonObject { ["kick"] = shot.Kick };
+        _play.CreateTranslationChannel(node, keys.ToDictionary(key => (float)key.Time, key => (Single(key.VelocityBefore), Single(key.Position), Single(key.Velocity))));
+        _play.CreateRotationChannel(node, keys.ToDictionary(key => (float)key.Time, key => Single(key.Orientation)));
 
-        AddNode(shot.Name + ", path", AddMesh(shot.Name + ", path", Thin([.. Path(keys)], LineStrip, colour)));
+        SharpGLTF.Schema2.Mesh path = _root.CreateMesh(shot.Name + ", path");
+        AddThin(path, Path(keys), PrimitiveType.LINE_STRIP, colour);
+        AddNode(shot.Name + ", path", path);
         foreach (BallEvent item in shot.Track.Events)
         {
             string kind = Words.Of(item.Kind);
-            JsonObject mark = _nodes[AddNode(FormattableString.Invariant($"{shot.Name}, {kind} at {item.Time:0.000} s"), marker)]!.AsObject();
-            mark["translation"] = Array(GltfData.Parts(item.Position));
-            mark["extras"] = new JsonObject { ["kind"] = kind, ["time"] = item.Time, ["surface"] = shot.Track.SurfaceOf(item) };
+            Node mark = AddNode(FormattableString.Invariant($"{shot.Name}, {kind} at {item.Time:0.000} s"), marker);
+            mark.LocalTransform = new AffineTransform(null, null, Single(item.Position));
+            mark.Extras = new JsonObject { ["kind"] = kind, ["time"] = item.Time, ["surface"] = shot.Track.SurfaceOf(item) };
         }
     }
 
@@ -143,63 +148,64 @@ internal sealed class GltfFile
             .SelectMany(places => places).Append(keys[^1].Position);
     }
 
-    private static IEnumerable<double> Parts(Quaterniond q) => [q.X, q.Y, q.Z, q.W];
+    private static Vector3 Single(Vector3d v) => new((float)v.X, (float)v.Y, (float)v.Z);
 
-    private static JsonArray Array(IEnumerable<double> numbers) => [.. numbers.Select(number => (JsonNode)(double)(float)number)];
+    private static Quaternion Single(Quaterniond q) => Quaternion.Normalize(new Quaternion((float)q.X, (float)q.Y, (float)q.Z, (float)q.W));
 
-    private void Animate(int node, string path, string interpolation, IReadOnlyList<double> times, IReadOnlyList<double> values, int width)
+    private Node AddNode(string name, SharpGLTF.Schema2.Mesh mesh)
     {
-        _channels.Add(new JsonObject { ["sampler"] = _samplers.Count, ["target"] = new JsonObject { ["node"] = node, ["path"] = path } });
-        _samplers.Add(new JsonObject { ["input"] = _data.Animated(times, 1), ["interpolation"] = interpolation, ["output"] = _data.Animated(values, width) });
+        Node node = _scene.CreateNode(name);
+        node.Mesh = mesh;
+        return node;
     }
 
-    private int AddNode(string name, int mesh)
+    private void AddSurface(SharpGLTF.Schema2.Mesh to, Mesh mesh, string colour)
     {
-        _nodes.Add(new JsonObject { ["name"] = name, ["mesh"] = mesh });
-        return _nodes.Count - 1;
+        MeshPrimitive part = AddPart(to, PrimitiveType.TRIANGLES, colour);
+        part.SetVertexAccessor("POSITION", Vertices(mesh.Positions));
+        part.SetVertexAccessor("NORMAL", Vertices(mesh.Normals));
+        Accessor indices = _root.CreateAccessor();
+        indices.SetIndexData(View(mesh.Indices.Select(index => (uint)index), BufferMode.ELEMENT_ARRAY_BUFFER), 0, mesh.Indices.Count, IndexEncodingType.UNSIGNED_INT);
+        part.SetIndexAccessor(indices);
     }
 
-    private int AddMesh(string name, params JsonObject[] primitives)
+    private void AddThin(SharpGLTF.Schema2.Mesh to, IEnumerable<Vector3d> places, PrimitiveType kind, string colour) =>
+        AddPart(to, kind, colour).SetVertexAccessor("POSITION", Vertices([.. places]));
+
+    private MeshPrimitive AddPart(SharpGLTF.Schema2.Mesh to, PrimitiveType kind, string colour)
     {
-        _meshes.Add(new JsonObject { ["name"] = name, ["primitives"] = new JsonArray([.. primitives]) });
-        return _meshes.Count - 1;
+        MeshPrimitive part = to.CreatePrimitive();
+        part.DrawPrimitiveType = kind;
+        part.Material = MaterialOf(colour);
+        return part;
     }
 
-    private JsonObject Surface(Mesh mesh, string colour) => new()
+    private Accessor Vertices(IReadOnlyList<Vector3d> vectors)
     {
-        ["attributes"] = new JsonObject { ["POSITION"] = _data.Vertices(mesh.Positions), ["NORMAL"] = _data.Vertices(mesh.Normals) },
-        ["indices"] = _data.Indices(mesh.Indices),
-        ["material"] = Material(colour),
-        ["mode"] = Triangles,
-    };
+        Accessor accessor = _root.CreateAccessor();
+        accessor.SetVertexData(View(vectors.Select(Single), BufferMode.ARRAY_BUFFER), 0, vectors.Count, new AttributeFormat(DimensionType.VEC3, EncodingType.FLOAT, false));
+        return accessor;
+    }
 
-    private JsonObject Thin(IReadOnlyCollection<Vector3d> places, int mode, string colour) => new()
-    {
-        ["attributes"] = new JsonObject { ["POSITION"] = _data.Vertices(places) },
-        ["material"] = Material(colour),
-        ["mode"] = mode,
-    };
+    private BufferView View<T>(IEnumerable<T> values, BufferMode use)
+        where T : unmanaged => _root.UseBufferView(MemoryMarshal.AsBytes<T>(values.ToArray()).ToArray(), 0, null, 0, use);
 
-    private int Material(string colour)
+    private Material MaterialOf(string colour)
     {
-        if (!_materialOf.TryGetValue(colour, out int index))
+        if (!_materials.TryGetValue(colour, out Material? material))
         {
-            _materialOf[colour] = index = _materials.Count;
             int rgb = Convert.ToInt32(colour[1..], 16);
-            JsonNode Linear(int shift) => Math.Round(Math.Pow(((rgb >> shift) & 0xff) / 255.0, 2.2), 4);
-            _materials.Add(new JsonObject
-            {
-                ["name"] = colour,
-                ["pbrMetallicRoughness"] = new JsonObject
-                {
-                    ["baseColorFactor"] = new JsonArray(Linear(16), Linear(8), Linear(0), 1),
-                    ["metallicFactor"] = 0,
-                    ["roughnessFactor"] = 0.8,
-                },
-                ["doubleSided"] = true,
-            });
+            float Linear(int shift) => (float)Math.Round(Math.Pow(((rgb >> shift) & 0xff) / 255.0, 2.2), 4);
+            _materials[colour] = material = _root.CreateMaterial(colour);
+            material.InitializePBRMetallicRoughness();
+            MaterialChannel baseColour = material.FindChannel("BaseColor")!.Value;
+            baseColour.Color = new Vector4(Linear(16), Linear(8), Linear(0), 1);
+            MaterialChannel metal = material.FindChannel("MetallicRoughness")!.Value;
+            metal.SetFactor("MetallicFactor", 0);
+            metal.SetFactor("RoughnessFactor", 0.8f);
+            material.DoubleSided = true;
         }
 
-        return index;
+        return material;
     }
 }

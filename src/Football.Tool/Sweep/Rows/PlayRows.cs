@@ -139,6 +139,7 @@ internal sealed class PlayRows : LaunchRows
         [
             new(Column.Vector("samples.position", "m", "where the centre is at these times, s; none after the end").Along(places), Sampled(time => _path.PositionAt(time))),
             new(Column.Vector("samples.velocity", "m/s", "velocity at these times, s; none after the end").Along(places), Sampled(time => _path.VelocityAt(time))),
+            .. CameraColumns.Of(Plan.Scene.Cameras.Count, times, places, () => _scene.Scene.Cameras, time => time <= _end.Time ? _path.PositionAt(time) : null),
         ];
     }
 

@@ -1,0 +1,40 @@
+using FootballPhysics.Scenarios.Input;
+
+namespace FootballPhysics.Tool.Cameras;
+
+/// <summary>A camera of the input, and the size of its image in pixels.</summary>
+internal sealed record CameraView(TrackCamera Camera, double Width, double Height)
+{
+    private const string SizeForm = "[width, height]";
+
+    private static readonly double[] s_size = [1920, 1080];
+
+    /// <summary>Reads the list "cameras"; the fields are still to be checked.</summary>
+    public static CameraView[] Take(InputObject root) => [.. root.Objects("cameras").Select(Of).OfType<CameraView>()];
+
+    /// <summary>Whether a pixel is within the image.</summary>
+    public bool Contains(double u, double v) => u >= 0 && u <= Width && v >= 0 && v <= Height;
+
+    /// <summary>A camera by its matrix, or by its position, target and focal length; null if it is refused.</summary>
+    private static CameraView? Of(InputObject from)
+    {
+        double[] size = from.Numbers("size", SizeForm, s_size);
+        TrackCamera? camera;
+        if (from.Has("matrix"))
+        {
+            from.Exclude("position", "matrix");
+            from.Exclude("target", "matrix");
+            from.Exclude("focalLength", "matrix");
+            camera = from.Table("matrix") is { } matrix ? from.Make(() => new TrackCamera([.. matrix.Cast<double>()])) : null;
+        }
+        else
+        {
+            Vector3d position = from.Vector("position");
+            Vector3d target = from.Vector("target");
+            double focalLength = from.Number("focalLength");
+            camera = from.Make(() => TrackCamera.LookingAt(position, target, focalLength, size[0], size[1]));
+        }
+
+        return camera is null ? null : new CameraView(camera, size[0], size[1]);
+    }
+}
