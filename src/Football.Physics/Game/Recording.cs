@@ -413,7 +413,8 @@ public sealed class Recording
         ulong format = reader.Bits(5);
         if (format != Format)
         {
-            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat
+            // The message shows the last character only if it is a digit: any other may control a terminal.
+            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat && format >> 32 is >= '0' and <= '9'
                 ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4"
                 : "a recording does not start like this");
         }

@@ -102,6 +102,10 @@ public sealed class KeyframeTests
         Crc32.Seal(older);
         Assert.Contains("format FBSG3, but this version of the library reads FBSG4", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
 
+        older[4] = 0x1B;
+        Crc32.Seal(older);
+        Assert.Equal("The bytes are broken: a recording does not start like this.", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
+
         // The place of the one keyframe: the last of the bytes but the checksum.
         byte[] other = [.. bytes];
         int at = bytes.Length - Crc32.Size - Snapshot.Size;
