@@ -67,7 +67,7 @@ internal sealed class ScenarioFuzz : FuzzTarget
         }
         catch (RefusedException refusal)
         {
-            Must(!refusal.Message.StartsWith("the motion is not finite", StringComparison.Ordinal), "accepted numbers lead to a motion that is not finite");
+            Must(!refusal.Message.StartsWith("the motion overflows", StringComparison.Ordinal), "accepted numbers lead to a motion that is not finite");
             return Refused(refusal);
         }
         catch (ArgumentException refusal) when (LibraryRefusal.Of(refusal, read.Scenario) is { } said)
