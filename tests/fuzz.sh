@@ -55,10 +55,12 @@ for target; do
   done
 
   if [[ ${KEEP:-} == true ]]; then
-    rm -rf "$out/$target/kept"
-    afl-cmin -i "$stats/queue" -o "$out/$target/kept" -t "$hang" -m none -- dotnet "$out/bin/football-fuzz.dll" afl "$target" > "$out/$target.log" 2>&1
+    # One input for each branch (-e), whatever its count. The script wants a path of the program, and a folder outside /tmp.
+    rm -rf "$out/kept"
+    afl-cmin -e -i "$stats/queue" -o "$out/kept" -t "$hang" -m none -- "$(readlink -f "$(command -v dotnet)")" "$out/bin/football-fuzz.dll" afl "$target" > "$out/$target.log" 2>&1 ||
+      { tail -n 20 "$out/$target.log" >&2; exit 1; }
     rm -f "$corpus"/*
-    for file in "$out/$target/kept"/*; do cp "$file" "$corpus/$(sha256sum "$file" | cut -c 1-12)"; done
+    for file in "$out/kept"/*; do cp "$file" "$corpus/$(sha256sum "$file" | cut -c 1-12)"; done
   fi
 done
 
