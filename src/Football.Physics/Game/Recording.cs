@@ -20,7 +20,6 @@ public sealed class Recording
     private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
     private const ulong AnyFormat = 0x47_53_42_46; // "FBSG"
     private const int LongestVersion = 64;
-    private const long LastTick = 1L << 52;
     private const int MostBalls = 10_000;
     private const int MostMovers = 100_000;
     private readonly BallState[] _start;
@@ -271,7 +270,7 @@ public sealed class Recording
         ulong sceneHash = reader.Bits(8);
         double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
         long startTick = reader.Long();
-        if (startTick > LastTick)
+        if (startTick > Limits.Tick)
         {
             throw ByteReader.Broken("the first tick is too large");
         }
@@ -339,6 +338,11 @@ public sealed class Recording
         }
 
         int count = reader.Count(sizeof(ulong));
+        if (startTick + count > Limits.Tick)
+        {
+            throw ByteReader.Broken("the last tick is too large");
+        }
+
         var segment = new Recording(timeStep, startTick, start, kicks, bodies, motions, count) { SceneHash = sceneHash, HasMovingColliders = engineMoves, Version = version, QuantizationInterval = wireTicks };
         for (int i = 0; i < count; i++)
         {
