@@ -11,8 +11,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
 # The runtime is not built for AFL, and the machine keeps its settings.
 export AFL_SKIP_BIN_CHECK=1 AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_QUIET=1 AFL_FORKSRV_INIT_TMOUT=60000
-# An input that takes longer, in ms, is a hang; the first one also waits for the compiler.
-hang=10000
+# An input that takes longer, in ms, is a hang. The machine may be busy, and the first input also waits for the compiler.
+hang=60000
 export AFL_HANG_TMOUT=$hang
 # More memory than this, in hexadecimal, throws: 512 MiB.
 export DOTNET_GCHeapHardLimit=20000000

@@ -1,8 +1,6 @@
-using System.Runtime.InteropServices;
 using FootballPhysics.Fuzz;
 using FootballPhysics.Yardsticks;
 using SharpFuzz;
-using SharpFuzz.Common;
 
 // Inputs of one kind, for tests/fuzz.sh:
 //
@@ -45,12 +43,16 @@ switch (args)
         return found > 0 ? 1 : 0;
 
     case ["afl", string name]:
-        // Instrumented code needs a map from its first call on. Create all static objects before the first input, so that its path is that of the input alone.
-        GiveMap();
-        Inputs input = Inputs.Of(name);
-        input.Try(input.Seed(new SeededRandom(0), 0));
-        Fuzzer.Run(stream =>
+        // In a process of its own, so that afl-fuzz goes on after a hang. SharpFuzz ignores the path of the first call, which creates the static objects.
+        Inputs? input = null;
+        Fuzzer.OutOfProcess.Run(stream =>
         {
+            if (input is null)
+            {
+                input = Inputs.Of(name);
+                input.Try(input.Seed(new SeededRandom(0), 0));
+            }
+
             using var bytes = new MemoryStream();
             stream.CopyTo(bytes);
             input.Try(bytes.ToArray());
@@ -61,5 +63,3 @@ switch (args)
         Console.Error.WriteLine("Usage: football-fuzz list | seeds KIND FOLDER COUNT | try KIND FILE... | afl KIND");
         return 2;
 }
-
-static unsafe void GiveMap() => Trace.SharedMem = (byte*)NativeMemory.AllocZeroed(1 << 16);
