@@ -79,7 +79,10 @@ public sealed class MatchBundle
                 throw new RefusedException("match.json", fault.Value, fault.Expected);
             }
 
-            return new MatchBundle(root, Recording.FromBytes(Entry(zip, "match.segment", LargestSegment)));
+            var match = Recording.FromBytes(Entry(zip, "match.segment", LargestSegment));
+            return !match.HasMovingColliders
+                ? new MatchBundle(root, match)
+                : throw new RefusedException("match.segment is a match with moving colliders of an engine. Pass a bundle that Recording.ToBundle wrote.");
         }
         catch (InvalidDataException)
         {
@@ -92,7 +95,7 @@ public sealed class MatchBundle
     }
 
     /// <summary>The scene of the match, with bodies of its own: one for each replay.</summary>
-    /// <exception cref="RefusedException">The scene is invalid or differs from the recorded one; the message names the field.</exception>
+    /// <exception cref="RefusedException">The scene is invalid or differs from the recorded one, or no ball of the scene can have the recorded states; the message names the field.</exception>
     public Simulator NewSimulator()
     {
         var fields = new InputFields(_about);
@@ -115,10 +118,25 @@ public sealed class MatchBundle
             throw said;
         }
 
-        return simulator.SceneHash == Segment.SceneHash ? simulator : throw new RefusedException(
-            "sceneHash",
-            simulator.SceneHash.ToString("x16", CultureInfo.InvariantCulture),
-            $"{Segment.SceneHash.ToString("x16", CultureInfo.InvariantCulture)}, that of the match: its scene is not all in match.json, or is another one in this version of the library");
+        if (simulator.SceneHash != Segment.SceneHash)
+        {
+            throw new RefusedException(
+                "sceneHash",
+                simulator.SceneHash.ToString("x16", CultureInfo.InvariantCulture),
+                $"{Segment.SceneHash.ToString("x16", CultureInfo.InvariantCulture)}, that of the match: its scene is not all in match.json, or is another one in this version of the library");
+        }
+
+        try
+        {
+            // The bytes may have the hash of a scene that did not produce them.
+            Segment.Replay(simulator);
+        }
+        catch (ArgumentException refusal)
+        {
+            throw new RefusedException($"match.segment: {LibraryRefusal.Sentence(refusal)}");
+        }
+
+        return simulator;
     }
 
     /// <summary>The origin of the bundle according to the file, on one line.</summary>

@@ -101,6 +101,35 @@ public sealed class BundleTests : IDisposable
         Assert.StartsWith("football: match.segment: The bytes are broken: their checksum does not hold", FootballCommand.Run("", "bundle", Save(Zip(bytes, plain))).ErrorLine);
     }
 
+    /// <summary>The bytes are sealed again, so that only their meaning is wrong: a flag that no bundle has, a second ball, a ball above the ground of this scene.</summary>
+    [Fact]
+    public void A_match_with_the_hash_of_a_scene_that_did_not_produce_it_is_refused()
+    {
+        var runner = new FixedStepRunner(new Simulator());
+        byte[] bundle = runner.Record().ToBundle(runner.Simulator);
+
+        // Format, version, hash, time step, tick, quantisation; then the flag, the number of balls, and the balls.
+        byte[] moving = runner.Record().ToBytes();
+        int scene = 6 + moving[5];
+        int flag = scene + 18;
+        moving[flag] = 1;
+        byte[] two = new FixedStepRunner(new BallGroup(new Simulator(), 2)).Record().ToBytes();
+        byte[] high = new FixedStepRunner(new Simulator(Scene.Default with { Ground = new Ground { Height = 1 } })).Record().ToBytes();
+        moving.AsSpan(scene, 8).CopyTo(two.AsSpan(scene));
+        moving.AsSpan(scene, 8).CopyTo(high.AsSpan(scene));
+        foreach ((byte[] bytes, string says) in new[]
+        {
+            (moving, "football: match.segment is a match with moving colliders of an engine. "),
+            (two, "football: match.segment: The scene differs from the recorded one (balls 1, "),
+            (high, "football: match.segment: state.position is (0, 1.11, 0); allowed: "),
+        })
+        {
+            var done = FootballCommand.Run("", "bundle", Save(Zip(Sealed(bytes), bundle)));
+            Assert.StartsWith(says, done.ErrorLine);
+            Assert.Equal(1, done.ExitCode);
+        }
+    }
+
     [Fact]
     public void What_is_no_bundle_or_a_tick_that_it_does_not_have_is_refused()
     {
@@ -239,6 +268,22 @@ public sealed class BundleTests : IDisposable
         }
 
         return memory.ToArray();
+    }
+
+    /// <summary>The bytes with their CRC-32 at the end, as Ethernet and zip files have it.</summary>
+    private static byte[] Sealed(byte[] bytes)
+    {
+        uint crc = uint.MaxValue;
+        foreach (byte part in bytes.AsSpan(0, bytes.Length - 4))
+        {
+            crc ^= part;
+            for (int bit = 0; bit < 8; bit++)
+            {
+                crc = (crc & 1) == 0 ? crc >> 1 : (crc >> 1) ^ 0xEDB88320;
+            }
+        }
+
+        return [.. bytes.AsSpan(0, bytes.Length - 4), .. BitConverter.GetBytes(~crc)];
     }
 
     private static byte[] Edited(byte[] bundle, string from, string to)

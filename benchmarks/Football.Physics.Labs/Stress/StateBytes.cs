@@ -60,7 +60,7 @@ internal sealed class StateBytes(bool isMemory) : FuzzTarget
         {
             state = isMemory ? Unsafe.ReadUnaligned<BallState>(ref MemoryMarshal.GetReference<byte>(input)) : Snapshot.Read(input);
         }
-        catch (FormatException)
+        catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
         {
             return true;
         }

@@ -57,7 +57,7 @@ internal sealed class WireBytes : FuzzTarget
             {
                 state = runner.ReadQuantized(input);
             }
-            catch (FormatException)
+            catch (Exception e) when (e is FormatException or ArgumentException { ParamName: "source" })
             {
                 continue;
             }

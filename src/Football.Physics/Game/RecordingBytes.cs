@@ -10,7 +10,6 @@ internal static class RecordingBytes
     private const ulong Format = 0x34_47_53_42_46; // "FBSG4"
     private const ulong AnyFormat = 0x47_53_42_46; // "FBSG"
     private const int LongestVersion = 64;
-    private const long LastTick = 1L << 52;
     private const int MostBalls = 10_000;
     private const int MostMovers = 100_000;
 
@@ -77,7 +76,7 @@ internal static class RecordingBytes
         ulong sceneHash = reader.Bits(8);
         double timeStep = BitConverter.Int64BitsToDouble((long)reader.Bits(8));
         long startTick = reader.Long();
-        if (startTick > LastTick)
+        if (startTick > Limits.Tick)
         {
             throw ByteReader.Broken("the first tick is too large");
         }
@@ -105,6 +104,11 @@ internal static class RecordingBytes
         }
 
         int count = reader.Count(sizeof(ulong));
+        if (startTick + count > Limits.Tick)
+        {
+            throw ByteReader.Broken("the last tick is too large");
+        }
+
         var recording = new Recording(timeStep, startTick, start, kicks, bodies, motions, count)
         {
             SceneHash = sceneHash,
@@ -129,7 +133,8 @@ internal static class RecordingBytes
         ulong format = reader.Bits(5);
         if (format != Format)
         {
-            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat
+            // The message shows the last character only if it is a digit: any other may control a terminal.
+            throw ByteReader.Broken((format & uint.MaxValue) == AnyFormat && format >> 32 is >= '0' and <= '9'
                 ? $"they are a recording in the format FBSG{(char)(format >> 32)}, but this version of the library reads FBSG4"
                 : "a recording does not start like this");
         }

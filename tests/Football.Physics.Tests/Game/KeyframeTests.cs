@@ -92,6 +92,31 @@ public sealed class KeyframeTests
         Assert.Throws<ArgumentNullException>(() => segment.Seek(null!, 1));
     }
 
+    /// <summary>A runner cannot start after its last tick, so a recording of such a tick could be read but not replayed.</summary>
+    [Theory]
+    [InlineData(0, true)]
+    [InlineData(1, false)]
+    public void A_segment_ends_at_the_last_tick_of_a_runner(int steps, bool isRead)
+    {
+        var runner = new FixedStepRunner();
+        runner.Restore(Limits.Tick, runner.State);
+        Recording segment = runner.Record();
+        for (int i = 0; i < steps; i++)
+        {
+            runner.Step();
+        }
+
+        byte[] bytes = segment.ToBytes();
+        if (isRead)
+        {
+            Assert.Null(Recording.FromBytes(bytes).FirstDivergence(new Simulator()));
+        }
+        else
+        {
+            Assert.Equal("The bytes are broken: the last tick is too large.", Assert.Throws<FormatException>(() => Recording.FromBytes(bytes)).Message);
+        }
+    }
+
     [Fact]
     public void A_segment_of_another_format_or_with_another_keyframe_is_refused_by_name()
     {
@@ -103,6 +128,10 @@ public sealed class KeyframeTests
         older[4] = (byte)'3';
         Crc32.Seal(older);
         Assert.Contains("format FBSG3, but this version of the library reads FBSG4", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
+
+        older[4] = 0x1B;
+        Crc32.Seal(older);
+        Assert.Equal("The bytes are broken: a recording does not start like this.", Assert.Throws<FormatException>(() => Recording.FromBytes(older)).Message);
 
         // The place of the one keyframe: the last of the bytes but the checksum.
         byte[] other = [.. bytes];

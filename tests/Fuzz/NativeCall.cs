@@ -1,0 +1,63 @@
+using System.Reflection;
+using System.Reflection.Emit;
+using System.Runtime.InteropServices;
+using FootballPhysics.Native;
+
+namespace FootballPhysics.Fuzz;
+
+/// <summary>An export of the C interface, called by its address as C calls it.</summary>
+/// <param name="Name">The name in C.</param>
+/// <param name="Parameters">The parameters.</param>
+/// <param name="Result">The type of the result.</param>
+/// <param name="Invoke">Calls it; each argument and the result are 64 bits.</param>
+internal readonly record struct NativeCall(string Name, ParameterInfo[] Parameters, Type Result, Func<long[], long> Invoke)
+{
+    /// <summary>All exports, in the order of their names: a new one is called without a change here.</summary>
+    public static NativeCall[] All() =>
+    [
+        .. typeof(Exports).GetMethods(BindingFlags.Public | BindingFlags.Static)
+            .Select(method => (Method: method, method.GetCustomAttribute<UnmanagedCallersOnlyAttribute>()?.EntryPoint))
+            .Where(export => export.EntryPoint is not null)
+            .OrderBy(export => export.EntryPoint, StringComparer.Ordinal)
+            .Select(export => new NativeCall(export.EntryPoint!, export.Method.GetParameters(), export.Method.ReturnType, Compiled(export.Method))),
+    ];
+
+    private static Func<long[], long> Compiled(MethodInfo method)
+    {
+        var caller = new DynamicMethod(method.Name, typeof(long), [typeof(long[])], typeof(NativeCall).Module, skipVisibility: true);
+        ILGenerator code = caller.GetILGenerator();
+        Type[] types = [.. method.GetParameters().Select(parameter => parameter.ParameterType)];
+        for (int i = 0; i < types.Length; i++)
+        {
+            code.Emit(OpCodes.Ldarg_0);
+            code.Emit(OpCodes.Ldc_I4, i);
+            code.Emit(OpCodes.Ldelem_I8);
+            if (types[i] == typeof(double))
+            {
+                code.Emit(OpCodes.Call, ((Func<long, double>)BitConverter.Int64BitsToDouble).Method);
+            }
+            else if (types[i] != typeof(long))
+            {
+                code.Emit(types[i].IsPointer ? OpCodes.Conv_I : OpCodes.Conv_I4);
+            }
+        }
+
+        code.Emit(OpCodes.Ldc_I8, (long)method.MethodHandle.GetFunctionPointer());
+        code.Emit(OpCodes.Conv_I);
+        Type result = method.ReturnType;
+        code.EmitCalli(OpCodes.Calli, CallingConvention.Cdecl, result.IsEnum ? typeof(int) : Plain(result), [.. types.Select(Plain)]);
+        if (method.ReturnType == typeof(double))
+        {
+            code.Emit(OpCodes.Call, ((Func<double, long>)BitConverter.DoubleToInt64Bits).Method);
+        }
+        else
+        {
+            code.Emit(OpCodes.Conv_I8);
+        }
+
+        code.Emit(OpCodes.Ret);
+        return caller.CreateDelegate<Func<long[], long>>();
+    }
+
+    private static Type Plain(Type type) => type.IsPointer ? typeof(nint) : type;
+}
