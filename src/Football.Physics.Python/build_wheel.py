@@ -1,4 +1,4 @@
-"""Builds the wheel with the standard library alone: the package, and the C library that build.sh of Football.Physics.Native made.
+"""Builds the wheel with the standard library and the .NET SDK alone: the package, and the C library that build.sh of Football.Physics.Native made.
 
     python3 build_wheel.py LIBRARY DIR [PLATFORM]       PLATFORM: a wheel's tag, default that of this machine
 """
@@ -7,12 +7,14 @@ import base64
 import hashlib
 import pathlib
 import re
+import subprocess
 import sys
 import sysconfig
 import zipfile
 
 HERE = pathlib.Path(__file__).parent
 TIME = (2026, 1, 1, 0, 0, 0)
+VERSION = ["dotnet", "msbuild", str(HERE.parent / "Football.Physics"), "-restore", "-t:FindVersion", "-getProperty:Version"]
 
 
 def description() -> str:
@@ -22,8 +24,14 @@ def description() -> str:
     return re.sub(r"^#(#+ )", r"\1", section, flags=re.M)
 
 
+def python_version(version: str) -> str:
+    """A version as Python writes it: 0.2.1-alpha.0.3, three commits after a tag, becomes 0.2.1a0.post3."""
+    version = re.sub(r"-(a|b|rc)[a-z]*\.(\d+)", r"\1\2", version)
+    return re.sub(r"((?:a|b|rc)\d+)\.(\d+)$", r"\1.post\2", version)
+
+
 def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
-    version = re.search(r"<VersionPrefix>(.*)</VersionPrefix>", (HERE.parents[1] / "Directory.Build.props").read_text(encoding="utf-8")).group(1)
+    version = python_version(subprocess.run(VERSION, check=True, capture_output=True, text=True).stdout.strip())
     tag = "py3-none-" + (platform or sysconfig.get_platform()).replace("-", "_").replace(".", "_")
     info = f"football_physics-{version}.dist-info"
     files = {f"football_physics/{path.name}": path.read_bytes() for path in sorted((HERE / "football_physics").iterdir()) if path.suffix in (".py", ".typed")}
