@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
 # The columns before that of the commit need no quotes.
-last=$(tail -n 1 benchmarks/history.csv | cut -d, -f3)
-commit=$(git rev-parse --verify "${1:-$last}^{commit}")
+commit=${1:-$(tail -n 1 benchmarks/history.csv | cut -d, -f3)}
+commit=$(git rev-parse --verify "$commit^{commit}")
 seconds=${2:-30}
 project=benchmarks/Football.Physics.Benchmarks
 output=$project/bin/Release/net10.0
