@@ -19,7 +19,7 @@ public sealed class HistoryFileTests : IDisposable
         HistoryFile read = HistoryFile.Read(Path);
         Assert.Equal(["0.1.0", "0.2.0"], read.Versions);
         Assert.Equal(["a kick, RK2", "a \"new\" row, RK4"], read.Ratios);
-        Assert.Equal([(0, 2), (1, 1.5)], read.Of("a kick, RK2"));
+        Assert.Equal([(0, 2.0), (1, 1.5)], read.Of("a kick, RK2"));
         Assert.Equal([(1, 0.25)], read.Of("a \"new\" row, RK4"));
     }
 
