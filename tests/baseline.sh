@@ -14,7 +14,7 @@ for part in Football.Physics Football.Physics.{Batch,Engines,Thesis,Tracks}; do
     mkdir -p "$work/$part/lib/$target"
     cp "src/$part/obj/Release/$target/ref/$part.dll" "$work/$part/lib/$target/"
   done
-  version=$(dotnet msbuild "src/$part" -getProperty:Version)
+  version=$(dotnet msbuild "src/$part" -t:FindVersion -getProperty:Version)
   cat > "$work/$part/$part.nuspec" <<NUSPEC
 <?xml version="1.0" encoding="utf-8"?>
 <package xmlns="http://schemas.microsoft.com/packaging/2013/05/nuspec.xsd">

@@ -54,14 +54,13 @@ copy() {
   git clone -q --no-checkout . "$1"
   git -C "$1" remote remove origin
   for remote in $(git remote); do git -C "$1" remote add "$remote" "$(git config "remote.$remote.url")"; done
-  git ls-files -co --exclude-standard -z -- src samples/Unity tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig .gitignore 'Directory.*' global.json \
+  git ls-files -co --exclude-standard -z -- src samples/Unity tests/Baseline README.md LICENSE BannedSymbols.txt .editorconfig .gitignore .config docs/changelog.md 'Directory.*' global.json \
     | while IFS= read -r -d '' file; do [[ -e $file ]] && printf '%s\0' "$file"; done | tar --null -T - -c | tar -x -C "$1"
 }
 
 # --- the package
 
 parts=(Football.Physics Football.Physics.{Batch,Engines,Thesis,Tracks})
-version=$(sed -nE 's|.*<VersionPrefix>(.*)</VersionPrefix>.*|\1|p' Directory.Build.props)
 blocks=$root/tests/blocks.py
 # page SECTION [N…]: runs the blocks of a section of a page exactly as printed, in a copy of the sources. pack_page: a block that packs, for which the SDK's own packages are in the usual cache.
 # Analyzers do not change the bytes; the build of the solution runs them.
@@ -73,6 +72,7 @@ pack_page() { (unset NUGET_PACKAGES CI; page "$@"); }
 entries() { unzip -lv "$1" | grep -v ' runtimes/' | sed '1d;$d'; }
 
 copy "$work/one"
+version=$(cd "$work/one" && env -u NUGET_PACKAGES dotnet msbuild src/Football.Physics -restore -t:FindVersion -getProperty:Version 2> "$log") || fail "the version"
 pack_page docs/performance.md#warm-up-the-first-step-is-slow
 package=$feed/Football.Physics.$version.nupkg
 ok "docs/performance.md: $(cd "$feed" && echo *.nupkg), validated: the same API on every target, nothing gone that the last version had"
@@ -105,6 +105,12 @@ for part in "${parts[@]}"; do
   else
     [[ $dependencies == "<dependency id=\"Football.Physics\" version=\"[$version]\" "* && $(wc -l <<< "$dependencies") == 1 ]] || fail "$part depends on $dependencies"
   fi
+  has "$nuspec" '<releaseNotes>## ' "$part: no release notes"
+  # What the package depends on, and no tool of the build.
+  sbom=$(unzip -p "$each" _manifest/bom.cdx.json)
+  listed=$(grep -o '"purl": "[^"]*"' <<< "$sbom" | sort -u)
+  expected=$(printf '"purl": "pkg:nuget/%s@'"$version"'"\n' Football.Physics "$part" | sort -u)
+  [[ $listed == "$expected" ]] || fail "$part: the SBOM lists $listed"
   readme=$(unzip -p "$each" README.md)
   has "$readme" "# Football.Physics" "$part: the README is not in the package"
   if grep -qE '\]\((docs|src|samples)/' <<< "$readme"; then fail "the README has links that end on a page of a feed"; fi
@@ -114,7 +120,7 @@ done
 documented=$(unzip -p "$package" lib/netstandard2.1/Football.Physics.xml)
 has "$documented" 'T:FootballPhysics.Ball"' "no documentation of Ball"
 has "$documented" 'M:FootballPhysics.Ball.Kick(' "no documentation of Ball.Kick"
-ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB that of the library: 3 assemblies each with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence; no dependency but on the library"
+ok "contents, ${#parts[@]} packages, $(( $(stat -c %s "$package") / 1024 )) KiB that of the library: 3 assemblies each with documentation and symbols, 4 with code compiled ahead of time, README, icon, licence, release notes, SBOM; no dependency but on the library"
 
 # The build of the solution has these assemblies too: in another folder, with the analyzers, and in .ci/run as on a build server. Code ahead of time is made from them by a tool of
 # .NET's own, for a minute: not twice.
@@ -124,8 +130,34 @@ for part in "${parts[@]}"; do
   each=$part.$version
   diff <(entries "$feed/$each.nupkg") <(entries "$work/feed2/$each.nupkg") > "$log" || fail "packed in another folder, $part.nupkg differs"
   cmp "$feed/$each.snupkg" "$work/feed2/$each.snupkg" > "$log" 2>&1 || fail "packed in another folder, $part.snupkg differs"
+  cmp <(unzip -p "$feed/$each.nupkg" _manifest/bom.cdx.json) <(unzip -p "$work/feed2/$each.nupkg" _manifest/bom.cdx.json) > "$log" 2>&1 || fail "packed in another folder, the SBOM of $part differs"
 done
-ok "deterministic: packed in another folder, as on a build server or not, the assemblies, documentation and .snupkg are the same bytes"
+ok "deterministic: packed in another folder, as on a build server or not, the assemblies, documentation, SBOM and .snupkg are the same bytes"
+
+# --- the version: that of a tag, and without a tag that of Directory.Build.props
+
+tagged=$work/tagged
+copy "$tagged"
+rm -rf "$tagged/.git"
+prefix=$(sed -nE 's|.*<VersionPrefix>(.*)</VersionPrefix>.*|\1|p' Directory.Build.props)
+in_tagged() { GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.com GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.com git -C "$tagged" "$@" > "$log" 2>&1 || fail "git $1"; }
+# has_version EXPECTED WHERE
+has_version() {
+  local found
+  found=$(cd "$tagged" && env -u NUGET_PACKAGES dotnet msbuild src/Football.Physics -restore -t:FindVersion -getProperty:Version 2> "$log") || fail "the version $2"
+  [[ $found == "$1" ]] || fail "the version $2 is $found, not $1"
+}
+has_version "$prefix" "without git"
+in_tagged init -q
+in_tagged commit -q --allow-empty -m first
+has_version "$prefix" "without a tag"
+in_tagged tag v9.8.7
+has_version 9.8.7 "at the tag v9.8.7"
+in_tagged commit -q --allow-empty -m second
+has_version 9.8.8-alpha.0.1 "one commit after v9.8.7"
+git -C "$tagged" rev-parse HEAD > "$tagged/.git/shallow"
+has_version "$prefix" "in a shallow clone after a tag"
+ok "version: $prefix without git, without a tag and in a shallow clone; 9.8.7 at v9.8.7; 9.8.8-alpha.0.1 after it"
 
 # --- the package for Unity
 
@@ -139,7 +171,9 @@ manifest=$work/unity/package/package.json
 for link in documentationUrl:Documentation~/index.md changelogUrl:CHANGELOG.md licensesUrl:LICENSE.md; do
   grep -qF "\"${link%%:*}\": \"$address/blob/HEAD/samples/Unity/com.football.physics/${link#*:}\"," "$manifest" || fail "the package for Unity has no ${link%%:*}"
 done
-sed -i '/Url": /d' "$manifest"
+# Links and the version are written when it is packed.
+as_committed() { sed -i -e '/Url": /d' -e "s|^  \"version\": \"$version\",|$(grep '^  "version": ' samples/Unity/com.football.physics/package.json)|" "$1"; }
+as_committed "$manifest"
 diff -r -x '*.dll' -x '*.xml' samples/Unity/com.football.physics "$work/unity/package" > "$log" || fail "the package for Unity is not its folder"
 for file in Football.Physics{,.Engines}.{dll,xml}; do
   cmp <(unzip -p "$feed/${file%.*}.$version.nupkg" "lib/netstandard2.1/$file") "$work/unity/package/Plugins/$file" > "$log" 2>&1 || fail "the package for Unity has another $file"
@@ -154,7 +188,7 @@ unity_branch() {
 quietly "samples/Unity/build.sh --branch" unity_branch
 quietly "git clone of the branch" git clone -q --depth 1 --branch upm "file://$work/one" "$work/upm"
 rm -rf "$work/upm/.git"
-sed -i '/Url": /d' "$work/upm/package.json"
+as_committed "$work/upm/package.json"
 diff -r "$work/unity/package" "$work/upm" > "$log" || fail "the branch for Unity is not the package"
 before=$(git -C "$work/one" rev-parse upm)
 quietly "samples/Unity/build.sh --branch, again" unity_branch

@@ -31,8 +31,8 @@ foreach (string part in (string[])["Football.Physics", "Football.Physics.Engines
     }
 }
 
-string manifest = WithLinks(File.ReadAllText(Path.Combine(package, "package.json")));
-string version = Regex.Match(manifest, "\"version\": \"(.*)\"").Groups[1].Value;
+string version = Run("dotnet", ["msbuild", Path.Combine(root, "src/Football.Physics"), "-t:FindVersion", "-getProperty:Version"]);
+string manifest = WithLinks(Regex.Replace(File.ReadAllText(Path.Combine(package, "package.json")), "\"version\": \".*\"", $"\"version\": \"{version}\""));
 string[] files = [.. Directory.EnumerateFiles(package, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(package, file).Replace('\\', '/')).Order(StringComparer.Ordinal)];
 if (args is ["--branch", string branch])
 {

@@ -1,4 +1,4 @@
-"""Builds the wheel with the standard library alone: the package, and the C library that build.sh of Football.Physics.Native made.
+"""Builds the wheel with the standard library and the .NET SDK alone: the package, and the C library that build.sh of Football.Physics.Native made.
 
     python3 build_wheel.py LIBRARY DIR [PLATFORM]       PLATFORM: a wheel's tag, default manylinux_2_31 for a library for Linux, otherwise that of this machine
 """
@@ -7,6 +7,7 @@ import base64
 import hashlib
 import pathlib
 import re
+import subprocess
 import sys
 import sysconfig
 import zipfile
@@ -15,6 +16,7 @@ HERE = pathlib.Path(__file__).parent
 TIME = (2026, 1, 1, 0, 0, 0)
 # That of Debian 11.
 GLIBC = 31
+VERSION = ["dotnet", "msbuild", str(HERE.parent / "Football.Physics"), "-restore", "-t:FindVersion", "-getProperty:Version"]
 
 
 def description() -> str:
@@ -35,8 +37,14 @@ def platform_of(library: bytes) -> str:
     return f"manylinux_2_{GLIBC}_{machine}"
 
 
+def python_version(version: str) -> str:
+    """A version as Python writes it: 0.2.1-alpha.0.3, three commits after a tag, becomes 0.2.1a0.post3."""
+    version = re.sub(r"-(a|b|rc)[a-z]*\.(\d+)", r"\1\2", version)
+    return re.sub(r"((?:a|b|rc)\d+)\.(\d+)$", r"\1.post\2", version)
+
+
 def main(library: str, folder: str, platform: str = "") -> pathlib.Path:
-    version = re.search(r"<VersionPrefix>(.*)</VersionPrefix>", (HERE.parents[1] / "Directory.Build.props").read_text(encoding="utf-8")).group(1)
+    version = python_version(subprocess.run(VERSION, check=True, capture_output=True, text=True).stdout.strip())
     tag = "py3-none-" + (platform or platform_of(pathlib.Path(library).read_bytes())).replace("-", "_").replace(".", "_")
     info = f"football_physics-{version}.dist-info"
     files = {f"football_physics/{path.name}": path.read_bytes() for path in sorted((HERE / "football_physics").iterdir()) if path.suffix in (".py", ".typed")}

@@ -8,7 +8,7 @@ namespace FootballPhysics.Benchmarks;
 /// <summary>`quick`: the tables of times in under a minute, where BenchmarkDotNet takes many.</summary>
 internal static class QuickCommand
 {
-    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] --costs FILE";
+    private const string Usage = "quick [--seconds S] [--only TEXT, such as kick: | \"first use\" | world: | contact: | group: | heap: | net: | prediction:] [--markdown FILE] | quick [--seconds S] (--costs FILE | --history FILE | --against FOLDER)";
 
     public static int Run(string[] arguments)
     {
@@ -16,6 +16,8 @@ internal static class QuickCommand
         string? only = null;
         string? markdown = null;
         string? costs = null;
+        string? history = null;
+        string? against = null;
         for (int i = 0; i < arguments.Length; i += 2)
         {
             string? value = i + 1 < arguments.Length ? arguments[i + 1] : null;
@@ -35,6 +37,12 @@ internal static class QuickCommand
                 case "--costs" when value is not null:
                     costs = value;
                     break;
+                case "--history" when value is not null:
+                    history = value;
+                    break;
+                case "--against" when value is not null:
+                    against = value;
+                    break;
                 default:
                     Console.Error.WriteLine($"'{arguments[i]}' is not understood. Usage: {Usage}");
                     return 2;
@@ -45,6 +53,17 @@ internal static class QuickCommand
         {
             CostTable.Write(costs, seconds);
             return 0;
+        }
+
+        if (history is not null)
+        {
+            HistoryCommand.Run(history, seconds);
+            return 0;
+        }
+
+        if (against is not null)
+        {
+            return PairedCommand.Run(against, seconds);
         }
 
         string text = Report(seconds, only, string.Join(' ', arguments));
@@ -62,7 +81,7 @@ internal static class QuickCommand
         var text = new StringBuilder();
         Print(text, "# Benchmarks");
         Print(text, "");
-        Print(text, $"{DateTime.UtcNow:yyyy-MM-dd}, {Machine()}, {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.OSDescription.Trim()}.");
+        Print(text, $"{DateTime.UtcNow:yyyy-MM-dd}, {Machine.Description}, {RuntimeInformation.FrameworkDescription}, {RuntimeInformation.OSDescription.Trim()}.");
         Print(text, $"Written by `dotnet run -c Release --project benchmarks/Football.Physics.Benchmarks -- quick {arguments}`.");
         Print(text, "Medians of rounds in which subject and yardstick alternate. Compare ratios, not times: on a shared machine, the times of a row change together, by 50 % and more.");
         Print(text, "`plain` is an implementation of the same laws in straightforward double C# with `Math.Pow` and `Math.Exp`, in the same process. Reach: the project's own target.");
@@ -234,14 +253,5 @@ internal static class QuickCommand
     {
         text.Append(line).Append('\n');
         Console.WriteLine(line);
-    }
-
-    private static string Machine()
-    {
-        const string Info = "/proc/cpuinfo";
-        string? model = File.Exists(Info)
-            ? File.ReadLines(Info).FirstOrDefault(line => line.StartsWith("model name", StringComparison.Ordinal))?.Split(':')[^1].Trim()
-            : null;
-        return $"{model ?? RuntimeInformation.ProcessArchitecture.ToString()} ({Environment.ProcessorCount} core{(Environment.ProcessorCount == 1 ? "" : "s")} used)";
     }
 }
