@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The observations of a ball that a fit compares with a path.</summary>

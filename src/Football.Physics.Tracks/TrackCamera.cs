@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>A camera as a 3 × 4 matrix from positions to pixels.</summary>

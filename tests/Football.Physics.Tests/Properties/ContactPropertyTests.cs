@@ -1,4 +1,5 @@
 using CsCheck;
+using FootballPhysics.Scenes;
 using FootballPhysics.Tests.Symmetry;
 
 namespace FootballPhysics.Tests.Properties;

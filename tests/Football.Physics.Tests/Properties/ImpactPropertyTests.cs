@@ -1,4 +1,6 @@
 using CsCheck;
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Properties;
 

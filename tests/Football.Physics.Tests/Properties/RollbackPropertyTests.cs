@@ -1,4 +1,5 @@
 using CsCheck;
+using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Tests.Properties;
 
