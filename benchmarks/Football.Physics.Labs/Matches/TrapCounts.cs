@@ -1,5 +1,6 @@
 using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -24,7 +25,7 @@ internal static class TrapCounts
         {
             int at = i;
             progress.Report(i, count, () => FormattableString.Invariant($"trap {at}"));
-            var random = new LabRandom(LabRandom.Mix(seed, i));
+            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             bool high = random.Chance(0.4);
             double angle = random.Uniform(0, 6.28);
             Vector3d velocity = random.Uniform(2, 15) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));

@@ -1,4 +1,5 @@
 using FootballPhysics.Scenes;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
@@ -19,7 +20,7 @@ internal sealed class Slopes : SceneKind
 
     public override string Claim => "A ball put on a slope in wind rests if |a_t|/(1 + k) ≤ c₀ N/m, and otherwise rolls as its equation says: 1e-6 m, or that share of the way.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         while (true)
         {

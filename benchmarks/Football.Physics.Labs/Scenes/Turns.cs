@@ -1,4 +1,5 @@
 using FootballPhysics.Scenes;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;
 
@@ -26,7 +27,7 @@ internal sealed class Turns : SceneKind
 
     public override string Claim => "A shape that turns about its pivot first touches the ball where an exact rotation does, and throws it as its surface moves there: 1e-3 m, and 1e-3 of the speed.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         PieceKind kind = random.Any(PieceKind.Bodies, PieceKind.Colliders);
         while (true)
@@ -53,7 +54,7 @@ internal sealed class Turns : SceneKind
         }
     }
 
-    private static TurningModel Draw(LabRandom random, out IShape shape, out string name)
+    private static TurningModel Draw(SeededRandom random, out IShape shape, out string name)
     {
         int which = random.Below(3);
         Vector3d start = random.Uniform(0, 1) * random.Direction();
@@ -92,7 +93,7 @@ internal sealed class Turns : SceneKind
     }
 
     /// <summary>A ball that would be near a random point of the shape at a random time, if the shape let it.</summary>
-    private static (Vector3d From, Vector3d Velocity) Aim(LabRandom random, TurningModel model, double gravity, double duration)
+    private static (Vector3d From, Vector3d Velocity) Aim(SeededRandom random, TurningModel model, double gravity, double duration)
     {
         double time = random.Uniform(0.05, 0.9) * duration;
         double share = random.Next();

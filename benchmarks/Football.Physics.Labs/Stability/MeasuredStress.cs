@@ -1,4 +1,5 @@
 using FootballPhysics.Laws;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;
 
@@ -15,7 +16,7 @@ internal static class MeasuredStress
     /// <summary>The same shot in a scene of the measured profile.</summary>
     public static StressScene Of(StressScene scene, long seed, long index)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, ~index));
+        var random = new SeededRandom(SeededRandom.Mix(seed, ~index));
         Ground ground = scene.Scene.Ground;
         if (scene.Kind != StressKind.ComesToRest)
         {

@@ -1,4 +1,5 @@
 using FootballPhysics.Prediction;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Zones;
 
@@ -60,7 +61,7 @@ internal sealed class ZonePlays
     /// <summary>Plays a case.</summary>
     public void Play(long seed, int index)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, index));
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
         bool failed = Failed;
         ZoneCase kick = ZoneDraw.Kick(random);
         BallState plain = Fly(kick, kick.Scene, new StepLog(mostEvents: 65_536));

@@ -89,7 +89,6 @@ public sealed class StressTests
         public StressScene Scene(Profile profile) => new()
         {
             Kind = StressKind.AnyShot,
-            Integrator = Method,
             Scene = profile.Scene() with
             {
                 Ball = Ball,

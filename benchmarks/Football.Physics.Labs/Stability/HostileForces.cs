@@ -1,6 +1,6 @@
 using FootballPhysics.Laws;
 
-namespace FootballPhysics.Labs.Hostile;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Forces of a game's own, of any strength.</summary>
 internal static class HostileForces
