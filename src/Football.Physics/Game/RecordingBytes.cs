@@ -1,4 +1,3 @@
-using FootballPhysics.Netcode;
 using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
