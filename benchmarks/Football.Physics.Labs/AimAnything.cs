@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>Random requests of every kind: speeds, spins, winds, laws, distances, heights, elevation bounds.</summary>

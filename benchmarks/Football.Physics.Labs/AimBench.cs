@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Labs;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>A line of a table: what a method did with a set of requests.</summary>

@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>

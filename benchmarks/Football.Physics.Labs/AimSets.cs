@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>The seeded requests of the thesis' experiments with predictors, and of the table of targets. Kicks go along x; the goal line is at x = 0.</summary>

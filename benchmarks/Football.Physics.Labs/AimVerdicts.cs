@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>Random requests answered by the library's own solver, its verdicts held against the dense scan.</summary>

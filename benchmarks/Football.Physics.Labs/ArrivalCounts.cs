@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>How many kicks are found that are to arrive with a speed, and whether they do when they are played.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>How many hits of many aims at once miss when they are flown: low drives with backspin, which the ground holds, and any kick.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>The chance of a goal near the frame, against kicks that are drawn and played with it.</summary>

@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>How many passes along the ground that were rolled are found again: at their time, and no faster than they were.</summary>

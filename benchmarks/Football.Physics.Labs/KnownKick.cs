@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>A kick that was flown, and the request that it answers.</summary>

@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>How many kicks that were flown are found again, by every question that has an answer then.</summary>

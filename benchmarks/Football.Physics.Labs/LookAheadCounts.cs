@@ -1,6 +1,3 @@
-using FootballPhysics.Laws;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>How many answers of look-aheads are wrong: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>

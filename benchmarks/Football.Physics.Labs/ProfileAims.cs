@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Laws;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs;

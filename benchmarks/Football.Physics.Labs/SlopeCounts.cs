@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>Aims at targets on and over slopes: whether hits pass the target that was asked for, when they are played.</summary>

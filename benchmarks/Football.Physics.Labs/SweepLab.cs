@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Text;
-using FootballPhysics.Aiming;
 using FootballPhysics.Scenarios.Input;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Formats;

@@ -1,6 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs;
 
 /// <summary>What a kick really misses by: its closest approach to the target before its first impact, by a look-ahead in RK4 at 5 ms.</summary>

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using FootballPhysics.Drawing;
-using FootballPhysics.Scenes;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using FootballPhysics.Aiming;
 using FootballPhysics.Labs;
 using FootballPhysics.Yardsticks;
 

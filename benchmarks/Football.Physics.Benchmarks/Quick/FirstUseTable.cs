@@ -1,7 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Benchmarks;
 

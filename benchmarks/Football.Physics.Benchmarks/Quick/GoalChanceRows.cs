@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Benchmarks;

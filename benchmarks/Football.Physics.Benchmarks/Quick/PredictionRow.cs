@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A row of the table of predictors: requests, and the method that answers them.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Benchmarks;
 
 /// <summary>A stadium with all that a match has: two goals with nets, boards, twenty-two players.</summary>

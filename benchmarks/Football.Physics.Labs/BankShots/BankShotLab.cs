@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Diagnostics;
-using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs.Goals;
 
 /// <summary>

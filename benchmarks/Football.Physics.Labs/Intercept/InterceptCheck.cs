@@ -1,4 +1,3 @@
-using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Intercept;

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Numerics;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs.Intercept;
 
 /// <summary>When a runner can meet a ball, by asking again and again: what the search with bounds is compared with.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Prediction;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,3 @@
-using FootballPhysics.Prediction;
-
 namespace FootballPhysics.Labs.Obstacles;
 
 /// <summary>Drops on a board in vacuum.</summary>

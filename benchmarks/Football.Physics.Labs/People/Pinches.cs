@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.People;

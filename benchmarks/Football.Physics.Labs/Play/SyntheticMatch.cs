@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-using FootballPhysics.Laws;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Play;

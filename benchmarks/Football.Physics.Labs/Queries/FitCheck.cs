@@ -1,4 +1,3 @@
-using FootballPhysics.Laws;
 using FootballPhysics.Numerics;
 using FootballPhysics.Yardsticks;
 

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using FootballPhysics.Prediction;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 

@@ -1,6 +1,3 @@
-using FootballPhysics.Contacts;
-using FootballPhysics.Scenes;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>

@@ -1,4 +1,3 @@
-using FootballPhysics.Scenes;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Scenes;

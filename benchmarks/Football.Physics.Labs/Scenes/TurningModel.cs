@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A shape that turns about its pivot and moves along, exactly, and the distance of a point from it: no code of the library's contacts.</summary>

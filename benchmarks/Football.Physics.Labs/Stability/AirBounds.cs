@@ -1,5 +1,3 @@
-using FootballPhysics.Laws;
-
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What the air of a scene can do to its ball at most, from the equations of its laws.</summary>

@@ -1,5 +1,3 @@
-using FootballPhysics.Laws;
-
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Forces of a game's own, of any strength.</summary>

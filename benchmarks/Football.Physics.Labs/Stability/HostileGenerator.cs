@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;

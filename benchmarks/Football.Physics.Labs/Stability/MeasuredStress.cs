@@ -1,4 +1,3 @@
-using FootballPhysics.Laws;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;

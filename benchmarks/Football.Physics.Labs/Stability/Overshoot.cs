@@ -1,6 +1,5 @@
 using System.Xml.Linq;
 using FootballPhysics.Drawing;
-using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;
 

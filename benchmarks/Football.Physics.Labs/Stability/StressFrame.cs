@@ -1,5 +1,3 @@
-using FootballPhysics.Numerics;
-
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Checks a frame.</summary>

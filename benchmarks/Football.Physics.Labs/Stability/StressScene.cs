@@ -1,5 +1,4 @@
 using System.Globalization;
-using FootballPhysics.Laws;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;

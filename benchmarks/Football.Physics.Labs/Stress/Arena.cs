@@ -1,7 +1,4 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Labs.People;
-using FootballPhysics.Laws;
-using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;

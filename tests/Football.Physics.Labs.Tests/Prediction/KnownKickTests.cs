@@ -1,5 +1,3 @@
-using FootballPhysics.Aiming;
-
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown are found again, by every question whose answer they are.</summary>

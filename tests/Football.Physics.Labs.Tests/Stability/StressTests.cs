@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Labs.Stability;
 using FsCheck.Fluent;
 using FsCheck;

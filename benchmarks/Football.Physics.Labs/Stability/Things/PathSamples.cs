@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Labs.Stability.Things;
 
