@@ -6,40 +6,16 @@ internal sealed class AimVerdicts
     /// <summary>Elevations that a scan tries.</summary>
     public const int Elevations = 181;
 
-    private readonly Lock _lock = new();
-    private readonly List<string> _examples = [];
-
-    public int Requests { get; private set; }
-
-    public int Hits { get; private set; }
-
-    public int OutOfReach { get; private set; }
-
-    public int NotConverged { get; private set; }
-
-    /// <summary>Answers that are no kick of the speed asked for within the bounds.</summary>
-    public int WithoutAnswer { get; private set; }
-
-    /// <summary>Requests that were scanned: all that were not hit, or a sample of them. A hit proves itself by its measured miss.</summary>
-    public int Scanned { get; private set; }
-
-    /// <summary>Scanned requests that the scan hits.</summary>
-    public int Wrong { get; private set; }
-
-    /// <summary>Scanned requests whose kick is further off than the scan's best, by more than 1 cm and 1 %.</summary>
-    public int NotClosest { get; private set; }
-
-    public long HitSimulations { get; private set; }
-
-    public long OtherSimulations { get; private set; }
-
-    public double WorstHit { get; private set; }
+    private readonly LabCounts _counts = new();
 
     /// <summary>The first few that are wrong, or not the closest.</summary>
-    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(5);
+    public IEnumerable<string> Examples => _counts.Examples.Take(5);
+
+    /// <summary>Whether the scan hits no request that was not hit, and every request has an answer.</summary>
+    public bool Answers => _counts["can be hit"] == 0 && _counts["without an answer"] == 0;
 
     /// <summary>Whether the scan contradicts no verdict, and every request has one.</summary>
-    public bool Hold => Wrong == 0 && NotClosest == 0 && WithoutAnswer == 0 && NotConverged == 0;
+    public bool Hold => Answers && _counts["can be closer"] == 0 && _counts["not converged"] == 0;
 
     /// <summary>Answers all requests, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
@@ -71,10 +47,14 @@ internal sealed class AimVerdicts
         var table = new LabTable(
             name,
             "requests", "hit", "out of reach", "not converged", "without an answer", "worst hit, mm", "simulations: hit", "simulations: others", "scanned", "can be hit", "can be closer");
-        int others = Requests - Hits;
+        long hits = _counts["hit"];
+        long others = _counts["requests"] - hits;
         table.Add(
-            Requests, Hits, OutOfReach, NotConverged, WithoutAnswer, 1e3 * WorstHit, Hits > 0 ? (double)HitSimulations / Hits : null,
-            others > 0 ? (double)OtherSimulations / others : null, Scanned, Wrong, NotClosest);
+        [
+            .. _counts.Cells("requests", "hit", "out of reach", "not converged", "without an answer", "worst hit, mm"),
+            hits > 0 ? (double)_counts["simulations: hit"] / hits : null, others > 0 ? (double)_counts["simulations: others"] / others : null,
+            .. _counts.Cells("scanned", "can be hit", "can be closer"),
+        ]);
         return table;
     }
 
@@ -92,48 +72,32 @@ internal sealed class AimVerdicts
         {
             AimResult result = aimer.Find(request);
             double? best = !result.HitsTarget && missed++ % scanEvery == 0 ? scan.Best(request, Elevations) : null;
-            lock (_lock)
-            {
-                Add(index, request, in result, best);
-                report(Requests);
-            }
+            Add(index, request, in result, best);
+            report((int)_counts["requests"]);
         }
     }
 
     private void Add(int scene, AimRequest request, in AimResult result, double? best)
     {
-        Requests++;
+        _counts.Add("requests");
         double elevation = Math.Atan2(result.Velocity.Y, result.Velocity.Horizontal.Length) * 180 / Math.PI;
         bool answer = Math.Abs(result.Velocity.Length - request.Speed) <= 1e-9 * request.Speed && result.Spin.IsFinite && double.IsFinite(result.Miss)
             && elevation >= request.MinimumElevationDegrees - 1e-7 && elevation <= request.MaximumElevationDegrees + 1e-7;
-        WithoutAnswer += answer ? 0 : 1;
-        switch (result.Status)
-        {
-            case AimStatus.Hit:
-                Hits++;
-                HitSimulations += result.Simulations;
-                WorstHit = Math.Max(WorstHit, result.Miss);
-                break;
-            case AimStatus.OutOfReach:
-                OutOfReach++;
-                OtherSimulations += result.Simulations;
-                break;
-            default:
-                NotConverged++;
-                OtherSimulations += result.Simulations;
-                break;
-        }
-
+        _counts.AddIf(!answer, "without an answer");
+        bool hit = result.Status == AimStatus.Hit;
+        _counts.Add(hit ? "hit" : result.Status == AimStatus.OutOfReach ? "out of reach" : "not converged");
+        _counts.Add(hit ? "simulations: hit" : "simulations: others", result.Simulations);
+        _counts.Most("worst hit, mm", hit ? 1e3 * result.Miss : 0);
         if (best is { } miss)
         {
-            Scanned++;
             bool notClosest = result.Miss > (1.01 * miss) + 0.01;
-            NotClosest += notClosest ? 1 : 0;
-            Wrong += miss < request.Tolerance ? 1 : 0;
-            if (notClosest || miss < request.Tolerance)
-            {
-                _examples.Add(FormattableString.Invariant($"scene {scene}: {result.Status} with a miss of {result.Miss:0.0000} m, the scan has {miss:0.000000} m; {request}"));
-            }
+            _counts.Add("scanned");
+            _counts.AddIf(notClosest, "can be closer");
+            _counts.AddIf(miss < request.Tolerance, "can be hit");
+            _counts.Require(
+                !notClosest && miss >= request.Tolerance,
+                "contradicted",
+                $"scene {scene}: {result.Status} with a miss of {result.Miss:0.0000} m, the scan has {miss:0.000000} m; {request}");
         }
     }
 }

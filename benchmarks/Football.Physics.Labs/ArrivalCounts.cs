@@ -1,16 +1,15 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>How many kicks are found that are to arrive with a speed, and whether they do when they are played.</summary>
-internal sealed class ArrivalCounts
+internal static class ArrivalCounts
 {
+    public static readonly string[] Columns = ["requests", "hits", "out of reach", "not converged", "known kicks", "not found again", "hits at another speed", "worst, m/s"];
+
     /// <summary>Requests with one aimer.</summary>
     private const int PerAimer = 20;
 
     /// <summary>An arrival further off than this, m/s, is none.</summary>
     private const double LargestError = 0.1;
-
-    private readonly Lock _lock = new();
-    private readonly List<string> _examples = [];
 
     /// <summary>What the targets are: in the air, low ones for volleys, on the ground.</summary>
     public enum Kind
@@ -20,36 +19,10 @@ internal sealed class ArrivalCounts
         Ground,
     }
 
-    public int Requests { get; private set; }
+    public static LabCounts Of(int seed, int count, Kind kind) =>
+        LabCounts.Of(count, PerAimer, (counts, index, requests) => Run(counts, new Random((seed * 100_003) + index), requests, kind));
 
-    /// <summary>Requests for the arrival of a kick that is known.</summary>
-    public int Known { get; private set; }
-
-    /// <summary>Of those, how many have no answer.</summary>
-    public int KnownMissed { get; private set; }
-
-    public int Hits { get; private set; }
-
-    public int OutOfReach { get; private set; }
-
-    public int NotConverged { get; private set; }
-
-    /// <summary>Hits that arrive with another speed when they are played.</summary>
-    public int Wrong { get; private set; }
-
-    /// <summary>The largest error of a hit, m/s.</summary>
-    public double Worst { get; private set; }
-
-    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(8);
-
-    public static ArrivalCounts Of(int seed, int count, Kind kind)
-    {
-        var counts = new ArrivalCounts();
-        Parallel.For(0, (count + PerAimer - 1) / PerAimer, index => counts.Run(new Random((seed * 100_003) + index), Math.Min(PerAimer, count - (index * PerAimer)), kind));
-        return counts;
-    }
-
-    private void Run(Random random, int count, Kind kind)
+    private static void Run(LabCounts counts, Random random, int count, Kind kind)
     {
         double Between(double low, double high) => AimSets.Between(random, low, high);
         var simulator = new Simulator();
@@ -73,21 +46,15 @@ internal sealed class ArrivalCounts
             double wanted = isKnown ? Played(simulator, request, in witness) : Between(4, 25);
             AimResult kick = aimer.FindAtSpeed(request with { Speed = 35 }, wanted);
             double error = kick.Status == AimStatus.Hit ? Math.Abs(Played(simulator, request, in kick) - wanted) : 0;
-            lock (_lock)
-            {
-                Requests++;
-                Known += isKnown ? 1 : 0;
-                KnownMissed += isKnown && kick.Status != AimStatus.Hit ? 1 : 0;
-                Hits += kick.Status == AimStatus.Hit ? 1 : 0;
-                OutOfReach += kick.Status == AimStatus.OutOfReach ? 1 : 0;
-                NotConverged += kick.Status is AimStatus.Hit or AimStatus.OutOfReach ? 0 : 1;
-                Wrong += error > LargestError ? 1 : 0;
-                Worst = Math.Max(Worst, error);
-                if (error > LargestError || (isKnown && kick.Status != AimStatus.Hit))
-                {
-                    _examples.Add($"{request}, {wanted} m/s: {kick}, {error} m/s off");
-                }
-            }
+            FormattableString example = $"{request}, {wanted} m/s: {kick}, {error} m/s off";
+            counts.Add("requests");
+            counts.AddIf(isKnown, "known kicks");
+            counts.Require(!isKnown || kick.Status == AimStatus.Hit, "not found again", example);
+            counts.AddIf(kick.Status == AimStatus.Hit, "hits");
+            counts.AddIf(kick.Status == AimStatus.OutOfReach, "out of reach");
+            counts.AddIf(kick.Status is not (AimStatus.Hit or AimStatus.OutOfReach), "not converged");
+            counts.Require(error <= LargestError, "hits at another speed", example);
+            counts.Most("worst, m/s", error);
         }
     }
 

@@ -1,34 +1,21 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>How many hits of many aims at once miss when they are flown: low drives with backspin, which the ground holds, and any kick.</summary>
-internal sealed class BatchHitCounts
+internal static class BatchHitCounts
 {
+    public static readonly string[] Columns = ["requests", "hits", "false hits", "worst, mm"];
+
     private const int PerScene = 400;
-
-    private readonly Lock _lock = new();
-
-    public int Requests { get; private set; }
-
-    public int Hits { get; private set; }
-
-    public int FalseHits { get; private set; }
-
-    /// <summary>By how much the worst hit misses, m.</summary>
-    public double Worst { get; private set; }
 
     /// <summary>Asks for kicks, on all processors.</summary>
     /// <param name="seed">Seed of the requests.</param>
     /// <param name="count">How many.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     /// <param name="drives">Whether they are low drives with backspin.</param>
-    public static BatchHitCounts Of(int seed, int count, double wind, bool drives)
-    {
-        var counts = new BatchHitCounts();
-        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(seed, index, Math.Min(PerScene, count - (index * PerScene)), wind, drives));
-        return counts;
-    }
+    public static LabCounts Of(int seed, int count, double wind, bool drives) =>
+        LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, seed, index, requests, wind, drives));
 
-    private void Run(int seed, int index, int count, double wind, bool drives)
+    private static void Run(LabCounts counts, int seed, int index, int count, double wind, bool drives)
     {
         var random = new Random((seed * 100_043) + index);
         double Between(double low, double high) => AimSets.Between(random, low, high);
@@ -52,13 +39,10 @@ internal sealed class BatchHitCounts
         {
             bool hit = kicks.Status[i] == AimStatus.Hit;
             double miss = hit ? truth.Of(new AimRequest { From = aims.From[i], Target = aims.Target[i] }, kicks.Velocity[i], kicks.Spin[i]) : 0;
-            lock (_lock)
-            {
-                Requests++;
-                Hits += hit ? 1 : 0;
-                FalseHits += miss > TrueMiss.Rounding * aims.Tolerance ? 1 : 0;
-                Worst = Math.Max(Worst, miss);
-            }
+            counts.Add("requests");
+            counts.AddIf(hit, "hits");
+            counts.AddIf(miss > TrueMiss.Rounding * aims.Tolerance, "false hits");
+            counts.Most("worst, mm", 1e3 * miss);
         }
     }
 }

@@ -1,40 +1,21 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>How many passes along the ground that were rolled are found again: at their time, and no faster than they were.</summary>
-internal sealed class GroundPassCounts
+internal static class GroundPassCounts
 {
+    public static readonly string[] Columns = ["passes", "found", "at their time", "no slower one", "false hits"];
+
     private const int PerScene = 10;
-
-    private readonly Lock _lock = new();
-    private readonly List<string> _examples = [];
-
-    public int Passes { get; private set; }
-
-    public int Missed { get; private set; }
-
-    public int TimedMissed { get; private set; }
-
-    public int SlowestMissed { get; private set; }
-
-    /// <summary>Answers that are called a hit and miss when they are played.</summary>
-    public int FalseHits { get; private set; }
-
-    /// <summary>The first few that were not found.</summary>
-    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal);
 
     /// <summary>Asks for passes, on all processors.</summary>
     /// <param name="seed">Seed of the passes.</param>
     /// <param name="count">How many.</param>
     /// <param name="wind">Largest wind, m/s.</param>
     /// <param name="balls">With how many of the balls.</param>
-    public static GroundPassCounts Of(int seed, int count, double wind, int balls)
-    {
-        var counts = new GroundPassCounts();
-        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(seed, index, Math.Min(PerScene, count - (index * PerScene)), wind, balls));
-        return counts;
-    }
+    public static LabCounts Of(int seed, int count, double wind, int balls) =>
+        LabCounts.Of(count, PerScene, (counts, index, passes) => Run(counts, seed, index, passes, wind, balls));
 
-    private void Run(int seed, int index, int count, double wind, int balls)
+    private static void Run(LabCounts counts, int seed, int index, int count, double wind, int balls)
     {
         var random = new Random((seed * 100_019) + index);
         Scene scene = KnownKick.Scene(random, index % balls, wind);
@@ -48,18 +29,18 @@ internal sealed class GroundPassCounts
             AimResult found = aimer.Find(request);
             AimResult timed = aimer.FindAtTime(request with { Speed = AimSets.Between(random, 1, 1.3) * request.Speed }, time);
             AimResult slowest = aimer.FindSlowest(request with { Speed = 30, MaximumElevationDegrees = 45 });
-            lock (_lock)
+            counts.Add("passes");
+            Require(found.Status == AimStatus.Hit, "found", "pass", in found);
+            Require(timed.Status == AimStatus.Hit, "at their time", "timed", in timed);
+            Require(slowest.Status == AimStatus.Hit && slowest.Speed <= 1.001 * request.Speed, "no slower one", "slowest", in slowest);
+            foreach (AimResult result in (AimResult[])[found, slowest])
             {
-                Passes++;
-                Missed += Note(found.Status == AimStatus.Hit, "pass", index, request, time, in found);
-                TimedMissed += Note(timed.Status == AimStatus.Hit, "timed", index, request, time, in timed);
-                SlowestMissed += Note(slowest.Status == AimStatus.Hit && slowest.Speed <= 1.001 * request.Speed, "slowest", index, request, time, in slowest);
-                foreach (AimResult result in (AimResult[])[found, slowest])
-                {
-                    bool isFalse = result.HitsTarget && truth.Of(request, result.Velocity, result.Spin) > TrueMiss.Rounding * request.Tolerance;
-                    FalseHits += Note(!isFalse, "false hit", index, request, time, in result);
-                }
+                bool isFalse = result.HitsTarget && truth.Of(request, result.Velocity, result.Spin) > TrueMiss.Rounding * request.Tolerance;
+                Require(!isFalse, "false hits", "false hit", in result);
             }
+
+            void Require(bool holds, string column, string question, in AimResult result) => counts.Require(
+                holds, column, $"ground, {question} {index}: {result.Status}, {result.Speed:0.000} m/s, miss {result.Miss:0.000000} m; at {time} s; {request}");
         }
     }
 
@@ -93,16 +74,5 @@ internal sealed class GroundPassCounts
             };
             return (request, time);
         }
-    }
-
-    private int Note(bool found, string question, int index, AimRequest request, double time, in AimResult result)
-    {
-        if (!found)
-        {
-            _examples.Add(FormattableString.Invariant(
-                $"ground, {question} {index}: {result.Status}, {result.Speed:0.000} m/s, miss {result.Miss:0.000000} m; at {time} s; {request}"));
-        }
-
-        return found ? 0 : 1;
     }
 }

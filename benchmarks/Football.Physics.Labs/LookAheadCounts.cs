@@ -1,47 +1,23 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>How many answers of look-aheads are wrong: crossings that are not found, paths that end too early, stiff forces that diverge.</summary>
-internal sealed class LookAheadCounts
+internal static class LookAheadCounts
 {
+    public static readonly string[] Columns =
+        ["paths", "crossings", "not found", "ended before passing", "wrongly complete or not", "with a stiff force", "refused", "diverged"];
+
     private const int PerScene = 20;
     private const double Closeness = 1e-6;
 
     /// <summary>How far a look-ahead in its default step may be from one in steps of 0.1 ms where a game's own force is stiff, m.</summary>
     private const double StiffBound = 0.01;
 
-    private readonly Lock _lock = new();
-    private readonly List<string> _examples = [];
-
-    public int Paths { get; private set; }
-
-    public int Crossings { get; private set; }
-
-    public int CrossingsMissed { get; private set; }
-
-    public int EndedEarly { get; private set; }
-
-    public int WronglyIncomplete { get; private set; }
-
-    public int Stiff { get; private set; }
-
-    public int StiffRefused { get; private set; }
-
-    public int StiffDiverged { get; private set; }
-
-    /// <summary>The first few that are wrong.</summary>
-    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal);
-
     /// <summary>Looks ahead, on all processors.</summary>
     /// <param name="seed">Seed of the kicks.</param>
     /// <param name="count">How many.</param>
-    public static LookAheadCounts Of(int seed, int count)
-    {
-        var counts = new LookAheadCounts();
-        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(seed, index, Math.Min(PerScene, count - (index * PerScene))));
-        return counts;
-    }
+    public static LabCounts Of(int seed, int count) => LabCounts.Of(count, PerScene, (counts, index, paths) => Run(counts, seed, index, paths));
 
-    private void Run(int seed, int index, int count)
+    private static void Run(LabCounts counts, int seed, int index, int count)
     {
         var random = new Random((seed * 100_057) + index);
         Scene scene = KnownKick.Scene(random, index % KnownKick.Balls.Length, index % 2 == 0 ? 0 : 20);
@@ -61,27 +37,18 @@ internal sealed class LookAheadCounts
                 continue; // kicked into the ground
             }
 
-            int crossed = Crossed(random, path, out int missed);
-            bool early = EndsEarly(random, simulator, in ball, end, path, other);
-            bool exact = FitsExactly(simulator, in ball, end, path);
-            lock (_lock)
-            {
-                Paths++;
-                Crossings += crossed;
-                CrossingsMissed += missed;
-                EndedEarly += early ? 1 : 0;
-                WronglyIncomplete += exact ? 0 : 1;
-            }
+            counts.Add("paths");
+            Cross(counts, random, path);
+            EndEarly(counts, random, simulator, in ball, end, path, other);
+            counts.AddIf(!FitsExactly(simulator, in ball, end, path), "wrongly complete or not");
         }
 
-        Push(random, scene, path, other);
+        Push(counts, random, scene, path, other);
     }
 
     /// <summary>Planes just below the apex, planes through the path, and planes across it.</summary>
-    private int Crossed(Random random, Trajectory path, out int missed)
+    private static void Cross(LabCounts counts, Random random, Trajectory path)
     {
-        missed = 0;
-        int crossed = 0;
         double start = path.Pieces[0].StartPosition.Y;
         for (int k = 0; k < 3; k++)
         {
@@ -97,23 +64,11 @@ internal sealed class LookAheadCounts
             };
             bool found = path.TryGetCrossing(in plane, out PathPoint at);
             bool right = !found || Math.Abs(Vector3d.Dot(at.Position - plane.Point, plane.Normal)) < Closeness;
-            crossed += must ? 1 : 0;
-            bool wrong = (must && !found) || !right;
-            missed += wrong ? 1 : 0;
-            if (wrong)
-            {
-                Note(FormattableString.Invariant($"plane {k} through {plane.Point}, normal {plane.Normal}: {(found ? at.Position : null)}; apex {path.Apex}, from {path.Pieces[0].StartPosition} at {path.Pieces[0].StartVelocity} m/s"));
-            }
-        }
-
-        return crossed;
-    }
-
-    private void Note(string example)
-    {
-        lock (_lock)
-        {
-            _examples.Add(example);
+            counts.AddIf(must, "crossings");
+            counts.Require(
+                (found || !must) && right,
+                "not found",
+                $"plane {k} through {plane.Point}, normal {plane.Normal}: {(found ? at.Position : null)}; apex {path.Apex}, from {path.Pieces[0].StartPosition} at {path.Pieces[0].StartVelocity} m/s");
         }
     }
 
@@ -134,7 +89,7 @@ internal sealed class LookAheadCounts
     }
 
     /// <summary>Whether a path until it has passed a point ends before it comes closest to it.</summary>
-    private bool EndsEarly(Random random, Simulator simulator, in BallState ball, StopAt end, Trajectory whole, Trajectory until)
+    private static void EndEarly(LabCounts counts, Random random, Simulator simulator, in BallState ball, StopAt end, Trajectory whole, Trajectory until)
     {
         double angle = AimSets.Between(random, 0, 2 * Math.PI);
         Vector3d aside = new(Math.Cos(angle), AimSets.Between(random, -1, 1), Math.Sin(angle));
@@ -143,15 +98,10 @@ internal sealed class LookAheadCounts
             : whole.PositionAt(AimSets.Between(random, 0, whole.EndTime)) + (AimSets.Between(random, 0, 2) * aside);
         simulator.LookAhead(in ball, new LookAheadRequest { StopAt = end, Duration = 12, UntilPassing = point }, until);
         double off = until.ClosestApproach(point).Distance - whole.ClosestApproach(point).Distance;
-        if (off <= Closeness)
-        {
-            return false;
-        }
-
-        Note(FormattableString.Invariant(
-                $"until passing {point}: ends at {until.EndTime} s, {off} m further than at {whole.ClosestApproach(point).Time} s; {ball.Velocity} m/s, wind {simulator.Scene.Air.Wind}"));
-
-        return true;
+        counts.Require(
+            off <= Closeness,
+            "ended before passing",
+            $"until passing {point}: ends at {until.EndTime} s, {off} m further than at {whole.ClosestApproach(point).Time} s; {ball.Velocity} m/s, wind {simulator.Scene.Air.Wind}");
     }
 
     /// <summary>Whether memory that fits exactly is complete, and memory with room for one piece less is not.</summary>
@@ -173,7 +123,7 @@ internal sealed class LookAheadCounts
     }
 
     /// <summary>A damper and a net of a game's own, from soft to very stiff: followed, or refused.</summary>
-    private void Push(Random random, Scene scene, Trajectory path, Trajectory fine)
+    private static void Push(LabCounts counts, Random random, Scene scene, Trajectory path, Trajectory fine)
     {
         double damping = Math.Pow(10, AimSets.Between(random, -2, 3));
         double stiffness = random.Next(2) == 0 ? 0 : Math.Pow(10, AimSets.Between(random, 1, 5));
@@ -204,15 +154,8 @@ internal sealed class LookAheadCounts
             refused = true;
         }
 
-        lock (_lock)
-        {
-            Stiff++;
-            StiffRefused += refused ? 1 : 0;
-            StiffDiverged += off > StiffBound ? 1 : 0;
-            if (off > StiffBound)
-            {
-                _examples.Add(FormattableString.Invariant($"own force: {friction} N s/m, {stiffness} N/m, {scene.Ball.Mass} kg: {off} m off"));
-            }
-        }
+        counts.Add("with a stiff force");
+        counts.AddIf(refused, "refused");
+        counts.Require(off <= StiffBound, "diverged", $"own force: {friction} N s/m, {stiffness} N/m, {scene.Ball.Mass} kg: {off} m off");
     }
 }

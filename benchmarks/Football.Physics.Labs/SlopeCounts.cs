@@ -1,8 +1,10 @@
 namespace FootballPhysics.Labs;
 
 /// <summary>Aims at targets on and over slopes: whether hits pass the target that was asked for, when they are played.</summary>
-internal sealed class SlopeCounts
+internal static class SlopeCounts
 {
+    public static readonly string[] Columns = ["requests", "hits", "false hits", "worst, mm"];
+
     private const int PerScene = 20;
 
     /// <summary>What the chords of the path that is played may add, m.</summary>
@@ -10,31 +12,13 @@ internal sealed class SlopeCounts
 
     private const double TimeStep = 1e-3;
 
-    private readonly Lock _lock = new();
-    private readonly List<string> _examples = [];
-
-    public int Requests { get; private set; }
-
-    public int Hits { get; private set; }
-
-    public int FalseHits { get; private set; }
-
-    /// <summary>The largest distance at which a hit passes its target, m.</summary>
-    public double Worst { get; private set; }
-
-    public IEnumerable<string> Examples => _examples.Order(StringComparer.Ordinal).Take(8);
-
     /// <summary>Asks for kicks.</summary>
     /// <param name="seed">Seed of the requests.</param>
     /// <param name="count">How many.</param>
     /// <param name="steepest">Slope at most, as a share.</param>
     /// <param name="isUneven">Whether the ground is a height field.</param>
-    public static SlopeCounts Of(int seed, int count, double steepest, bool isUneven)
-    {
-        var counts = new SlopeCounts();
-        Parallel.For(0, (count + PerScene - 1) / PerScene, index => counts.Run(new Random((seed * 100_003) + index), Math.Min(PerScene, count - (index * PerScene)), steepest, isUneven));
-        return counts;
-    }
+    public static LabCounts Of(int seed, int count, double steepest, bool isUneven) =>
+        LabCounts.Of(count, PerScene, (counts, index, requests) => Run(counts, new Random((seed * 100_003) + index), requests, steepest, isUneven));
 
     private static Ground GroundOf(Random random, double steepest, bool isUneven)
     {
@@ -58,7 +42,7 @@ internal sealed class SlopeCounts
         return new Ground { Material = SurfaceMaterial.DryTurf, Heights = new HeightField(-40, -40, 2, values) };
     }
 
-    private void Run(Random random, int count, double steepest, bool isUneven)
+    private static void Run(LabCounts counts, Random random, int count, double steepest, bool isUneven)
     {
         var simulator = new Simulator(new Scene { Ground = GroundOf(random, steepest, isUneven) });
         var aimer = new Aimer(simulator);
@@ -71,18 +55,10 @@ internal sealed class SlopeCounts
             var request = new AimRequest { From = from, Target = target, Speed = AimSets.Between(random, 10, 28) };
             AimResult kick = i % 5 == 4 ? aimer.FindSlowest(request) : aimer.Find(request);
             double passes = kick.Status == AimStatus.Hit ? Closest(simulator, from, target, in kick) : 0;
-            lock (_lock)
-            {
-                Requests++;
-                Hits += kick.Status == AimStatus.Hit ? 1 : 0;
-                bool isFalse = passes > request.Tolerance + Room;
-                FalseHits += isFalse ? 1 : 0;
-                Worst = Math.Max(Worst, passes);
-                if (isFalse)
-                {
-                    _examples.Add($"{simulator.Scene.Ground.Normal}: {request}: {kick}, passes {passes} m off");
-                }
-            }
+            counts.Add("requests");
+            counts.AddIf(kick.Status == AimStatus.Hit, "hits");
+            counts.Require(passes <= request.Tolerance + Room, "false hits", $"{simulator.Scene.Ground.Normal}: {request}: {kick}, passes {passes} m off");
+            counts.Most("worst, mm", 1e3 * passes);
         }
     }
 

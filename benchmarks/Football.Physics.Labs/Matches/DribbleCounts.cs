@@ -1,4 +1,5 @@
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -26,7 +27,7 @@ internal static class DribbleCounts
         {
             int at = i;
             progress.Report(i, count, () => FormattableString.Invariant($"dribble {at}"));
-            var random = new LabRandom(LabRandom.Mix(seed, i));
+            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             double pace = random.Uniform(2, 8);
             double angle = random.Uniform(0, 6.28);
             Vector3d player = Vector3d.Zero;

@@ -1,4 +1,5 @@
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -24,7 +25,7 @@ internal static class FirstTimeCounts
         {
             int at = i;
             progress.Report(i, count, () => FormattableString.Invariant($"shot {at}"));
-            var random = new LabRandom(LabRandom.Mix(seed, i));
+            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             bool high = random.Chance(0.5);
             Vector3d from = new(random.Uniform(-12, 12), high ? random.Uniform(0.15, 1.2) : 0.11, random.Uniform(8, 24));
             double speed = random.Uniform(0, 15);

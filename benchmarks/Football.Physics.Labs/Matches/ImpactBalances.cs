@@ -1,6 +1,7 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Simulation;
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -15,7 +16,7 @@ internal static class ImpactBalances
         double worstAngular = 0;
         double worstGain = double.NegativeInfinity;
         long other = 0;
-        var random = new LabRandom(LabRandom.Mix(seed, 77));
+        var random = new SeededRandom(SeededRandom.Mix(seed, 77));
         for (long i = 0; i < count; i++)
         {
             if (i % 4096 == 0)
@@ -98,7 +99,7 @@ internal static class ImpactBalances
         return (table, worstMomentum <= Rounding && worstAngular <= Rounding && worstGain <= Rounding && other == 0);
     }
 
-    private static BallProperties Ball(LabRandom random) => new()
+    private static BallProperties Ball(SeededRandom random) => new()
     {
         Mass = random.Log(0.1, 3),
         Radius = random.Uniform(0.05, 0.25),

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -19,14 +20,14 @@ internal static class JumpCost
         {
             FixedStepRunner New()
             {
-                var squad = new Squad(new LabRandom(LabRandom.Mix(seed, 3)));
+                var squad = new Squad(new SeededRandom(SeededRandom.Mix(seed, 3)));
                 Scene scene = Pitch.Standard.On();
                 return new FixedStepRunner(new Simulator(players ? scene with { Bodies = squad.NewBodies() } : scene), 1 / 60.0) { MoveBodies = players ? squad.Mover() : null };
             }
 
             FixedStepRunner match = New();
             Recording segment = match.Record();
-            var random = new LabRandom(LabRandom.Mix(seed, 5));
+            var random = new SeededRandom(SeededRandom.Mix(seed, 5));
             int ticks = minutes * 3600;
             while (match.Tick < ticks)
             {

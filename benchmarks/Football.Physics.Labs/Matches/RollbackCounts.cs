@@ -1,4 +1,5 @@
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -47,7 +48,7 @@ internal static class RollbackCounts
                 int at = i;
                 int kind = k;
                 progress.Report((k * count) + i, kinds.Length * count, () => FormattableString.Invariant($"{Name(kinds[kind])}, match {at}"));
-                Play(kinds[k], new LabRandom(LabRandom.Mix(seed, (k * 1_000_003L) + i)), ref runs, ref kicks, ref late, ref apart);
+                Play(kinds[k], new SeededRandom(SeededRandom.Mix(seed, (k * 1_000_003L) + i)), ref runs, ref kicks, ref late, ref apart);
             }
 
             holds &= apart == 0;
@@ -68,7 +69,7 @@ internal static class RollbackCounts
         _ => "bodies in a cage with nets and wind, by MoveBodies, wire form",
     };
 
-    private static void Play(Kind kind, LabRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
+    private static void Play(Kind kind, SeededRandom random, ref int runs, ref int kicks, ref int late, ref int apart)
     {
         var squad = new Squad(random);
         KickInput[] all = Kicks(random, kind == Kind.SeveralBalls ? 3 : 1, kind == Kind.Hall ? 25 : 9);
@@ -165,7 +166,7 @@ internal static class RollbackCounts
     }
 
     /// <summary>A kick at every second tick.</summary>
-    private static KickInput[] Kicks(LabRandom random, int balls, double fastest) =>
+    private static KickInput[] Kicks(SeededRandom random, int balls, double fastest) =>
     [
         .. Enumerable.Range(0, (Ticks / 2) - 1).Select(i => new KickInput(
             2 * i,
@@ -178,7 +179,7 @@ internal static class RollbackCounts
     /// <summary>A rollback in which something moved of which nobody says where it was.</summary>
     private static bool RefusesUnknown(bool engine)
     {
-        var squad = new Squad(new LabRandom(5));
+        var squad = new Squad(new SeededRandom(5UL));
         Scene scene = engine ? Scene.Default with { EngineColliders = squad.NewEngine() } : Scene.Default with { Bodies = squad.NewBodies() };
         var runner = new FixedStepRunner(new Simulator(scene));
         var rollback = new Rollback(runner, 16, keepsBodies: engine);

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -92,7 +93,7 @@ internal static class SeveralCost
 
     private static BallState[] Start(Simulator simulator, long seed, int round, double flying)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, round));
+        var random = new SeededRandom(SeededRandom.Mix(seed, round));
         return
         [
             .. Enumerable.Range(0, Balls).Select(_ =>

@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Matches;
 
 /// <summary>Twenty-two players who run in curves, as bodies or as the colliders of an engine.</summary>
@@ -11,7 +13,7 @@ internal sealed class Squad
     private KinematicBodies? _bodies;
     private Engine? _engine;
 
-    public Squad(LabRandom random)
+    public Squad(SeededRandom random)
     {
         for (int i = 0; i < Players; i++)
         {

@@ -1,4 +1,5 @@
 using FootballPhysics.Tool.Commands;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Matches;
 
@@ -23,7 +24,7 @@ internal static class TrapCounts
         {
             int at = i;
             progress.Report(i, count, () => FormattableString.Invariant($"trap {at}"));
-            var random = new LabRandom(LabRandom.Mix(seed, i));
+            var random = new SeededRandom(SeededRandom.Mix(seed, i));
             bool high = random.Chance(0.4);
             double angle = random.Uniform(0, 6.28);
             Vector3d velocity = random.Uniform(2, 15) * new Vector3d(Math.Cos(angle), 0, Math.Sin(angle));

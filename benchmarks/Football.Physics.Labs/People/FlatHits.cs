@@ -3,9 +3,8 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.People;
 
 /// <summary>A ball goes into the edge of board and ground at a flat angle, as along a touchline: when it rests, against the same kick on open ground.</summary>
-internal sealed class FlatHits
+internal sealed class FlatHits() : PeopleCases("flat into an edge")
 {
-    private const double Radius = 0.11;
     private const double Frame = 1.0 / 60;
 
     /// <summary>So long is waited for a rest, s.</summary>
@@ -24,47 +23,27 @@ internal sealed class FlatHits
     private readonly Simulator _open = new(new Scene());
     private readonly StepLog _log = new();
 
-    public StepMeter Meter { get; } = new();
+    public PeopleClaim SlidLong { get; } = new("flat into an edge: slides in it for more than 2 s");
 
-    /// <summary>Hits of the board.</summary>
-    public int Cases { get; private set; }
-
-    /// <summary>That slid in the edge for long.</summary>
-    public int SlidLong { get; private set; }
-
-    /// <summary>Not at rest when no more was waited.</summary>
-    public int Restless { get; private set; }
-
-    public string SlidLongAt { get; private set; } = "";
+    public PeopleClaim Restless { get; } = new("flat into an edge: not at rest after 90 s; the longest, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>
     /// At rest later than it would be on open ground from where a board hit it last, or let it down, as it was and were all its energy in its rolling: a board on which
     /// it spins may drive it on with that.
     /// </summary>
-    public int Later { get; private set; }
-
-    /// <summary>The latest of them, s.</summary>
-    public double Latest { get; private set; }
-
-    public string LatestAt { get; private set; } = "";
+    public PeopleClaim Later { get; } =
+        new("flat into an edge: at rest later than with its energy on open ground, s", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
     /// <summary>At rest later than it would be from there as it was.</summary>
-    public int SpinLater { get; private set; }
-
-    public double MostSpinLater { get; private set; }
+    public PeopleClaim SpinLater { get; } = new("flat into an edge: at rest later than from its last hit on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
     /// <summary>At rest later than the same kick on open ground: a board that sends a spinning ball back has made topspin of its backspin.</summary>
-    public int Turned { get; private set; }
+    public PeopleClaim Turned { get; } = new("flat into an edge: at rest later than from the kick on open ground, s", ClaimParts.Count | ClaimParts.Worst);
 
-    public double MostTurned { get; private set; }
-
-    public string MostTurnedAt { get; private set; } = "";
-
-    /// <summary>Of the latest rest, s.</summary>
-    public double Longer { get; private set; }
+    public override PeopleClaim[] Claims => [SlidLong, Restless, Later, SpinLater, Turned];
 
     /// <summary>Plays one kick; those that miss the board are not counted.</summary>
-    public void Play(long seed, int index)
+    public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
         (Simulator simulator, double board) = _pitches[index % _pitches.Length];
@@ -105,23 +84,21 @@ internal sealed class FlatHits
         }
 
         Cases++;
-        string at = FormattableString.Invariant($"hit {index}: rests after {ball.Time:0.00} s, velocity {velocity}, spin {spin}, from {from}");
-        SlidLong += slid > LongSlide ? 1 : 0;
-        SlidLongAt = slid > LongSlide ? at : SlidLongAt;
-        Restless += ball.Motion != MotionState.Rest ? 1 : 0;
-        Longer = Math.Max(Longer, ball.Time);
+        FormattableString at = $"hit {index}: rests after {ball.Time:0.00} s, velocity {velocity}, spin {spin}, from {from}";
+        SlidLong.Case(slid > LongSlide, at);
+        Restless.See(ball.Time);
+        Restless.Case(ball.Motion != MotionState.Rest);
         double spinLater = ball.Time - OnOpenGround(last.Position, last.Velocity, last.Spin, last.Time);
-        SpinLater += spinLater > Frame ? 1 : 0;
-        MostSpinLater = Math.Max(MostSpinLater, spinLater);
+        Note(SpinLater, spinLater, null);
         Vector3d rolling = Rolling(simulator.Scene.Ball, in last);
-        double later = Math.Min(spinLater, ball.Time - OnOpenGround(last.Position, rolling, new Vector3d(rolling.Z / Radius, 0, -rolling.X / Radius), last.Time));
-        Later += later > Frame ? 1 : 0;
-        LatestAt = later > Math.Max(Frame, Latest) ? at : LatestAt;
-        Latest = Math.Max(Latest, later);
-        double turned = ball.Time - OnOpenGround(from, velocity, spin, 0);
-        Turned += turned > Frame ? 1 : 0;
-        MostTurnedAt = turned > Math.Max(Frame, MostTurned) ? at : MostTurnedAt;
-        MostTurned = Math.Max(MostTurned, turned);
+        Note(Later, Math.Min(spinLater, ball.Time - OnOpenGround(last.Position, rolling, new Vector3d(rolling.Z / Radius, 0, -rolling.X / Radius), last.Time)), at);
+        Note(Turned, ball.Time - OnOpenGround(from, velocity, spin, 0), at);
+    }
+
+    private static void Note(PeopleClaim claim, double later, FormattableString? at)
+    {
+        claim.See(later, later > Frame ? at : null);
+        claim.Case(later > Frame);
     }
 
     /// <summary>How fast it would roll with all its energy, m (1 + α) v²/2 = m v²/2 + I ω²/2.</summary>

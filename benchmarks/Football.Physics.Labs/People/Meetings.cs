@@ -3,9 +3,8 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.People;
 
 /// <summary>One thing that moves and a ball on open ground: a player whose foot is on the ground, a leg, a boot, a head that comes down.</summary>
-internal sealed class Meetings
+internal sealed class Meetings() : PeopleCases("one thing and a ball")
 {
-    private const double Radius = 0.11;
     private const int Frames = 150;
     private static readonly IShape[] s_shapes =
     [
@@ -15,23 +14,16 @@ internal sealed class Meetings
         new SphereShape(new Vector3d(0, 0.3, 0), 0.12),
     ];
 
-    public StepMeter Meter { get; } = new();
+    public PeopleClaim TooFast { get; } = new("met by one: faster than a rigid hit explains");
 
-    public int Cases { get; private set; }
+    public PeopleClaim InGround { get; } = new("met by one: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    /// <summary>Frames that end faster than a hit by something rigid explains.</summary>
-    public int TooFast { get; private set; }
+    public PeopleClaim Overlap { get; } = new("met by one: in what moves, m", ClaimParts.Worst);
 
-    /// <summary>How deep the ball was in the ground at most, m.</summary>
-    public double Deepest { get; private set; }
-
-    /// <summary>How deep in what moves, at the end of a frame, m.</summary>
-    public double Overlap { get; private set; }
-
-    public string OverlapAt { get; private set; } = "";
+    public override PeopleClaim[] Claims => [TooFast, InGround, Overlap];
 
     /// <summary>Plays one meeting.</summary>
-    public void Play(long seed, int index)
+    public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
         int which = index % s_shapes.Length;
@@ -51,6 +43,7 @@ internal sealed class Meetings
 
         double kicked = ball.State.Velocity.Length;
         double most = speed;
+        double deepest = 0;
         for (int i = 0; i < Frames; i++)
         {
             body.MoveTo(place, speed * heading, ball.Time);
@@ -59,17 +52,15 @@ internal sealed class Meetings
             speed = Math.Clamp(speed + (frame * faster), -8.5, 8.5);
             most = Math.Max(most, Math.Abs(speed));
             Vector3d at = ball.State.Position;
-            TooFast += ball.State.Velocity.Length > 1.05 * ((1.5 * most) + Math.Max(kicked, 1) + 3) ? 1 : 0;
-            Deepest = Math.Max(Deepest, Radius - at.Y);
-            double overlap = Radius - Distance(which, at - place);
-            if (overlap > Overlap)
-            {
-                Overlap = overlap;
-                OverlapAt = FormattableString.Invariant($"meeting {index}, frame {i}: {ball.Motion}");
-            }
+            TooFast.Case(ball.State.Velocity.Length > 1.05 * ((1.5 * most) + Math.Max(kicked, 1) + 3));
+            deepest = Math.Max(deepest, Radius - at.Y);
+            Overlap.See(Radius - Distance(which, at - place), $"meeting {index}, frame {i}: {ball.Motion}");
         }
 
         Cases++;
+        InGround.See(deepest);
+        InGround.Case(deepest > Entered);
+        Overlap.Case(false);
     }
 
     private static double Distance(int which, Vector3d place) => which switch

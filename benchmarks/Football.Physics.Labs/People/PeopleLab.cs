@@ -15,9 +15,6 @@ internal static class PeopleLab
     /// <summary>Seeds of those: no case that counts is among them.</summary>
     private const long WarmUpSeed = -1;
 
-    /// <summary>Deeper, m, is inside.</summary>
-    private const double Entered = 1e-6;
-
     private static readonly PressKind[] s_kinds = Enum.GetValues<PressKind>();
 
     public static Command Create(Terminal terminal)
@@ -60,24 +57,24 @@ internal static class PeopleLab
 
         public LabReport Run(int matches, double seconds, int presses, int pinches, int meetings, int hits)
         {
-            if (presses > 0)
+            foreach (PressKind kind in presses > 0 ? s_kinds : [])
             {
-                Press(presses);
+                Each("press", presses / s_kinds.Length, () => new Presses(kind));
             }
 
             if (pinches > 0)
             {
-                Pinch(pinches);
+                Each("pinch", pinches, () => new Pinches());
             }
 
             if (meetings > 0)
             {
-                Meet(meetings);
+                Each("meeting", meetings, () => new Meetings());
             }
 
             if (hits > 0)
             {
-                Hit(hits);
+                Each("hit", hits, () => new FlatHits());
             }
 
             if (matches > 0)
@@ -87,53 +84,6 @@ internal static class PeopleLab
 
             _report.Tables.AddRange([_steps, _claims]);
             return _report;
-        }
-
-        private void Press(int count)
-        {
-            foreach (PressKind kind in s_kinds)
-            {
-                var presses = new Presses(kind);
-                Each("press", count / s_kinds.Length, new Presses(kind).Play, presses.Play);
-                string name = FormattableString.Invariant($"pressed: {kind}");
-                Step(name, presses.Cases, presses.Meter);
-                Claim(FormattableString.Invariant($"{name}: a frame ends inside what stands still, m"), presses.Cases, presses.Inside, presses.Deepest, presses.Inside == 0, presses.DeepestAt);
-                Claim(FormattableString.Invariant($"{name}: ends behind a board"), presses.Cases, presses.Behind, null, presses.Behind == 0);
-            }
-        }
-
-        private void Pinch(int count)
-        {
-            var pinches = new Pinches();
-            Each("pinch", count, new Pinches().Play, pinches.Play);
-            Step("between two players", pinches.Cases, pinches.Meter);
-            Claim("pinched: faster than it may be, share", pinches.Cases, pinches.TooFast, pinches.MostShare, pinches.TooFast == 0, pinches.MostShareAt);
-            Claim("pinched: faster than 20 m/s, m/s", pinches.Cases, pinches.Beyond20, pinches.Fastest, null);
-            Claim("pinched: squeezed", pinches.Cases, pinches.Squeezed, null, null);
-            Claim("pinched: squeezed when the players have passed", pinches.Cases, pinches.Unending, null, pinches.Unending == 0, pinches.UnendingAt);
-            Claim("pinched: in the ground, m", pinches.Cases, pinches.Deepest > Entered ? 1 : 0, pinches.Deepest, pinches.Deepest <= Entered);
-        }
-
-        private void Meet(int count)
-        {
-            var meetings = new Meetings();
-            Each("meeting", count, new Meetings().Play, meetings.Play);
-            Step("one thing and a ball", meetings.Cases, meetings.Meter);
-            Claim("met by one: faster than a rigid hit explains", meetings.Meter.Steps, meetings.TooFast, null, meetings.TooFast == 0);
-            Claim("met by one: in the ground, m", meetings.Cases, meetings.Deepest > Entered ? 1 : 0, meetings.Deepest, meetings.Deepest <= Entered);
-            Claim("met by one: in what moves, m", meetings.Cases, null, meetings.Overlap, null, meetings.OverlapAt);
-        }
-
-        private void Hit(int count)
-        {
-            var hits = new FlatHits();
-            Each("hit", count, new FlatHits().Play, hits.Play);
-            Step("flat into an edge", hits.Cases, hits.Meter);
-            Claim("flat into an edge: slides in it for more than 2 s", hits.Cases, hits.SlidLong, null, hits.SlidLong == 0, hits.SlidLongAt);
-            Claim("flat into an edge: not at rest after 90 s; the longest, s", hits.Cases, hits.Restless, hits.Longer, hits.Restless == 0);
-            Claim("flat into an edge: at rest later than with its energy on open ground, s", hits.Cases, hits.Later, hits.Latest, hits.Later == 0, hits.LatestAt);
-            Claim("flat into an edge: at rest later than from its last hit on open ground, s", hits.Cases, hits.SpinLater, hits.MostSpinLater, null);
-            Claim("flat into an edge: at rest later than from the kick on open ground, s", hits.Cases, hits.Turned, hits.MostTurned, null, hits.MostTurnedAt);
         }
 
         private void Match(int count, double seconds)
@@ -147,39 +97,35 @@ internal static class PeopleLab
                     (long)((index * seconds) + time), (long)(count * seconds), () => string.Create(CultureInfo.InvariantCulture, $"match {index}, {time:0} s")));
             }
 
-            Step("matches", matches.Cases, matches.Meter);
-            Claim("matches: kicks", matches.Cases, matches.Kicks, null, null);
-            Claim("matches: goals", matches.Cases, matches.Goals, null, null);
-            Claim("matches: squeezes", matches.Cases, matches.Squeezes, null, null);
-            Claim("matches: inside what stands still, m", matches.Places, matches.Inside, matches.Deepest, matches.Inside == 0, matches.DeepestAt);
-            Claim("matches: the ball left the stadium", matches.Cases, matches.Left, null, matches.Left == 0);
-            Claim("matches: energy from nothing, share", matches.Alone, matches.Made, matches.MostMade, matches.Made == 0, matches.MostMadeAt);
-            Claim("matches: look-ahead of a step goes elsewhere", matches.Meter.Steps, matches.Elsewhere, null, matches.Elsewhere == 0, matches.ElsewhereAt);
-            Claim("matches: played again goes elsewhere", matches.Rewound, matches.RewoundElsewhere, null, matches.RewoundElsewhere == 0, matches.RewoundElsewhereAt);
-            Claim("matches: dead ball hangs still in a net", matches.Dead, matches.Hung, null, null);
-            Claim("matches: dead ball not at rest in 19 s", matches.Dead, matches.Restless, null, matches.Restless == 0, matches.RestlessAt);
+            Report(matches);
         }
 
-        /// <summary>Cases that warm up, and those that count.</summary>
-        private void Each(string name, int count, Action<long, int> warmUp, Action<long, int> play)
+        /// <summary>Simulates cases that warm up, and those that count.</summary>
+        private void Each(string name, int count, Func<PeopleCases> make)
         {
+            PeopleCases warmUp = make();
+            PeopleCases cases = make();
             for (int i = 0; i < Math.Min(count, WarmUps); i++)
             {
-                warmUp(WarmUpSeed, i);
+                warmUp.Play(WarmUpSeed, i);
             }
 
             for (int i = 0; i < count; i++)
             {
                 int index = i;
                 progress.Report(i, count, () => FormattableString.Invariant($"{name} {index}"));
-                play(seed, i);
+                cases.Play(seed, i);
             }
+
+            Report(cases);
         }
 
-        private void Step(string name, int cases, StepMeter meter)
+        private void Report(PeopleCases cases)
         {
+            StepMeter meter = cases.Meter;
+            string name = cases.Name;
             bool holds = meter.MostEvents <= StepMeter.MostAllowed && meter.Bytes == 0;
-            _steps.Add(name, cases, meter.Steps, meter.MostEvents, meter.MostEvaluations, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
+            _steps.Add(name, cases.Cases, meter.Steps, meter.MostEvents, meter.MostEvaluations, 1000 * meter.Slowest, meter.Slow, meter.Bytes, Verdict.Of(holds && meter.Slow == 0));
 
             // A time is no reason to fail: the machine may be busy.
             _report.Failed |= !holds;
@@ -193,15 +139,10 @@ internal static class PeopleLab
                 _report.Notes.Add(FormattableString.Invariant($"{name}: {meter.MostEvaluations} evaluations, {meter.MostEvaluationsAt}"));
                 _report.Notes.Add(FormattableString.Invariant($"{name}: {1000 * meter.Slowest:0.00} ms, {meter.SlowestAt}"));
             }
-        }
 
-        private void Claim(string what, long of, long? count, double? worst, bool? holds, string at = "")
-        {
-            _claims.Add(what, of, count, worst, holds is { } reached ? Verdict.Of(reached) : null);
-            _report.Failed |= holds == false;
-            if (holds != true && at.Length > 0)
+            foreach (PeopleClaim claim in cases.Claims)
             {
-                _report.Notes.Add(FormattableString.Invariant($"{what}: {at}"));
+                claim.Report(_claims, _report);
             }
         }
     }

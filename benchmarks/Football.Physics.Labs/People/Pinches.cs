@@ -3,9 +3,8 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Two players run at a ball that lies between them, or falls there, each at his own speed and a little aside.</summary>
-internal sealed class Pinches
+internal sealed class Pinches() : PeopleCases("between two players")
 {
-    private const double Radius = 0.11;
     private const int Frames = 150;
 
     /// <summary>What moves is close where it is closer than this at an end of a frame, m, or came closer in it.</summary>
@@ -14,37 +13,21 @@ internal sealed class Pinches
     /// <summary>Rounding of the paths, as a share of a speed.</summary>
     private const double Rounding = 1e-6;
 
-    public StepMeter Meter { get; } = new();
+    public PeopleClaim TooFast { get; } = new("pinched: faster than it may be, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    public int Cases { get; private set; }
+    public PeopleClaim Beyond20 { get; } = new("pinched: faster than 20 m/s, m/s", ClaimParts.Count | ClaimParts.Worst);
 
-    /// <summary>With a frame after which the ball is faster than it may be.</summary>
-    public int TooFast { get; private set; }
-
-    /// <summary>The greatest share of what is allowed.</summary>
-    public double MostShare { get; private set; }
-
-    public string MostShareAt { get; private set; } = "";
-
-    /// <summary>The fastest ball, m/s.</summary>
-    public double Fastest { get; private set; }
-
-    /// <summary>With a ball of more than 20 m/s.</summary>
-    public int Beyond20 { get; private set; }
-
-    /// <summary>Pinches in which the ball was squeezed.</summary>
-    public int Squeezed { get; private set; }
+    public PeopleClaim Squeezed { get; } = new("pinched: squeezed", ClaimParts.Count);
 
     /// <summary>Squeezes that had not ended when the players had passed each other.</summary>
-    public int Unending { get; private set; }
+    public PeopleClaim Unending { get; } = new("pinched: squeezed when the players have passed");
 
-    public string UnendingAt { get; private set; } = "";
+    public PeopleClaim InGround { get; } = new("pinched: in the ground, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    /// <summary>How deep the ball was in the ground at most, m.</summary>
-    public double Deepest { get; private set; }
+    public override PeopleClaim[] Claims => [TooFast, Beyond20, Squeezed, Unending, InGround];
 
     /// <summary>Plays one pinch.</summary>
-    public void Play(long seed, int index)
+    public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
         var bodies = new KinematicBodies();
@@ -61,6 +44,7 @@ internal sealed class Pinches
         players[1].Velocity = new Vector3d(-second, 0, 0);
         var bound = new SpeedBound(scene.Gravity);
         double fastest = 0;
+        double deepest = 0;
         bool tooFast = false;
         bool squeezed = false;
         for (int i = 0; i < Frames; i++)
@@ -77,14 +61,13 @@ internal sealed class Pinches
             double speed = after.Velocity.Length;
             fastest = Math.Max(fastest, speed);
             tooFast |= speed > most * (1 + Rounding);
-            if (speed > MostShare * most && speed > 0.1)
+            if (speed > 0.1)
             {
-                MostShare = speed / most;
-                MostShareAt = FormattableString.Invariant($"pinch {index}, frame {i}: {speed:0.00} m/s from players of {first:0.00} and {second:0.00} m/s");
+                TooFast.See(speed / most, $"pinch {index}, frame {i}: {speed:0.00} m/s from players of {first:0.00} and {second:0.00} m/s");
             }
 
             squeezed |= after.Motion == MotionState.Pinned;
-            Deepest = Math.Max(Deepest, Radius - after.Position.Y);
+            deepest = Math.Max(deepest, Radius - after.Position.Y);
             foreach (WalkingPlayer player in players)
             {
                 player.Walk(frame);
@@ -92,12 +75,13 @@ internal sealed class Pinches
         }
 
         Cases++;
-        Fastest = Math.Max(Fastest, fastest);
-        Beyond20 += fastest > 20 ? 1 : 0;
-        TooFast += tooFast ? 1 : 0;
-        Squeezed += squeezed ? 1 : 0;
-        UnendingAt = ball.Motion == MotionState.Pinned ? FormattableString.Invariant($"pinch {index}") : UnendingAt;
-        Unending += ball.Motion == MotionState.Pinned && players[0].Place.X - players[1].Place.X > 1 ? 1 : 0;
+        Beyond20.See(fastest);
+        Beyond20.Case(fastest > 20);
+        TooFast.Case(tooFast);
+        Squeezed.Case(squeezed);
+        Unending.Case(ball.Motion == MotionState.Pinned && players[0].Place.X - players[1].Place.X > 1, $"pinch {index}");
+        InGround.See(deepest);
+        InGround.Case(deepest > Entered);
     }
 
     /// <summary>The fastest of the players who touched the ball in a frame, and when; how fast it came to the first of them.</summary>

@@ -12,35 +12,24 @@ internal enum PressKind
 }
 
 /// <summary>A player presses the ball against a board, into a corner of two, against a post, into a net: he stops where he touches them, or walks on.</summary>
-internal sealed class Presses(PressKind kind)
+internal sealed class Presses(PressKind kind) : PeopleCases($"pressed: {kind}")
 {
-    private const double Radius = 0.11;
     private const double Thick = 0.05;
     private const int Frames = 200;
-    private const double Entered = 1e-6;
     private static readonly Vector3d s_half = new(2000, 0.5, Thick);
     private static readonly Vector3d s_end = new(0, 0.5, -5 - Thick);
     private static readonly Vector3d s_side = new(-5 - Thick, 0.5, 0);
     private static readonly Vector3d s_foot = new(0, 0, -5);
     private static readonly Vector3d s_tip = new(0, 2.5, -5);
 
-    public StepMeter Meter { get; } = new();
+    public PeopleClaim Inside { get; } = new($"pressed: {kind}: a frame ends inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    public int Cases { get; private set; }
+    public PeopleClaim Behind { get; } = new($"pressed: {kind}: ends behind a board");
 
-    /// <summary>With a frame that ends inside something that stands still.</summary>
-    public int Inside { get; private set; }
-
-    /// <summary>The deepest of them, m.</summary>
-    public double Deepest { get; private set; }
-
-    /// <summary>The ball ends behind a board.</summary>
-    public int Behind { get; private set; }
-
-    public string DeepestAt { get; private set; } = "";
+    public override PeopleClaim[] Claims => [Inside, Behind];
 
     /// <summary>Plays one press.</summary>
-    public void Play(long seed, int index)
+    public override void Play(long seed, int index)
     {
         var random = new SeededRandom(SeededRandom.Mix(seed, index));
         var bodies = new KinematicBodies();
@@ -76,19 +65,14 @@ internal sealed class Presses(PressKind kind)
             }
 
             double deep = Depth(ball.State.Position);
-            if (deep > Deepest)
-            {
-                DeepestAt = FormattableString.Invariant($"{kind}, press {index}, frame {i}");
-            }
-
             deepest = Math.Max(deepest, deep);
-            Deepest = Math.Max(Deepest, deep);
+            Inside.See(deep, $"{kind}, press {index}, frame {i}");
         }
 
         Vector3d end = ball.State.Position;
         Cases++;
-        Inside += deepest > Entered ? 1 : 0;
-        Behind += end.Y < 1.2 && ((kind is PressKind.Board or PressKind.Corner && end.Z < s_end.Z - Thick) || (kind == PressKind.Corner && end.X < s_side.X - Thick)) ? 1 : 0;
+        Inside.Case(deepest > Entered);
+        Behind.Case(end.Y < 1.2 && ((kind is PressKind.Board or PressKind.Corner && end.Z < s_end.Z - Thick) || (kind == PressKind.Corner && end.X < s_side.X - Thick)));
     }
 
     /// <summary>How deep the ball is in what stands still, m.</summary>

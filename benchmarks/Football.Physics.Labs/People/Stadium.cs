@@ -18,7 +18,6 @@ internal sealed class Stadium
     private const double Behind = 4;
     private const double Thick = 0.05;
     private const double High = 60;
-    private const double PostRadius = 0.06;
 
     private static readonly Vector3d s_footCenter = new(0, 0, -0.1);
     private static readonly Vector3d s_footHalf = new(0.05, 0.05, 0.15);
@@ -30,8 +29,7 @@ internal sealed class Stadium
     private readonly KinematicBody[] _feet = new KinematicBody[Feet];
     private readonly double[] _swings = new double[Feet];
     private readonly Quaterniond[] _turns = new Quaterniond[Feet];
-    private readonly List<(Vector3d From, Vector3d To, double Radius)> _rods = [];
-    private readonly List<(Vector3d Center, Vector3d Half)> _boards = [];
+    private readonly StandingSolids _standing = new();
 
     public Stadium(ulong seed)
     {
@@ -43,18 +41,14 @@ internal sealed class Stadium
             var foot = new Vector3d(x * HalfWidth, 0, z * HalfLength);
             var tip = new Vector3d(foot.X, 1.5, foot.Z);
             flags.Add(new Obstacle { Name = "flag", Shape = new CapsuleShape(foot, tip, 0.025) });
-            _rods.Add((foot, tip, 0.025));
+            _standing.AddRod(foot, tip, 0.025);
         }
 
         foreach (int end in new[] { -1, 1 })
         {
-            double x = 3.66 + PostRadius;
-            var up = new Vector3d(0, 2.44 + PostRadius, 0);
-            var left = new Vector3d(-x, 0, end * HalfLength);
-            var right = new Vector3d(x, 0, end * HalfLength);
-            _rods.AddRange([(left, left + up, PostRadius), (right, right + up, PostRadius), (left + up, right + up, PostRadius)]);
-            _boards.Add((new Vector3d(end * (HalfWidth + Behind + Thick), 0.5 * High, 0), new Vector3d(Thick, 0.5 * High, HalfLength + Behind + Thick)));
-            _boards.Add((new Vector3d(0, 0.5 * High, end * (HalfLength + Behind + Thick)), new Vector3d(HalfWidth + Behind + (2 * Thick), 0.5 * High, Thick)));
+            _standing.Add(new Goal { Center = new Vector3d(0, 0, end * HalfLength), Facing = new Vector3d(0, 0, -end) });
+            _standing.AddBox(new Vector3d(end * (HalfWidth + Behind + Thick), 0.5 * High, 0), new Vector3d(Thick, 0.5 * High, HalfLength + Behind + Thick));
+            _standing.AddBox(new Vector3d(0, 0.5 * High, end * (HalfLength + Behind + Thick)), new Vector3d(HalfWidth + Behind + (2 * Thick), 0.5 * High, Thick));
         }
 
         var bodies = new KinematicBodies();
@@ -153,21 +147,7 @@ internal sealed class Stadium
     }
 
     /// <summary>From the nearest surface of what stands still, in closed form; negative inside.</summary>
-    public double ToStanding(Vector3d place)
-    {
-        double nearest = place.Y;
-        foreach ((Vector3d from, Vector3d to, double radius) in _rods)
-        {
-            nearest = Math.Min(nearest, Solid.Capsule(place, from, to, radius));
-        }
-
-        foreach ((Vector3d center, Vector3d half) in _boards)
-        {
-            nearest = Math.Min(nearest, Solid.Box(place, center, half));
-        }
-
-        return nearest;
-    }
+    public double ToStanding(Vector3d place) => _standing.Distance(place);
 
     /// <summary>From the nearest surface of what moves, a time after the frame began.</summary>
     public double ToMoving(Vector3d place, double after)

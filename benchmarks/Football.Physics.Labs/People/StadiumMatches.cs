@@ -3,11 +3,8 @@ using FootballPhysics.Yardsticks;
 namespace FootballPhysics.Labs.People;
 
 /// <summary>Plays matches and asks after every step what any match must keep: each millisecond of the way, energy, look-ahead, rewind, rest.</summary>
-internal sealed class StadiumMatches
+internal sealed class StadiumMatches() : PeopleCases("matches")
 {
-    /// <summary>Deeper, m, is inside.</summary>
-    private const double Entered = 1e-6;
-
     /// <summary>Energy that grows by more than this share is made.</summary>
     private const double EnergyRounding = 1e-8;
 
@@ -27,58 +24,32 @@ internal sealed class StadiumMatches
     private readonly StepLog _log = new();
     private readonly byte[] _bytes = new byte[Snapshot.Size];
 
-    public StepMeter Meter { get; } = new();
+    public PeopleClaim Kicks { get; } = new("matches: kicks", ClaimParts.Count);
 
-    public int Cases { get; private set; }
+    public PeopleClaim Goals { get; } = new("matches: goals", ClaimParts.Count);
 
-    public long Kicks { get; private set; }
+    public PeopleClaim Squeezes { get; } = new("matches: squeezes", ClaimParts.Count);
 
-    public long Goals { get; private set; }
+    /// <summary>Places on the way.</summary>
+    public PeopleClaim Inside { get; } = new("matches: inside what stands still, m", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    public long Squeezes { get; private set; }
+    public PeopleClaim Left { get; } = new("matches: the ball left the stadium");
 
-    /// <summary>Places looked at, and how many of them inside something that stands still.</summary>
-    public long Places { get; private set; }
+    /// <summary>Steps without a body near.</summary>
+    public PeopleClaim Made { get; } = new("matches: energy from nothing, share", ClaimParts.Count | ClaimParts.Worst | ClaimParts.Verdict);
 
-    public long Inside { get; private set; }
+    public PeopleClaim Elsewhere { get; } = new("matches: look-ahead of a step goes elsewhere");
 
-    public double Deepest { get; private set; }
+    public PeopleClaim RewoundElsewhere { get; } = new("matches: played again goes elsewhere");
 
-    public string DeepestAt { get; private set; } = "";
+    public PeopleClaim Hung { get; } = new("matches: dead ball hangs still in a net", ClaimParts.Count);
 
-    /// <summary>Matches in which the ball left the stadium.</summary>
-    public int Left { get; private set; }
+    public PeopleClaim Restless { get; } = new("matches: dead ball not at rest in 19 s");
 
-    /// <summary>Steps without a body near, and how many of them made energy.</summary>
-    public long Alone { get; private set; }
+    public override PeopleClaim[] Claims => [Kicks, Goals, Squeezes, Inside, Left, Made, Elsewhere, RewoundElsewhere, Hung, Restless];
 
-    public long Made { get; private set; }
-
-    public double MostMade { get; private set; }
-
-    public string MostMadeAt { get; private set; } = "";
-
-    /// <summary>Steps where the look-ahead of one step goes elsewhere.</summary>
-    public long Elsewhere { get; private set; }
-
-    public string ElsewhereAt { get; private set; } = "";
-
-    /// <summary>Steps played again, and how many went elsewhere.</summary>
-    public long Rewound { get; private set; }
-
-    public long RewoundElsewhere { get; private set; }
-
-    public string RewoundElsewhereAt { get; private set; } = "";
-
-    /// <summary>Dead balls, and how many did not rest in 19 s.</summary>
-    public int Dead { get; private set; }
-
-    public int Restless { get; private set; }
-
-    /// <summary>Dead balls that hung in a net.</summary>
-    public int Hung { get; private set; }
-
-    public string RestlessAt { get; private set; } = "";
+    /// <summary>Plays a minute of a match.</summary>
+    public override void Play(long seed, int index) => Play(seed, index, 60, _ => { });
 
     /// <summary>Plays one match; every second one with frames from a tenth of a millisecond to a quarter of a second.</summary>
     public void Play(long seed, int index, double seconds, Action<double> progress)
@@ -89,6 +60,8 @@ internal sealed class StadiumMatches
         bool left = false;
         bool judged = false;
         double rested = 0;
+        long goals = 0;
+        long squeezes = 0;
         Ball ball = stadium.Ball;
         for (int i = 0; ball.Time < seconds; i++)
         {
@@ -110,7 +83,12 @@ internal sealed class StadiumMatches
             FormattableString at = $"match {index}, {before.Time} s";
             Meter.Step(ball, frame, at);
             BallState after = ball.State;
-            Count(ball);
+            foreach (ref readonly BallEvent item in ball.Events)
+            {
+                goals += item.Kind == BallEventKind.Goal ? 1 : 0;
+                squeezes += item.Kind == BallEventKind.Pinned && item.ColliderIndex >= 0 ? 1 : 0;
+            }
+
             LookAt(stadium, in before, in after, frame, at);
             left |= Stadium.IsOutside(after.Position);
             Energy(stadium, in before, in after, frame, at);
@@ -130,41 +108,25 @@ internal sealed class StadiumMatches
         }
 
         Cases++;
-        Kicks += stadium.Kicks;
-        Left += left ? 1 : 0;
-    }
-
-    private void Count(Ball ball)
-    {
-        foreach (ref readonly BallEvent item in ball.Events)
-        {
-            Goals += item.Kind == BallEventKind.Goal ? 1 : 0;
-            Squeezes += item.Kind == BallEventKind.Pinned && item.ColliderIndex >= 0 ? 1 : 0;
-        }
+        Kicks.Add(stadium.Kicks);
+        Goals.Add(goals);
+        Squeezes.Add(squeezes);
+        Left.Case(left);
     }
 
     /// <summary>Each millisecond of a step, against what stands still; and whether the look-ahead ends where the step did.</summary>
     private void LookAt(Stadium stadium, in BallState before, in BallState after, double frame, FormattableString at)
     {
         // A piece of the path ends before the ball is put onto what it meets there, or out of what presses it.
-        if ((_ahead.PositionAt(after.Time) - after.Position).Length > PutOn)
-        {
-            Elsewhere++;
-            ElsewhereAt = FormattableString.Invariant(at);
-        }
+        Elsewhere.Case((_ahead.PositionAt(after.Time) - after.Position).Length > PutOn, at);
 
         int parts = Math.Max(1, (int)(frame / 0.001));
         for (int i = 0; i <= parts; i++)
         {
             Vector3d place = i == parts ? after.Position : _ahead.PositionAt(before.Time + (frame * i / parts));
             double deep = Stadium.BallRadius - stadium.ToStanding(place);
-            Places++;
-            Inside += deep > Entered ? 1 : 0;
-            if (deep > Deepest)
-            {
-                Deepest = deep;
-                DeepestAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
-            }
+            Inside.Case(deep > Entered);
+            Inside.See(deep, $"{FormattableString.Invariant(at)}, {i} ms of {1000 * frame:0.00}, {before.Motion} to {after.Motion}");
         }
     }
 
@@ -195,15 +157,10 @@ internal sealed class StadiumMatches
             }
         }
 
-        Alone++;
         double had = Of(stadium.Scene, in before);
         double made = (Of(stadium.Scene, in after) - had) / Math.Abs(had);
-        Made += made > EnergyRounding ? 1 : 0;
-        if (made > MostMade)
-        {
-            MostMade = made;
-            MostMadeAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
-        }
+        Made.Case(made > EnergyRounding);
+        Made.See(made, $"{FormattableString.Invariant(at)}, {before.Motion} to {after.Motion}");
     }
 
     /// <summary>m v²/2 + I ω²/2 + m g′ y, g′ less what the air bears.</summary>
@@ -225,11 +182,8 @@ internal sealed class StadiumMatches
         // On the roof of a net, which carries nothing, it hangs still, also against the bar.
         bool hangs = ball.Motion != MotionState.Rest && Stadium.IsInGoal(ball.State.Position) && ball.State.Velocity.Length < Hanging;
         bool rests = ball.Motion == MotionState.Rest || hangs;
-        Dead++;
-        Hung += hangs ? 1 : 0;
-        Restless += rests ? 0 : 1;
-        RestlessAt = rests ? RestlessAt
-            : FormattableString.Invariant($"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
+        Hung.Case(hangs);
+        Restless.Case(!rests, $"{FormattableString.Invariant(at)}: {ball.Motion} at {ball.State.Position}, {ball.State.Velocity.Length:0.000} m/s");
         return true;
     }
 
@@ -249,11 +203,10 @@ internal sealed class StadiumMatches
 
             _log.Clear();
             simulator.Step(ref state, step.Frame, _log);
-            Rewound++;
-            if (Snapshot.Hash(in state) != step.Hash)
+            bool elsewhere = Snapshot.Hash(in state) != step.Hash;
+            RewoundElsewhere.Case(elsewhere, $"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
+            if (elsewhere)
             {
-                RewoundElsewhere++;
-                RewoundElsewhereAt = FormattableString.Invariant($"{FormattableString.Invariant(at)}, step of {step.Before.Time} s, {step.Before.Motion} to {state.Motion}");
                 return;
             }
         }

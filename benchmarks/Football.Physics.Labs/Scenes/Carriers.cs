@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball on carriers that turn, accelerate in steps, are tilted or round, against a textbook integration of slip and roll.</summary>
@@ -24,7 +26,7 @@ internal sealed class Carriers : SceneKind
 
     public override string Claim => "On a carrier the ball goes where the equations of slip and roll take it, in steps of 0.05 ms: 1e-6 m. Frames of 4 to 33 ms, divided where the error of the steps is more than a fifth of that. A comparison ends where a roll loses its grip.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         while (true)
         {
@@ -37,7 +39,7 @@ internal sealed class Carriers : SceneKind
         }
     }
 
-    private static SceneOutcome? Compare(LabRandom random, Form form, PieceKind kind)
+    private static SceneOutcome? Compare(SeededRandom random, Form form, PieceKind kind)
     {
         double radius = random.Chance(0.6) ? 0.11 : random.Uniform(0.06, 0.2);
         double inertia = random.Any(2.0 / 3, 0.4);
@@ -154,7 +156,7 @@ internal sealed class Carriers : SceneKind
 
     private static Vector3d Leaning(double angle) => new(Math.Sin(angle), Math.Cos(angle), 0);
 
-    private static Vector3d Tilted(LabRandom random)
+    private static Vector3d Tilted(SeededRandom random)
     {
         double tilt = random.Uniform(0.02, 0.6);
         Vector3d towards = random.Heading();

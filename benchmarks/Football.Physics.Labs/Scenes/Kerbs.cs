@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball that rolls against a dead, rough kerb, against the balance of angular momentum and energy.</summary>
@@ -21,7 +23,7 @@ internal sealed class Kerbs : SceneKind
 
     public override string Claim => "A dead, rough kerb is climbed from v² = 2 g h (1 + k)/(1 + k − h/r)² on, and the ball goes on with what energy leaves it: 1e-6 m/s. Steps of 2 to 8 ms, shorter where their own error is more than a fifth of that.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         PieceKind kind = random.Any(PieceKind.Obstacles, PieceKind.Bodies, PieceKind.Colliders);
         double k = random.Any(2.0 / 3, 0.4);

@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A kind of random scene with an independent answer.</summary>
@@ -25,7 +27,7 @@ internal abstract class SceneKind
     {
         try
         {
-            var random = new LabRandom(LabRandom.Mix(seed, index));
+            var random = new SeededRandom(SeededRandom.Mix(seed, index));
 
             // The first number of neighbouring seeds is not independent.
             random.Next();
@@ -38,7 +40,7 @@ internal abstract class SceneKind
     }
 
     /// <summary>Draws and plays one scene.</summary>
-    protected abstract SceneOutcome Play(LabRandom random);
+    protected abstract SceneOutcome Play(SeededRandom random);
 
     /// <summary>
     /// Into how many parts the steps of a scene must be divided, so that their own error is a small share of the limit: what is left is the error of the contact.

@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball that crosses seams between flush surfaces, against the same ball on one surface.</summary>
@@ -20,7 +22,7 @@ internal sealed class Seams : SceneKind
 
     public override int Share => 10;
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         Lie lie = random.Any(Lie.InTurf, Lie.Tiles, Lie.Overlapping, Lie.Boards);
         PieceKind kind = random.Any(PieceKind.Obstacles, PieceKind.Bodies, PieceKind.Colliders);
@@ -74,7 +76,7 @@ internal sealed class Seams : SceneKind
             FormattableString.Invariant($"{speed:0.00} m/s, steps of {1000 * step:0.0} ms / {parts}, {duration:0.00} s: {error:e1} m off; top {top:e0} m, {(published ? "published" : "measured")}, {seamed.Motion} for {expected.Motion}"));
     }
 
-    private static Ground Material(LabRandom random, bool published)
+    private static Ground Material(SeededRandom random, bool published)
     {
         if (published)
         {
@@ -86,7 +88,7 @@ internal sealed class Seams : SceneKind
     }
 
     /// <summary>Rolls, slides with a spin of its own, or slides without.</summary>
-    private static Vector3d Spin(LabRandom random, in Vector3d velocity, double radius)
+    private static Vector3d Spin(SeededRandom random, in Vector3d velocity, double radius)
     {
         Vector3d rolling = Vector3d.Cross(Vector3d.Up, velocity) / radius;
         return random.Below(4) switch
@@ -100,7 +102,7 @@ internal sealed class Seams : SceneKind
 
     /// <summary>Strips between parallel seams that the ball's way crosses: turned boxes whose tops are level, or boards whose faces are in one plane.</summary>
     private static void Lay(
-        ScenePieces pieces, LabRandom random, Lie lie, in Vector3d heading, double speed, double radius, SurfaceMaterial surface, double top)
+        ScenePieces pieces, SeededRandom random, Lie lie, in Vector3d heading, double speed, double radius, SurfaceMaterial surface, double top)
     {
         // At the boards a seam is upright; on the ground it is turned against the way by up to 80 degrees.
         double turn = lie == Lie.Boards ? 0 : random.Uniform(-1.4, 1.4);

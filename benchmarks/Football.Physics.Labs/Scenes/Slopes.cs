@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>A ball put on slopes in wind: it rests exactly if rolling friction holds it, and otherwise rolls as a closed form or a textbook integration says.</summary>
@@ -17,7 +19,7 @@ internal sealed class Slopes : SceneKind
 
     public override string Claim => "A ball put on a slope in wind rests if |a_t|/(1 + k) ≤ c₀ N/m, and otherwise rolls as its equation says: 1e-6 m, or that share of the way.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         while (true)
         {

@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Scenes;
 
 /// <summary>Shapes that a game turns about a pivot, and a ball in their way, against an exact rotation whose gap is followed without a library's contact.</summary>
@@ -24,7 +26,7 @@ internal sealed class Turns : SceneKind
 
     public override string Claim => "A shape that turns about its pivot first touches the ball where an exact rotation does, and throws it as its surface moves there: 1e-3 m, and 1e-3 of the speed.";
 
-    protected override SceneOutcome Play(LabRandom random)
+    protected override SceneOutcome Play(SeededRandom random)
     {
         PieceKind kind = random.Any(PieceKind.Bodies, PieceKind.Colliders);
         while (true)
@@ -51,7 +53,7 @@ internal sealed class Turns : SceneKind
         }
     }
 
-    private static TurningModel Draw(LabRandom random, out IShape shape, out string name)
+    private static TurningModel Draw(SeededRandom random, out IShape shape, out string name)
     {
         int which = random.Below(3);
         Vector3d start = random.Uniform(0, 1) * random.Direction();
@@ -90,7 +92,7 @@ internal sealed class Turns : SceneKind
     }
 
     /// <summary>A ball that would be near a random point of the shape at a random time, if the shape let it.</summary>
-    private static (Vector3d From, Vector3d Velocity) Aim(LabRandom random, TurningModel model, double gravity, double duration)
+    private static (Vector3d From, Vector3d Velocity) Aim(SeededRandom random, TurningModel model, double gravity, double duration)
     {
         double time = random.Uniform(0.05, 0.9) * duration;
         double share = random.Next();

@@ -184,7 +184,7 @@ internal sealed class EnergyCheck : PieceObserver
     }
 
     /// <summary>½ m v² + ½ I ω² + m g y, J.</summary>
-    private double Total(in BallState s) =>
+    public double Total(in BallState s) =>
         (0.5 * ((_mass * s.Velocity.LengthSquared) + (_scene.Ball.MomentOfInertia * s.Spin.LengthSquared)))
         - (_mass * _upward * (s.Position.Y - _simulator.ContactHeight));
 

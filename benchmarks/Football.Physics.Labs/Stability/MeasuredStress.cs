@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Scenes of the stress matrix by the measured laws: one of the balls, and ground with friction of impacts, drilling friction and all of the air's force.</summary>
@@ -13,7 +15,7 @@ internal static class MeasuredStress
     /// <summary>The same shot in a scene of the measured profile.</summary>
     public static StressScene Of(StressScene scene, long seed, long index)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, ~index));
+        var random = new SeededRandom(SeededRandom.Mix(seed, ~index));
         Ground ground = scene.Scene.Ground;
         if (scene.Kind != StressKind.ComesToRest)
         {

@@ -1,4 +1,5 @@
 using FootballPhysics.Scenes;
+using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stability;
 
@@ -23,7 +24,7 @@ internal static class StressGenerator
     {
         StressKind kind = Kinds[(int)(index % Kinds.Count)];
         Integrator integrator = Integrators[(int)(index / Kinds.Count % Integrators.Count)];
-        var random = new LabRandom(LabRandom.Mix(seed, index));
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
         random.Next();
         BallProperties ball = Ball(random, kind);
         Air air = AnyAir(random, kind);
@@ -67,8 +68,8 @@ internal static class StressGenerator
         double[] frames = Frames(random, kind);
         var made = new StressScene
         {
+            Number = index,
             Kind = kind,
-            Integrator = integrator,
             Scene = scene,
             Settings = new SolverSettings
             {
@@ -106,7 +107,7 @@ internal static class StressGenerator
             + (decades * inertia / ground.Material.SpinDamping);
     }
 
-    private static BallProperties Ball(LabRandom random, StressKind kind)
+    private static BallProperties Ball(SeededRandom random, StressKind kind)
     {
         if (kind == StressKind.Absurd)
         {
@@ -125,7 +126,7 @@ internal static class StressGenerator
         return random.Chance(0.6) ? preset : new BallProperties { Mass = random.Log(0.1, 3), Radius = random.Uniform(0.1, 0.2), InertiaFactor = random.Uniform(0.4, 1) };
     }
 
-    private static Air AnyAir(LabRandom random, StressKind kind)
+    private static Air AnyAir(SeededRandom random, StressKind kind)
     {
         Vector3d wind = kind switch
         {
@@ -138,7 +139,7 @@ internal static class StressGenerator
             : new Air { Density = random.Uniform(0.9, 1.3), KinematicViscosity = random.Uniform(1.3e-5, 1.9e-5), Wind = wind };
     }
 
-    private static Ground AnyGround(LabRandom random, StressKind kind)
+    private static Ground AnyGround(SeededRandom random, StressKind kind)
     {
         bool rests = kind == StressKind.ComesToRest;
         double Friction() => rests ? random.Log(0.01, 2) : random.Chance(0.2) ? 0 : random.Log(1e-3, 2);
@@ -167,7 +168,7 @@ internal static class StressGenerator
         };
     }
 
-    private static ForceSet Forces(LabRandom random, StressKind kind)
+    private static ForceSet Forces(SeededRandom random, StressKind kind)
     {
         AerodynamicModel form = random.Chance(0.7) ? AerodynamicModel.Published : AerodynamicModel.Regularized;
         if (kind is StressKind.SlidingMode || random.Chance(0.6))
@@ -191,7 +192,7 @@ internal static class StressGenerator
         };
     }
 
-    private static double[] Frames(LabRandom random, StressKind kind)
+    private static double[] Frames(SeededRandom random, StressKind kind)
     {
         switch (kind)
         {
@@ -217,7 +218,7 @@ internal static class StressGenerator
         }
     }
 
-    private static void Launch(LabRandom random, StressKind kind, Scene scene, out Vector3d position, out Vector3d velocity, out Vector3d spin)
+    private static void Launch(SeededRandom random, StressKind kind, Scene scene, out Vector3d position, out Vector3d velocity, out Vector3d spin)
     {
         double contact = scene.Ground.Height + scene.Ball.Radius;
         double up = random.Any(0, random.Log(1e-9, 1e-3), random.Uniform(0, 3), random.Uniform(0, 30));

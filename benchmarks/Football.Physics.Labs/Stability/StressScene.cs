@@ -6,9 +6,12 @@ namespace FootballPhysics.Labs.Stability;
 /// <summary>A scene, a kick, a method and the frames it is stepped with: all of it from one number.</summary>
 internal sealed record StressScene
 {
-    public required StressKind Kind { get; init; }
+    /// <summary>Its number, from which it is drawn.</summary>
+    public long Number { get; init; }
 
-    public required Integrator Integrator { get; init; }
+    public StressKind Kind { get; init; }
+
+    public Integrator Integrator => Settings.Integrator;
 
     public required Scene Scene { get; init; }
 
@@ -32,10 +35,25 @@ internal sealed record StressScene
     /// <summary>Whether its laws of the air are the measured ones.</summary>
     public bool Measured => Scene.Forces.Coefficients == AerodynamicModel.Measured;
 
+    public bool HasOwnForces => Scene.Forces.CustomForces.Count > 0;
+
     /// <summary>Upward acceleration by gravity and buoyancy, m/s².</summary>
     public double Upward => -Scene.Gravity + (Scene.Forces.Buoyancy
         ? 4.0 / 3.0 * Math.PI * Math.Pow(Scene.Ball.Radius, 3) * Scene.Air.Density * Scene.Gravity / Scene.Ball.Mass
         : 0);
+
+    /// <summary>True if a game may have every one of its numbers.</summary>
+    public bool IsMild => Scene.Ball.Mass is >= 0.05 and <= 5
+        && Scene.Ball.Radius is >= 0.05 and <= 0.3
+        && Scene.Ball.InertiaFactor >= 0.3
+        && !HasOwnForces
+        && Scene.Forces.DragCoefficient <= 10
+        && Math.Abs(Scene.Forces.MagnusCoefficient) <= 5
+        && Scene.Forces.SpinDecayCoefficient <= 1
+        && Velocity.Length <= 200
+        && Spin.Length is 0 or (> 1e-100 and <= 1000)
+        && Scene.Air.Wind.Length <= 200
+        && Settings.CollisionTolerance <= 1e-3;
 
     /// <summary>The scene in one line, fit to be typed in again.</summary>
     public string Text()

@@ -1,4 +1,4 @@
-using FootballPhysics.Labs.Hostile;
+using FootballPhysics.Labs.Stability;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Stress;
@@ -37,7 +37,7 @@ internal sealed class ArenaKicks(SeededRandom random, double halfWidth, double h
 
     private (Vector3d Velocity, Vector3d Spin) Hostile()
     {
-        HostileScene scene = HostileGenerator.Make((ulong)random.Below(int.MaxValue));
+        StressScene scene = HostileGenerator.Make((ulong)random.Below(int.MaxValue));
         return (Cut(scene.Velocity, Fastest), Cut(scene.Spin, MostSpin));
     }
 

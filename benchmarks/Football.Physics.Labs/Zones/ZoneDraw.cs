@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Random kicks through zones of every shape.</summary>
@@ -10,7 +12,7 @@ internal static class ZoneDraw
     private static readonly Integrator[] s_methods = [Integrator.Rk4, Integrator.Rk4, Integrator.Rk4, Integrator.Rk2, Integrator.SemiImplicitEuler];
 
     /// <summary>A case: a scene without zones, a kick in it, and the step.</summary>
-    public static ZoneCase Kick(LabRandom random)
+    public static ZoneCase Kick(SeededRandom random)
     {
         int among = (int)random.Uniform(0, 4);
         Scene scene = (random.Uniform(0, 1) < 0.7 ? Scene.Measured : Scene.Published) with
@@ -37,7 +39,7 @@ internal static class ZoneDraw
     }
 
     /// <summary>A zone near a point of the path.</summary>
-    public static Zone Zone(LabRandom random, int index, in Vector3d near)
+    public static Zone Zone(SeededRandom random, int index, in Vector3d near)
     {
         int shape = (int)random.Uniform(0, Shapes.Length);
         double size = Math.Exp(random.Uniform(Math.Log(0.02), Math.Log(4)));
@@ -58,7 +60,7 @@ internal static class ZoneDraw
         };
     }
 
-    private static HeightField Hills(LabRandom random, in Vector3d near)
+    private static HeightField Hills(SeededRandom random, in Vector3d near)
     {
         var heights = new double[12, 12];
         for (int i = 0; i < 12; i++)
@@ -72,7 +74,7 @@ internal static class ZoneDraw
         return new HeightField(near.X - 6, near.Z - 6, 1.2, heights);
     }
 
-    private static Quaterniond Rotation(LabRandom random)
+    private static Quaterniond Rotation(SeededRandom random)
     {
         while (true)
         {

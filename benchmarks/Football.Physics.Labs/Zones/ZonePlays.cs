@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
@@ -58,7 +60,7 @@ internal sealed class ZonePlays
     /// <summary>Plays a case.</summary>
     public void Play(long seed, int index)
     {
-        var random = new LabRandom(LabRandom.Mix(seed, index));
+        var random = new SeededRandom(SeededRandom.Mix(seed, index));
         bool failed = Failed;
         ZoneCase kick = ZoneDraw.Kick(random);
         BallState plain = Fly(kick, kick.Scene, new StepLog(mostEvents: 65_536));

@@ -3,6 +3,9 @@ namespace FootballPhysics.Yardsticks;
 /// <summary>Seeded random numbers: the same in every run and on every machine, but for the last bit of logarithms.</summary>
 public class SeededRandom(ulong seed)
 {
+    /// <summary>What each draw adds to the state.</summary>
+    protected const ulong Step = 0x9E3779B97F4A7C15UL;
+
     private ulong _state = seed;
 
     /// <summary>Begins with a small number.</summary>
@@ -20,16 +23,16 @@ public class SeededRandom(ulong seed)
     public double Uniform(double low, double high) => low + ((high - low) * Next());
 
     /// <summary>Uniform in the logarithm.</summary>
-    public double Log(double low, double high) => low * Math.Pow(high / low, Next());
+    public virtual double Log(double low, double high) => low * Math.Pow(high / low, Next());
 
     public bool Chance(double share) => Next() < share;
 
-    public int Below(int count) => (int)(Next() * count);
+    public virtual int Below(int count) => (int)(Next() * count);
 
     public T Any<T>(params ReadOnlySpan<T> values) => values[Below(values.Length)];
 
     /// <summary>A direction, every one as likely as any other.</summary>
-    public Vector3d Direction()
+    public virtual Vector3d Direction()
     {
         double y = Uniform(-1, 1);
         double angle = Uniform(0, 2 * Math.PI);
@@ -52,16 +55,26 @@ public class SeededRandom(ulong seed)
         return speed * ((Math.Cos(elevation) * Heading()) + new Vector3d(0, Math.Sin(elevation), 0));
     }
 
-    // SplitMix64
-    private ulong Bits()
+    /// <summary>The next 64 bits of SplitMix64.</summary>
+    protected ulong Bits()
     {
         unchecked
         {
-            _state += 0x9E3779B97F4A7C15UL;
-            ulong z = _state;
+            _state += Step;
+        }
+
+        return Mixed(_state);
+    }
+
+    /// <summary>The bits of a state.</summary>
+    protected static ulong Mixed(ulong z)
+    {
+        unchecked
+        {
             z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9UL;
             z = (z ^ (z >> 27)) * 0x94D049BB133111EBUL;
-            return z ^ (z >> 31);
         }
+
+        return z ^ (z >> 31);
     }
 }

@@ -94,7 +94,7 @@ public sealed class EnergyCheckTests
         double most = 0;
         foreach (StressKind kind in (StressKind[])[StressKind.AnyShot, StressKind.LongSteps, StressKind.GyroSpin])
         {
-            double share = Enumerable.Range(0, Rounds).Max(round => StressRun.Play(StressGenerator.Make(1, StressGenerator.Index(kind, method, round))).EnergyShare);
+            double share = Enumerable.Range(0, Rounds).Max(round => StressRun.Play(StressGenerator.Make(1, StressGenerator.Index(kind, method, round))).Tally.EnergyShare);
             TestContext.Current.TestOutputHelper?.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{method}, {kind}: {share:0.000} of the bound"));
             most = Math.Max(most, share);
         }
@@ -111,7 +111,6 @@ public sealed class EnergyCheckTests
             var played = new StressScene
             {
                 Kind = StressKind.AnyShot,
-                Integrator = method,
                 Scene = scene,
                 Settings = Flight.With(method),
                 Position = position,

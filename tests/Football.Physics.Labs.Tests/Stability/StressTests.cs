@@ -1,4 +1,3 @@
-using FootballPhysics.Aiming;
 using FootballPhysics.Labs.Stability;
 using FsCheck.Fluent;
 using FsCheck;
@@ -89,7 +88,6 @@ public sealed class StressTests
         public StressScene Scene(Profile profile) => new()
         {
             Kind = StressKind.AnyShot,
-            Integrator = Method,
             Scene = profile.Scene() with
             {
                 Ball = Ball,

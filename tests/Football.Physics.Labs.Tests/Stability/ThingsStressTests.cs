@@ -1,3 +1,4 @@
+using FootballPhysics.Labs.Stability;
 using FootballPhysics.Labs.Stability.Things;
 
 namespace FootballPhysics.Labs.Tests.Stability;
@@ -11,10 +12,10 @@ public sealed class ThingsStressTests
     [Fact]
     public void Every_invariant_holds_among_obstacles_bodies_nets_and_slopes()
     {
-        ThingsRun[] runs = [.. Enumerable.Range(0, Scenes).Select(index => ThingsRun.Play(Seed, index))];
+        StressOutcome[] runs = [.. Enumerable.Range(0, Scenes).Select(index => ThingsRun.Play(Seed, index))];
         Assert.Equal([], runs.Select((run, i) => run.Failure is { } failure ? $"scene {i}, {run.Kind}: {failure.Check}, {failure.Detail}" : "").Where(text => text.Length > 0));
-        Assert.True(runs.Sum(run => run.Impacts) > 2 * Scenes, $"{runs.Sum(run => run.Impacts)} impacts");
-        Assert.True(runs.Sum(run => run.InNets) > 5, $"{runs.Sum(run => run.InNets)} frames in nets");
+        Assert.True(runs.Sum(run => run.Tally.Impacts) > 2 * Scenes, $"{runs.Sum(run => run.Tally.Impacts)} impacts");
+        Assert.True(runs.Sum(run => run.Tally.InNets) > 5, $"{runs.Sum(run => run.Tally.InNets)} frames in nets");
     }
 
     /// <summary>Scenes that the laboratory has found to break an invariant once, and what was wrong then.</summary>
@@ -42,7 +43,7 @@ public sealed class ThingsStressTests
     [InlineData(302, 109238, "in a narrow groove too few rounds put it onto both sides")]
     public void What_the_laboratory_found_once_holds(int seed, int index, string wrong)
     {
-        ThingsRun run = ThingsRun.Play(seed, index);
+        StressOutcome run = ThingsRun.Play(seed, index);
         Assert.True(run.Failure is null, $"{wrong}: {run.Failure?.Check}, {run.Failure?.Detail}");
     }
 }

@@ -20,9 +20,10 @@ public sealed class PeopleTests
             presses.Play(Seed, i);
         }
 
-        Assert.Equal((25, 0, 0), (presses.Cases, presses.Inside, presses.Behind));
+        Assert.Equal(25, presses.Cases);
+        Assert.All(presses.Claims, claim => Assert.True(claim.Holds));
         Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
-        Assert.InRange(presses.Deepest, 0, 1e-9);
+        Assert.InRange(presses.Inside.Worst, 0, 1e-9);
     }
 
     /// <summary>Presses that were found to tremble in a corner, to be let go by a net and to be pressed deep into one: what a step tells and takes is bounded.</summary>
@@ -37,7 +38,7 @@ public sealed class PeopleTests
         presses.Play(seed, index);
         Assert.InRange(presses.Meter.MostEvents, 1, StepMeter.MostAllowed);
         Assert.InRange(presses.Meter.MostEvaluations, 1, mostEvaluations);
-        Assert.Equal((1, 0, 0), (presses.Cases, presses.Inside, presses.Behind));
+        Assert.Equal((1, 0, 0), (presses.Cases, presses.Inside.Count, presses.Behind.Count));
     }
 
     /// <summary>Two pinches that were a quarter of a percent too fast, by what gravity did to a squeezed ball.</summary>
@@ -46,7 +47,7 @@ public sealed class PeopleTests
     {
         var pinches = new Pinches();
         pinches.Play(20261125, 2364);
-        Assert.Equal(0, pinches.TooFast);
+        Assert.True(pinches.TooFast.Holds);
     }
 
     [Fact]
@@ -58,8 +59,8 @@ public sealed class PeopleTests
             pinches.Play(Seed, i);
         }
 
-        Assert.Equal((100, 0, 0, 0), (pinches.Cases, pinches.Unending, pinches.Beyond20, pinches.TooFast));
-        Assert.True(pinches is { Squeezed: > 20, Deepest: < 1e-9 });
+        Assert.Equal((100, 0, 0, 0), (pinches.Cases, pinches.Unending.Count, pinches.Beyond20.Count, pinches.TooFast.Count));
+        Assert.True(pinches is { Squeezed.Count: > 20, InGround.Worst: < 1e-9 });
         Assert.InRange(pinches.Meter.MostEvents, 1, StepMeter.MostAllowed);
     }
 
@@ -72,8 +73,8 @@ public sealed class PeopleTests
             meetings.Play(Seed, i);
         }
 
-        Assert.Equal((60, 0), (meetings.Cases, meetings.TooFast));
-        Assert.True(meetings is { Deepest: < 1e-9, Overlap: < 1e-5 });
+        Assert.Equal((60, 0), (meetings.Cases, meetings.TooFast.Count));
+        Assert.True(meetings is { InGround.Worst: < 1e-9, Overlap.Worst: < 1e-5 });
         Assert.InRange(meetings.Meter.MostEvents, 1, StepMeter.MostAllowed);
     }
 
@@ -87,7 +88,7 @@ public sealed class PeopleTests
         }
 
         Assert.True(hits.Cases > 50);
-        Assert.Equal((0, 0, 0), (hits.SlidLong, hits.Restless, hits.Later));
+        Assert.All(hits.Claims, claim => Assert.True(claim.Holds));
     }
 
     /// <summary>Two minutes at whose end a net presses the ball against a post, 110 times in a step it was; and a minute and a half at whose end a player squeezes it round one.</summary>
@@ -98,7 +99,7 @@ public sealed class PeopleTests
     {
         var matches = new StadiumMatches();
         matches.Play(1234, match, seconds, _ => { });
-        Assert.Equal((0, 0, 0, 0), (matches.Inside, matches.Made, matches.Elsewhere, matches.RewoundElsewhere));
+        Assert.Equal((0, 0, 0, 0), (matches.Inside.Count, matches.Made.Count, matches.Elsewhere.Count, matches.RewoundElsewhere.Count));
         Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
     }
 
@@ -108,8 +109,8 @@ public sealed class PeopleTests
         var matches = new StadiumMatches();
         matches.Play(Seed, 0, 60, _ => { });
         matches.Play(Seed, 1, 60, _ => { });
-        Assert.Equal((0, 0, 0, 0, 0, 0), (matches.Inside, matches.Left, matches.Made, matches.Elsewhere, matches.RewoundElsewhere, matches.Restless));
-        Assert.True(matches is { Kicks: > 5, Dead: 2, Alone: > 1000, Rewound: > 5000 });
+        Assert.All(matches.Claims, claim => Assert.True(claim.Holds));
+        Assert.True(matches is { Kicks.Count: > 5, Restless.Of: 2, Made.Of: > 1000, RewoundElsewhere.Of: > 5000 });
         Assert.InRange(matches.Meter.MostEvents, 1, StepMeter.MostAllowed);
     }
 }

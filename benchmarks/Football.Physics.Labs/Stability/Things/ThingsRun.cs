@@ -27,6 +27,7 @@ internal sealed class ThingsRun
     private readonly Simulator? _imageSimulator;
     private readonly StepLog _imageLog = new(256);
     private BallState _state;
+    private Tally _tally;
     private BallState _imageState;
 
     private ThingsRun(long seed, long index)
@@ -46,44 +47,28 @@ internal sealed class ThingsRun
         }
     }
 
-    /// <summary>Impacts so far.</summary>
-    public long Impacts { get; private set; }
-
-    /// <summary>Frames that began in a net.</summary>
-    public long InNets { get; private set; }
-
-    /// <summary>Frames so far.</summary>
-    public long Frames { get; private set; }
-
-    /// <summary>The most pieces that a frame took.</summary>
-    public long Pieces { get; private set; }
-
-    /// <summary>What was broken; null where all held.</summary>
-    public StressFailure? Failure { get; private set; }
-
-    /// <summary>The kind of the scene.</summary>
-    public ThingsKind Kind => _scene.Kind;
-
-    /// <summary>Plays a scene to its end or to the first broken invariant.</summary>
-    public static ThingsRun Play(long seed, long index)
+    /// <summary>Simulates a scene to its end, or to the first broken invariant.</summary>
+    public static StressOutcome Play(long seed, long index)
     {
         var run = new ThingsRun(seed, index);
+        Finding? failure = null;
         try
         {
             foreach (double dt in run._scene.Frames)
             {
-                run.Failure ??= run.Frame(dt);
+                failure ??= run.Frame(dt);
             }
         }
         catch (Exception e)
         {
-            run.Failure = new StressFailure("exception", $"{e.GetType().Name}: {e.Message}");
+            failure = new Finding("exception", $"{e.GetType().Name}: {e.Message}");
         }
 
-        return run;
+        return new StressOutcome(
+            run._scene.Kind.ToString(), run._scene.Integrator, run._tally with { Scenes = 1, Failed = failure is null ? 0 : 1 }, failure is null ? [] : [failure]);
     }
 
-    private StressFailure? Frame(double dt)
+    private Finding? Frame(double dt)
     {
         _scene.MoveBodies(_state.Time);
         _image?.MoveBodies(_imageState.Time);
@@ -91,22 +76,20 @@ internal sealed class ThingsRun
         _samples.Clear();
         BallState before = _state;
         _simulator.Step(ref _state, dt, _log);
-        Frames++;
-        InNets += before.Nets != 0 ? 1 : 0;
-        Pieces = Math.Max(Pieces, _log.Steps);
+        _tally += Tally.Of(_log) with { InNets = before.Nets != 0 ? 1 : 0 };
         return Finite(before.Time + dt) ?? Rewound(in before, dt) ?? Overlaps() ?? Impulses() ?? Mirrored(dt);
     }
 
-    private StressFailure? Finite(double time) =>
+    private Finding? Finite(double time) =>
         !(_state.Position.IsFinite && _state.Velocity.IsFinite && _state.Spin.IsFinite) ? Fail("finite", $"{_state.Position}, {_state.Velocity}, {_state.Spin}")
         : !(Math.Abs(_state.Time - time) <= 1e-12 * Math.Max(1, time)) ? Fail("clock", $"{_state.Time}, not {time}")
         : _log.Steps > MostPieces ? Fail("work", $"{_log.Steps} pieces")
         : null;
 
     /// <summary>From a snapshot the same frame comes out again, also in the middle of a net.</summary>
-    private StressFailure? Rewound(in BallState before, double dt)
+    private Finding? Rewound(in BallState before, double dt)
     {
-        if (before.Nets == 0 && Frames % 16 != 0)
+        if (before.Nets == 0 && _tally.Frames % 16 != 0)
         {
             return null;
         }
@@ -119,7 +102,7 @@ internal sealed class ThingsRun
         return Snapshot.Same(in again, in _state) ? null : Fail("rewind", $"{again.Position}, not {_state.Position}");
     }
 
-    private StressFailure? Overlaps()
+    private Finding? Overlaps()
     {
         // Between things of which one moves there may be no place for the ball: what stands still is not entered even then.
         int near = 0;
@@ -141,7 +124,7 @@ internal sealed class ThingsRun
     }
 
     /// <summary>No impact gives energy in the frame of what was hit, except as much as its event says that a bumper has added.</summary>
-    private StressFailure? Impulses()
+    private Finding? Impulses()
     {
         double mass = _world.Ball.Mass;
         double inertia = _world.Ball.MomentOfInertia;
@@ -153,7 +136,6 @@ internal sealed class ThingsRun
                 continue;
             }
 
-            Impacts++;
             Collider collider = _world.Colliders[hit.ColliderIndex - _world.FirstCollider];
             Vector3d contact = hit.Position - (_world.Ball.Radius * hit.Normal);
             Vector3d with = collider.SurfaceVelocity(in contact, hit.Time);
@@ -169,7 +151,7 @@ internal sealed class ThingsRun
     }
 
     /// <summary>The mirror image of the scene plays the mirror image of the shot, to the last bit.</summary>
-    private StressFailure? Mirrored(double dt)
+    private Finding? Mirrored(double dt)
     {
         if (_image is null)
         {
@@ -182,8 +164,8 @@ internal sealed class ThingsRun
         Vector3d velocity = _image.Polar(_imageState.Velocity);
         return place == _state.Position && velocity == _state.Velocity && _imageState.Spin.X == _state.Spin.X
             ? null
-            : Fail("mirror", $"{place - _state.Position} m, {velocity - _state.Velocity} m/s off, frame {Frames}");
+            : Fail("mirror", $"{place - _state.Position} m, {velocity - _state.Velocity} m/s off, frame {_tally.Frames}");
     }
 
-    private static StressFailure Fail(string check, FormattableString detail) => new(check, detail.ToString(CultureInfo.InvariantCulture));
+    private static Finding Fail(string check, FormattableString detail) => new(check, detail.ToString(CultureInfo.InvariantCulture));
 }

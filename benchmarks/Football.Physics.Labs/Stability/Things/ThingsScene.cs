@@ -1,3 +1,5 @@
+using FootballPhysics.Yardsticks;
+
 namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>A scene with things in it, and a shot among them: all of it from one number. Its mirror image in x has the same numbers, but for their signs.</summary>
@@ -5,8 +7,8 @@ internal sealed class ThingsScene
 {
     private const double Radius = 0.11;
 
-    private readonly LabRandom _random;
-    private readonly LabRandom _motion;
+    private readonly SeededRandom _random;
+    private readonly SeededRandom _motion;
     private readonly double _sign;
 
     /// <summary>Draws a scene.</summary>
@@ -15,8 +17,8 @@ internal sealed class ThingsScene
     /// <param name="mirrored">Whether to make its mirror image.</param>
     public ThingsScene(long seed, long index, bool mirrored)
     {
-        _random = new LabRandom(LabRandom.Mix(seed, index));
-        _motion = new LabRandom(LabRandom.Mix(seed, ~index));
+        _random = new SeededRandom(SeededRandom.Mix(seed, index));
+        _motion = new SeededRandom(SeededRandom.Mix(seed, ~index));
         _random.Next();
         _sign = mirrored ? -1 : 1;
         int kinds = Enum.GetValues<ThingsKind>().Length;

@@ -1,6 +1,4 @@
-using FootballPhysics.Labs.People;
-
-namespace FootballPhysics.Labs.Stress;
+namespace FootballPhysics.Labs.People;
 
 /// <summary>The objects of an arena that never move: distances in closed form, from the numbers of the arena alone.</summary>
 internal sealed class StandingSolids

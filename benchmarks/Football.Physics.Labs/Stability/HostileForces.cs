@@ -1,4 +1,4 @@
-namespace FootballPhysics.Labs.Hostile;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Forces of a game's own, of any strength.</summary>
 internal static class HostileForces

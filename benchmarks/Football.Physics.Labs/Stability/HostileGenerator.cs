@@ -1,6 +1,6 @@
 using FootballPhysics.Scenes;
 
-namespace FootballPhysics.Labs.Hostile;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Draws a hostile scene from its number: masses and sizes of six decades, restitutions and frictions at both ends, launches exactly on the law's surfaces, steps in hostile orders.</summary>
 internal static class HostileGenerator
@@ -10,7 +10,7 @@ internal static class HostileGenerator
     private const double Farthest = 1e6;
 
     /// <summary>The scene with a number.</summary>
-    public static HostileScene Make(ulong number)
+    public static StressScene Make(ulong number)
     {
         // One random sequence: the order of the draws is the scene.
         var random = new HostileRandom(number);
@@ -28,9 +28,9 @@ internal static class HostileGenerator
         Kick(random, kind, ball, air, ground, gravity, out double up, out Vector3d velocity, out Vector3d spin);
         Vector3d position = Place(random, kind, ground.Height + ball.Radius, ground.Height, up);
         SolverSettings settings = Settings(random);
-        return new HostileScene
+        return new StressScene
         {
-            Number = number,
+            Number = (long)number,
             Scene = Scene.Published with { Ball = ball, Gravity = gravity, Air = air, Ground = ground, Forces = forces },
             Settings = settings,
             Position = position,
@@ -71,7 +71,7 @@ internal static class HostileGenerator
         double height = random.Any(0, 0, Farthest, -Farthest, random.Uniform(-Farthest, Farthest), random.Uniform(-5, 5));
         SurfaceMaterial material = SurfaceMaterial.PublishedTurf with
         {
-            NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Share(), 1 - 1e-9, 1e-12),
+            NormalRestitution = random.Any(0.0, 1.0, 0.6, random.Next(), 1 - 1e-9, 1e-12),
             TangentialRestitution = random.Any(0.0, 1.0, -1.0, 0.5, random.Uniform(-1, 1)),
         };
         return Ground.PublishedTurf with

@@ -1,14 +1,17 @@
-namespace FootballPhysics.Labs.Hostile;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>What must hold of the state after every frame.</summary>
-internal static class HostileStateCheck
+internal static class StateCheck
 {
     /// <summary>Energy, J, below which a ball is as good as at rest: nothing is weighed or timed to it.</summary>
     private const double Nothing = 1e-40;
 
+    /// <summary>Evaluations of a frame at most: some milliseconds.</summary>
+    private const long MostEvaluations = 100_000;
+
     /// <summary>Finite, a rotation, above the ground or on it, at the right time.</summary>
     /// <returns>False where the state is not finite: nothing more can be asked of it.</returns>
-    public static bool Holds(HostileFrame frame)
+    public static bool Holds(StressFrame frame)
     {
         ref readonly BallState before = ref frame.Before;
         ref readonly BallState after = ref frame.After;
@@ -37,7 +40,7 @@ internal static class HostileStateCheck
         }
 
         double late = Math.Abs(after.Time - (before.Time + frame.Length));
-        if (late > 4 * HostileFrame.Ulp(after.Time))
+        if (late > 4 * StressFrame.Ulp(after.Time))
         {
             frame.Find("clock", late, $"{before.Time} to {after.Time}");
         }
@@ -46,9 +49,9 @@ internal static class HostileStateCheck
     }
 
     /// <summary>What brakes never reverses, and what decays never grows.</summary>
-    public static void Reversal(HostileFrame frame)
+    public static void Reversal(StressFrame frame)
     {
-        HostileScene scene = frame.Scene;
+        StressScene scene = frame.Scene;
         if (frame.Log.Events.Count > 0 || scene.HasOwnForces)
         {
             return;
@@ -63,7 +66,8 @@ internal static class HostileStateCheck
             frame.Find("spin reversed in flight", 1, $"{before.Spin} to {after.Spin}");
         }
 
-        if (before.Spin.Y * after.Spin.Y < 0)
+        // The rest of a spin that has ended is rounding.
+        if (before.Spin.Y * after.Spin.Y < -1e-15 * before.Spin.Y * before.Spin.Y)
         {
             frame.Find("spin about the vertical reversed", 1, $"{before.Motion} to {after.Motion}, {before.Spin.Y} to {after.Spin.Y}");
         }
@@ -91,15 +95,41 @@ internal static class HostileStateCheck
         }
     }
 
-    /// <summary>Without wind and forces of a game's own a frame makes no more energy than the method's own error.</summary>
-    public static void Energy(HostileFrame frame)
+    /// <summary>The work of a frame, in evaluations: a clock also counts other programs.</summary>
+    public static void Work(StressFrame frame)
     {
-        HostileScene scene = frame.Scene;
-        if (scene.Windy || scene.HasOwnForces || frame.Energy() is not { } energy || energy.Holds || energy.Gained < Nothing)
+        if (frame.Log.Evaluations > MostEvaluations)
+        {
+            frame.FindMild($"long frame of {(frame.Length >= 1 ? "a second or more" : "less than a second")}", frame.Log.Evaluations, $"{frame.Log.Steps} pieces, {frame.Log.Events.Count} events");
+        }
+    }
+
+    /// <summary>A frame makes no more energy than the method's own error. For the measured laws nothing bounds that error.</summary>
+    public static void Energy(StressFrame frame)
+    {
+        if (!frame.Scene.Measured)
+        {
+            Gain(frame);
+        }
+    }
+
+    /// <summary>The same without wind and forces of a game's own.</summary>
+    public static void EnergyInStillAir(StressFrame frame)
+    {
+        if (!frame.Scene.Windy && !frame.Scene.HasOwnForces)
+        {
+            Gain(frame);
+        }
+    }
+
+    private static void Gain(StressFrame frame)
+    {
+        if (frame.Energy() is not { } energy || energy.Holds || energy.Gained < Nothing)
         {
             return;
         }
 
+        StressScene scene = frame.Scene;
         ref readonly BallState before = ref frame.Before;
         ref readonly BallState after = ref frame.After;
         BallProperties ball = scene.Scene.Ball;

@@ -1,9 +1,9 @@
-namespace FootballPhysics.Labs.Hostile;
+namespace FootballPhysics.Labs.Stability;
 
 /// <summary>How many decades a scene lies outside the numbers of ordinary balls, grounds and kicks.</summary>
 internal static class Absurdity
 {
-    public static double Of(HostileScene scene)
+    public static double Of(StressScene scene)
     {
         BallProperties ball = scene.Scene.Ball;
         Air air = scene.Scene.Air;

@@ -1,0 +1,95 @@
+namespace FootballPhysics.Labs.Stability;
+
+/// <summary>Checks a frame.</summary>
+internal delegate void FrameCheck(StressFrame frame);
+
+/// <summary>A frame of a scene, and the list of its findings.</summary>
+/// <param name="scene">The scene.</param>
+/// <param name="simulator">Its simulator.</param>
+/// <param name="absurdity">How many decades the scene is outside ordinary numbers.</param>
+/// <param name="findings">The list.</param>
+internal sealed class StressFrame(StressScene scene, Simulator simulator, double absurdity, List<Finding> findings)
+{
+    /// <summary>Far from the ground, a contact is as exact as this share of the distance.</summary>
+    private const double FarShare = 1e-7;
+
+    private readonly EnergyCheck _energy = new(scene.Scene, scene.Settings, scene.Upward, simulator);
+    private BallState _before;
+    private BallState _after;
+
+    public StressScene Scene => scene;
+
+    public Simulator Simulator => simulator;
+
+    public AirBounds Air { get; } = new(scene.Scene);
+
+    /// <summary>Height of the centre of a ball on the ground, m.</summary>
+    public double Contact => simulator.ContactHeight;
+
+    /// <summary>The deepest penetration, m: rounding of the height, and more for a ball that goes beyond <see cref="Limits.Length"/>.</summary>
+    public double Touching
+    {
+        get
+        {
+            double farthest = Math.Max(Farthest(in _before), Farthest(in _after));
+            return farthest > Limits.Length ? FarShare * farthest : 1e-9 + (4 * Ulp(Contact));
+        }
+    }
+
+    public int Index { get; private set; } = -1;
+
+    /// <summary>Length of the frame, s.</summary>
+    public double Length { get; private set; }
+
+    public StepLog Log { get; } = new();
+
+    public ref readonly BallState Before => ref _before;
+
+    public ref readonly BallState After => ref _after;
+
+    /// <summary>The highest known speed in the frame, m/s.</summary>
+    public double Fastest { get; private set; }
+
+    /// <summary>The sum over all frames so far.</summary>
+    public Tally Tally { get; private set; }
+
+    /// <summary>The energy that the frame has made, and how much of it the method may make; null where nothing is guaranteed.</summary>
+    public FrameEnergy? Energy()
+    {
+        FrameEnergy? energy = _energy.Of(in _before, Length, in _after, Log.Events.Span);
+        Tally = Tally with { EnergyShare = Math.Max(Tally.EnergyShare, energy?.Share ?? 0) };
+        return energy;
+    }
+
+    /// <summary>Simulates the next frame, from the end of the last one.</summary>
+    public void Play(ref BallState state, double length)
+    {
+        Index++;
+        Length = length;
+        _before = state;
+        Log.Clear();
+        simulator.Step(ref state, length, Log);
+        _after = state;
+        Tally += Tally.Of(Log);
+        Fastest = Math.Max(_before.Velocity.Length, _after.Velocity.Length);
+        foreach (ref readonly BallEvent item in Log.Events)
+        {
+            Fastest = Math.Max(Fastest, Math.Max(item.Velocity.Length, item.VelocityBefore.Length));
+        }
+    }
+
+    /// <summary>Replaces the end of the frame, to test that the checks find it.</summary>
+    public void Forge(BallState after) => _after = after;
+
+    /// <summary>Adds a finding.</summary>
+    public void Find(string check, double size, FormattableString detail) => findings.Add(new Finding(
+        check, FormattableString.Invariant($"frame {Index} of {Length} s: ") + FormattableString.Invariant(detail), size, absurdity + Absurdity.Outside(Length, 1e-4, 0.1)));
+
+    /// <summary>Adds a finding; that of a scene whose numbers a game may have gets a name of its own.</summary>
+    public void FindMild(string check, double size, FormattableString detail) => Find(scene.IsMild ? $"{check}, mild" : check, size, detail);
+
+    /// <summary>The distance to the next number.</summary>
+    public static double Ulp(double value) => Math.BitIncrement(Math.Abs(value)) - Math.Abs(value);
+
+    private double Farthest(in BallState s) => Math.Abs(s.Position.Y - Contact) + (s.Velocity.Length * Length);
+}

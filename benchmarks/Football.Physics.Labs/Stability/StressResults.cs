@@ -1,0 +1,81 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
+using System.Globalization;
+using FootballPhysics.Tool.Commands;
+
+namespace FootballPhysics.Labs.Stability;
+
+/// <summary>Simulates many scenes on all processors, and sums what they are.</summary>
+internal sealed class StressResults
+{
+    /// <summary>A scene that runs for longer than this, s, is reported.</summary>
+    private const double Long = 10;
+
+    private readonly Lock _lock = new();
+    private readonly Dictionary<(string Kind, Integrator Method), Tally> _cells = [];
+
+    public Findings Findings { get; } = new();
+
+    /// <summary>Scenes that the library rejects, by field.</summary>
+    public Findings Refusals { get; } = new();
+
+    /// <summary>The scene that took longest, and its time, s.</summary>
+    public (long Scene, double Seconds) Slowest { get; private set; }
+
+    public Tally Of(string kind, Integrator method) => _cells.GetValueOrDefault((kind, method));
+
+    public Tally Of(string kind) => _cells.Where(cell => cell.Key.Kind == kind).Aggregate(default(Tally), (sum, cell) => sum + cell.Value);
+
+    public Tally Total => _cells.Values.Aggregate(default(Tally), (sum, cell) => sum + cell);
+
+    /// <summary>Adds a scene.</summary>
+    public void Add(long scene, StressOutcome outcome, double seconds = 0)
+    {
+        lock (_lock)
+        {
+            _cells[(outcome.Kind, outcome.Method)] = Of(outcome.Kind, outcome.Method) + outcome.Tally;
+            Slowest = seconds > Slowest.Seconds ? (scene, seconds) : Slowest;
+            foreach (Finding found in outcome.Findings)
+            {
+                Findings.Add(outcome.Kind.Length > 0 ? $"{outcome.Kind}, {outcome.Method}: {found.Check}" : found.Check, scene, found);
+            }
+
+            if (outcome.Refusal is { } refusal)
+            {
+                Refusals.Add(refusal.Check, scene, refusal);
+            }
+        }
+    }
+
+    /// <summary>Simulates scenes from the first on.</summary>
+    public void Play(Func<long, StressOutcome> play, long first, long count, int jobs, Terminal terminal, Progress progress)
+    {
+        var running = new ConcurrentDictionary<long, long>();
+        using var watch = new Timer(
+            _ =>
+            {
+                foreach (long scene in running.Where(item => Stopwatch.GetElapsedTime(item.Value).TotalSeconds > Long).Select(item => item.Key))
+                {
+                    terminal.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"scene {scene} has been running for more than {Long:0} s"));
+                }
+            },
+            null,
+            TimeSpan.FromSeconds(Long),
+            TimeSpan.FromSeconds(Long));
+        long done = 0;
+        Parallel.For(first, first + count, new ParallelOptions { MaxDegreeOfParallelism = jobs }, scene =>
+        {
+            long start = running[scene] = Stopwatch.GetTimestamp();
+            StressOutcome outcome = play(scene);
+            running.TryRemove(scene, out _);
+            Add(scene, outcome, Stopwatch.GetElapsedTime(start).TotalSeconds);
+            lock (progress)
+            {
+                if (++done % 64 == 0)
+                {
+                    progress.Report(done, count, () => string.Create(CultureInfo.InvariantCulture, $"scenes, {Findings.Kinds} kinds of findings"));
+                }
+            }
+        });
+    }
+}
