@@ -4,7 +4,7 @@
 # Needs qemu-aarch64-static (Debian: qemu-user-static), aarch64-linux-gnu-gcc (gcc-aarch64-linux-gnu, libc6-dev-arm64-cross) and dpkg-deb, and asks apt for six packages of arm64, which are unpacked into a folder and not installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -29,7 +29,7 @@ for package in "$work"/*.deb; do dpkg-deb -x "$package" "$work/root"; done
 run() { DOTNET_EnableWriteXorExecute=0 QEMU_LD_PREFIX=$work/root qemu-aarch64-static "$@"; }
 
 start=$SECONDS
-dotnet publish -c Release -r linux-arm64 --self-contained tests/Package.Consumer -p:RunAnalyzers=false -p:LibraryProject=true -p:TargetFrameworks=net10.0 --artifacts-path "$work/build" -o "$work/golden" > "$log" 2>&1 || fail "publish for linux-arm64"
+dotnet publish -c Release -m:1 -r linux-arm64 --self-contained tests/Package.Consumer -p:RunAnalyzers=false -p:LibraryProject=true -p:TargetFrameworks=net10.0 --artifacts-path "$work/build" -o "$work/golden" > "$log" 2>&1 || fail "publish for linux-arm64"
 published=$(( SECONDS - start ))
 start=$SECONDS
 run "$work/golden/consumer" > "$work/hashes" 2> "$log" || fail "the golden program on ARM64"

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_CLI_UI_LANGUAGE=en
-export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+export MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
 out=${1:-out/pages}
 mkdir -p "$out"
@@ -86,8 +86,8 @@ pictures() {
 }
 
 build() { dotnet build -c Release "$1" -v q > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "dotnet build $1"; }; }
-build src/Football.Tool
-build docs/Site
+# .ci/run has built the solution.
+[[ ${CI:-} == true ]] || { build src/Football.Tool; build docs/Site; }
 football() { dotnet src/Football.Tool/bin/Release/net10.0/football.dll "$@" > /dev/null 2> "$work/log" || { cat "$work/log" >&2; fail "football $1"; }; }
 
 # --- the page to play with, beside all others: twenty seconds of it are kicks

@@ -1,11 +1,11 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Text;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Scenarios.Input;
-using FootballPhysics.Tool.Sweep;
+using FootballPhysics.Tool.Commands;
 using FootballPhysics.Tool.Sweep.Formats;
 using FootballPhysics.Tool.Sweep.Output;
+using FootballPhysics.Tool.Sweep;
 
 namespace FootballPhysics.Labs;
 

@@ -1,6 +1,6 @@
 using System.CommandLine;
-using FootballPhysics.Tool.Commands;
 using FootballPhysics.Drawing;
+using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs;

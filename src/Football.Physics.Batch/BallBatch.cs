@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene, each from its launch to the first impact or a time limit.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Finds many kicks in one scene at once: the batch version of <see cref="Aimer"/>.</summary>

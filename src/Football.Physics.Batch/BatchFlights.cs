@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The ends of many flights, as arrays.</summary>

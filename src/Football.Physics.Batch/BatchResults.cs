@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The results of many balls that were simulated to a plane, to rest or to a time, as arrays.</summary>

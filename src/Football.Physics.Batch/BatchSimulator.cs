@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Simulates thousands of independent balls in one scene to a plane, to rest or to a time, with their paths.</summary>

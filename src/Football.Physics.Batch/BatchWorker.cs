@@ -1,5 +1,8 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Batch;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>The air coefficients of a scene as functions of speed and spin, for display next to the numbers of a preset.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>The classic pattern of a ball, 12 dark pentagons and 20 light hexagons, as a texture that shows its rotation.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>The scene of one ball in a game engine, built from the objects in the engine's scene.</summary>

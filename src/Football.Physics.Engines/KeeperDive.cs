@@ -1,3 +1,6 @@
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>A goalkeeper as a body of the scene: he stands in front of his goal and dives for shots.</summary>

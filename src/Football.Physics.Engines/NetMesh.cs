@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>A net as points and threads, for drawing. It hangs flat, and bulges where a ball presses it.</summary>

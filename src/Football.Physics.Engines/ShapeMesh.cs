@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>A triangle mesh for drawing the objects of a scene, in the library's frame.</summary>

@@ -4,7 +4,7 @@
 # NativeAOT links for the system it runs on: Windows' library is made on Windows, Apple's on a Mac. For linux-arm64 on x64 Debian's gcc-aarch64-linux-gnu links.
 # A library for Linux needs glibc 2.31 or later.
 set -euo pipefail
-export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=false
+export DOTNET_NOLOGO=1 DOTNET_CLI_TELEMETRY_OPTOUT=1 MSBUILDTERMINALLOGGER=off MSBUILDDISABLENODEREUSE=1 UseSharedCompilation=${UseSharedCompilation:-false}
 
 (( $# >= 1 && $# <= 2 )) || { sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 # DIR is relative to the folder of the caller.

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Thesis;
 
 /// <summary>The boundary-value problem of the thesis' single-target methods.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Thesis;
 
 /// <summary>Finds kicks by the methods of the thesis, for comparison.</summary>

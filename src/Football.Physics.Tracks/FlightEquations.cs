@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The least-squares equations of flights, for each launch and for the parameters that all flights share.</summary>

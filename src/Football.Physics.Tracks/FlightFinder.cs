@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Finds the flights of a track: segments that fall like a ball in flight, joined if one flight explains both.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates sliding friction and speed-dependent rolling friction from the windows of a match.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Finds the intervals in which a ball on the ground slides or rolls untouched, and the resistance in each.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Fits a complete match track: flights, impacts, touches and ground, with a common wind, ball and surface.</summary>

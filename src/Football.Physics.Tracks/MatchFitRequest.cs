@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>A request for a match fit: the shared parameters to estimate, and their prior deviations from the scene.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The result of a match fit: the pieces in order of time, and the shared parameters.</summary>

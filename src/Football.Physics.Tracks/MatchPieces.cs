@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Builds the pieces of a match from its flights: the parts between them, and the events.</summary>

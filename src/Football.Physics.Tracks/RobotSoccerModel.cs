@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The ball of a scene in the terms of robot soccer (RoboCup Small Size League): the two-phase model of a straight kick and the fixed-loss model of a chip.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Fits the launches of many flights and their shared parameters simultaneously.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates a surface from impacts: restitution, its increase at grazing impacts, and friction.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>Estimates the launch of a ball and, on request, scene parameters, from tracked positions.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>A request for a track fit: the parameters to estimate besides the launch, and their priors.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tracks;
 
 /// <summary>The normal equations N = JᵀJ + prior, g = Jᵀr + …; the Jacobian consists of secants as wide as the uncertainty.</summary>

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Xml.Linq;
+using FootballPhysics.Aiming;
 
 namespace FootballPhysics.Labs.Tests;
 

@@ -9,8 +9,8 @@ internal static partial class ApiGroups
     private static readonly (string Title, string[] Folders)[] s_groups =
     [
         ("A ball in a game", ["Game", "Events"]),
-        ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds", "Air"]),
-        ("Objects that the ball hits", ["Scenes/Shapes", "Contact"]),
+        ("Scenes: ball, air, ground", ["Scenes", "Scenes/Winds", "Laws"]),
+        ("Objects that the ball hits", ["Scenes/Shapes", "Contacts"]),
         ("Where the ball will be", ["Prediction"]),
         ("Which kick", ["Aiming"]),
         ("Step by step, and the methods", ["Simulation", "Integration", "State"]),

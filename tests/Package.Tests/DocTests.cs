@@ -244,14 +244,10 @@ public sealed class DocTests
     {
         bool engine = kind is "csharp unity" or "csharp godot";
         bool framework = kind is "csharp monogame" or "csharp raylib";
-        string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
-        return trusted.Split(Path.PathSeparator)
-            .Where(file => Path.GetFileName(file) is var name
-                && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll"
-                    or "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
-                    || (framework && name is "Frameworks.dll")
-                    || (engine && (name.StartsWith("Football.Physics.", StringComparison.Ordinal) || name is "GodotSharp.dll" or "UnityEngine.dll"))))
-            .Select(file => MetadataReference.CreateFromFile(file));
+        return TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file)
+            || file is "Football.Physics.dll" or "Football.Physics.Batch.dll" or "Football.Physics.Engines.dll" or "Football.Physics.Thesis.dll" or "Football.Physics.Tracks.dll"
+            || (framework && file is "Frameworks.dll")
+            || (engine && (file.StartsWith("Football.Physics.", StringComparison.Ordinal) || file is "GodotSharp.dll" or "UnityEngine.dll")));
     }
 
     private sealed record Block(string Kind, string Code, int Line, string? Prints, int PrintsLine, int PrintsLines);

@@ -42,11 +42,10 @@ public sealed class UnityEditorTests : IDisposable
         var options = new CSharpParseOptions(
             LanguageVersion.CSharp9,
             preprocessorSymbols: [.. modern ? s_modern : [], .. newInput ? (string[])["ENABLE_INPUT_SYSTEM", "FOOTBALL_INPUT_SYSTEM"] : []]);
-        string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         var compilation = CSharpCompilation.Create(
             "Package",
             Directory.GetFiles(Path.Combine(Repository.Root, UnityAsset.Package), "*.cs", SearchOption.AllDirectories).Select(file => CSharpSyntaxTree.ParseText(File.ReadAllText(file), options)),
-            trusted.Split(Path.PathSeparator).Where(file => Path.GetFileName(file) != "Football.Physics.Unity.dll").Select(file => MetadataReference.CreateFromFile(file)),
+            TrustedReferences.Where(file => file != "Football.Physics.Unity.dll"),
             new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
         Assert.Empty(compilation.GetDiagnostics().Where(said => said.Severity >= DiagnosticSeverity.Warning && said.Id != "CS1701").Select(said => said.ToString()));
     }

@@ -75,11 +75,10 @@ public sealed class UnityUserTests
 
     private static string[] Errors(string script, bool withPlugins = true)
     {
-        string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         var compilation = CSharpCompilation.Create(
             "Assembly-CSharp",
             [CSharpSyntaxTree.ParseText(script, new CSharpParseOptions(LanguageVersion.CSharp9))],
-            trusted.Split(Path.PathSeparator).Where(file => IsReferenced(Path.GetFileName(file), withPlugins)).Select(file => MetadataReference.CreateFromFile(file)),
+            TrustedReferences.Where(file => IsReferenced(file, withPlugins)),
             new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
         return [.. compilation.GetDiagnostics().Where(said => said.Severity == DiagnosticSeverity.Error).Select(said => said.ToString())];
     }

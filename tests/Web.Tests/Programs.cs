@@ -1,4 +1,5 @@
 using System.Runtime.Loader;
+using FootballPhysics.Package.Tests;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 
@@ -12,16 +13,10 @@ internal static class Programs
     /// <summary>Compiles a program against the library, as a new console project would, and returns what it prints.</summary>
     public static string Run(string code)
     {
-        MetadataReference[] references =
-        [
-            .. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
-                .Where(path => Path.GetFileName(path) is { } name && (name.StartsWith("System.", StringComparison.Ordinal) || name is "netstandard.dll" or "mscorlib.dll"))
-                .Append(typeof(FootballPhysics.Ball).Assembly.Location).Append(typeof(FootballPhysics.Engines.KeeperDive).Assembly.Location).Select(path => MetadataReference.CreateFromFile(path)),
-        ];
         var compilation = CSharpCompilation.Create(
             "Copied" + Guid.NewGuid().ToString("N"),
             [CSharpSyntaxTree.ParseText(code), CSharpSyntaxTree.ParseText(Usings)],
-            references,
+            TrustedReferences.Where(file => TrustedReferences.IsOfRuntime(file) || file is "Football.Physics.dll" or "Football.Physics.Engines.dll"),
             new CSharpCompilationOptions(OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable));
         using var bytes = new MemoryStream();
         var problems = compilation.Emit(bytes).Diagnostics.Where(found => found.Severity >= DiagnosticSeverity.Warning && found.Id != "CS1701").ToList();

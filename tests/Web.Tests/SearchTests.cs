@@ -3,6 +3,13 @@ namespace FootballPhysics.Web.Tests;
 /// <summary>Questions as a new user asks them, typed into the search of the site.</summary>
 public sealed class SearchTests(Browser browser, ITestOutputHelper told)
 {
+    private static readonly Lazy<string> s_site = new(() =>
+    {
+        string folder = Path.Combine(Browser.Pictures, "site");
+        FootballPhysics.Site.SiteWriter.Write(Browser.Repository, folder);
+        return folder;
+    });
+
     private static readonly (string Question, string Page)[] s_questions =
     [
         ("goal detection", "cookbook.html#is-it-a-goal"),
@@ -50,9 +57,7 @@ public sealed class SearchTests(Browser browser, ITestOutputHelper told)
     [Fact]
     public async Task Of_forty_questions_the_right_page_is_among_the_first_three_for_thirty_seven()
     {
-        string folder = Path.Combine(Browser.Pictures, "site");
-        FootballPhysics.Site.SiteWriter.Write(Browser.Repository, folder);
-        await using Window window = await browser.Open(Path.Combine(folder, "index.html"));
+        await using Window window = await browser.Open(Path.Combine(s_site.Value, "index.html"));
         int right = 0;
         foreach ((string question, string page) in s_questions)
         {
@@ -78,9 +83,7 @@ public sealed class SearchTests(Browser browser, ITestOutputHelper told)
     [InlineData("Ball", "api-ball.html", 1280)]
     public async Task The_name_of_a_member_leads_to_its_anchor_in_the_window(string query, string address, int width)
     {
-        string folder = Path.Combine(Browser.Pictures, "site");
-        FootballPhysics.Site.SiteWriter.Write(Browser.Repository, folder);
-        await using Window window = await browser.Open(Path.Combine(folder, "index.html"), width);
+        await using Window window = await browser.Open(Path.Combine(s_site.Value, "index.html"), width);
         await window.Page.FillAsync("#search", query);
         await window.Page.PressAsync("#search", "Enter");
         await window.Page.WaitForURLAsync(url => url.EndsWith(address, StringComparison.Ordinal));

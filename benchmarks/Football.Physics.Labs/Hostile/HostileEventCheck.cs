@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>What must hold of the events of every frame.</summary>

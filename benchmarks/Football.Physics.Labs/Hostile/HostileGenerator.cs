@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Labs.Hostile;
 
 /// <summary>Draws a hostile scene from its number: masses and sizes of six decades, restitutions and frictions at both ends, launches exactly on the law's surfaces, steps in hostile orders.</summary>

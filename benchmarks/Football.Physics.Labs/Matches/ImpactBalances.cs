@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
 using FootballPhysics.Tool.Commands;
 
 namespace FootballPhysics.Labs.Matches;

@@ -1,3 +1,4 @@
+using FootballPhysics.Numerics;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Queries;

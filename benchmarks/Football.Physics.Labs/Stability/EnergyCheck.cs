@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Says of a frame, from the states before and after it, how much energy the ball gained and how much the method can have made.</summary>

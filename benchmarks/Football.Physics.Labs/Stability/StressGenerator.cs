@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Labs.Stability;
 
 /// <summary>Makes the scenes of the stress matrix.</summary>

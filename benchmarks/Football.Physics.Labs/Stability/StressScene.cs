@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Stability;
 

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using FootballPhysics.Game;
 using FootballPhysics.Labs.Fuzz;
 using FootballPhysics.Yardsticks;
 

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The surfaces in the space of motions at which events happen.</summary>
@@ -18,15 +21,15 @@ internal sealed class EventSurface
     /// <summary>Returns the surface of the jump in the drag law: g is |u|² − v_c², or 400 (r|ω|)² − |u|².</summary>
     public EventGradient DragJump(LocalFlight local, DragBranch next, double time, in Motion at)
     {
-        DragJump here = FootballPhysics.DragJump.At(in at, in _around.Wind, _around.Radius);
+        DragJump here = Laws.DragJump.At(in at, in _around.Wind, _around.Radius);
         local.Rates(time, in at, out MotionRates rates);
-        DragJump rate = FootballPhysics.DragJump.Rate(in at, in rates, in _around.Wind, _around.Radius);
+        DragJump rate = Laws.DragJump.Rate(in at, in rates, in _around.Wind, _around.Radius);
         bool bySpeed = next == DragBranch.AlongCriticalSpeed || (next != DragBranch.AlongCriticalSpin && here.NearerToSpeed);
 
         // Both are linear in |u|² and (r|ω|)², so rates for unit rates of these give the gradients.
         Vector3d u = at.Velocity - _around.Wind;
-        double bySpeedSquared = bySpeed ? FootballPhysics.DragJump.Rate(1, 0).Speed : FootballPhysics.DragJump.Rate(1, 0).Spin;
-        double bySpinSquared = bySpeed ? 0 : FootballPhysics.DragJump.Rate(0, 1).Spin;
+        double bySpeedSquared = bySpeed ? Laws.DragJump.Rate(1, 0).Speed : Laws.DragJump.Rate(1, 0).Spin;
+        double bySpinSquared = bySpeed ? 0 : Laws.DragJump.Rate(0, 1).Spin;
         return new EventGradient(Vector3d.Zero, (2.0 * bySpeedSquared) * u, (2.0 * bySpinSquared * _around.RadiusSquared) * at.Spin, bySpeed ? rate.Speed : rate.Spin);
     }
 }

@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The variational equation along plain flight, in which only velocity and spin magnitude change.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The map of an impact from the motion before to the motion after, with derivatives by difference quotients of the simulation's own impact.</summary>

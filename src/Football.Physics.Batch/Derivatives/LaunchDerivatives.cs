@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Computes the derivatives of a ball's motion with respect to its launch, in a single run.</summary>

@@ -1,3 +1,7 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The motion along a segment of flight: the same equations as in a step, on the same branch of the drag law.</summary>

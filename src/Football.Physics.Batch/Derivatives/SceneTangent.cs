@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Computes the derivatives by the launch in one scene.</summary>

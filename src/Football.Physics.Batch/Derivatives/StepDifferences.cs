@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Updates the derivatives by the launch over a step, by central differences of the step itself.</summary>

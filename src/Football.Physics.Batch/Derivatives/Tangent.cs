@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The derivative of the motion at one time by the launch, J = ∂y/∂y₀.</summary>

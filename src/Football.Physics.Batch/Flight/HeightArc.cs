@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The ball's height above contact over a step that comes down to it.</summary>

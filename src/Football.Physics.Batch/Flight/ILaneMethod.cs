@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The integrator for which a flight in lanes is specialized.</summary>

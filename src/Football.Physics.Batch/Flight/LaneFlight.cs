@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Simulates groups of balls, several at once in SIMD registers. Immutable and thread-safe.</summary>

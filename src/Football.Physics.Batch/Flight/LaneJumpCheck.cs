@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Batch;
 

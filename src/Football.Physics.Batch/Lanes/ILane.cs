@@ -1,4 +1,5 @@
 #if NET8_0_OR_GREATER
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Several floats in one SIMD register, with operations that give bit-identical results for any number of lanes.</summary>

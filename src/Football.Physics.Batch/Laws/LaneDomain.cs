@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The flights that lanes can simulate, limited by the domain of the laws and the range of floats.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The jump in the published drag law (<see cref="DragJump"/>), in float.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Finds the pass that a team mate can reach earliest, before any opponent, in the air or on the ground.</summary>

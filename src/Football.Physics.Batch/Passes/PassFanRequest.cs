@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The passes to try: kicks of all speeds, elevations and directions of a fan.</summary>

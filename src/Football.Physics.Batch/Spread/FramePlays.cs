@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Decides which kicks go in.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Computes how a player's kicks spread on the plane of a goal, and the probability that they score.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>A kick, the spread of a player's kicks, a goal, and the number of kicks to simulate.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The spread of a player's kicks on the plane of a goal.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The mouth of a goal, and the part of it that the goalkeeper covers.</summary>

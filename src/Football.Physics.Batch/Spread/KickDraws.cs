@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Draws independent normal numbers that cover their space evenly: a shifted lattice, in several copies.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>The spread of a player's kicks: normally distributed errors of speed, direction and spin, with correlations.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>An intended kick, and its variations in speed, elevation, azimuth and relative spin.</summary>

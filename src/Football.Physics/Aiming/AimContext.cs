@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Data shared by the aiming methods: a compiled scene for each purpose, and reusable flights.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the kick that hits a target, optionally past a waypoint.</summary>

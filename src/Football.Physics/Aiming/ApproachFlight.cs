@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the closest approach of a kick to a target that may move.</summary>

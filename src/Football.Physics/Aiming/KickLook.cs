@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Estimates the closest approach of a kick before its first impact, in long steps.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
+
 namespace FootballPhysics;
 
 /// <summary>Computes the force and torque of the air on a ball that is moved by a physics engine or your own integrator.</summary>
@@ -35,7 +38,7 @@ public sealed class Aerodynamics
         _wind = Scene.Air.Wind;
         _jumps = _air.Jumps;
         _varies = _air.Varies;
-        Buoyancy = FootballPhysics.Buoyancy.Force(Scene);
+        Buoyancy = Scenes.Buoyancy.Force(Scene);
     }
 
     /// <summary>The scene.</summary>

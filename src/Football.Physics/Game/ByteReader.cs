@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Reads numbers from untrusted bytes; invalid input throws <see cref="FormatException"/>.</summary>
 internal struct ByteReader

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Appends numbers to a byte buffer, little-endian.</summary>
 internal struct ByteWriter

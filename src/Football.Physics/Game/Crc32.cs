@@ -1,7 +1,7 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>The CRC-32 checksum (IEEE 802.3, as in Ethernet, zip and PNG), which detects every error burst of up to 32 bits.</summary>
 internal static class Crc32

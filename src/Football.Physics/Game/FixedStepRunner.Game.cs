@@ -1,4 +1,6 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
 

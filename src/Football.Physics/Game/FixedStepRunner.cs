@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>Advances one or more balls in fixed steps under variable frame times, and interpolates their poses.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A foot, head or hand that strikes a ball. Computes the kick from the foot's motion, and the motion for a wanted kick.</summary>

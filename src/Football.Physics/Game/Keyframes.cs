@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Game;
 
 /// <summary>Complete match states at regular intervals, from which a replay can continue: balls, bodies and movable obstacles.</summary>
 internal sealed class Keyframes(int balls, int movers)

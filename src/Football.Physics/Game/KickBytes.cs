@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Encodes the ball, velocity and spin of a kick; ball 0 and zero components take no bytes.</summary>
 internal static class KickBytes

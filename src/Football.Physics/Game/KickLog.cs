@@ -1,4 +1,6 @@
 using System.Globalization;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Netcode;
 

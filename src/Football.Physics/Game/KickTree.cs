@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Kicks sorted by tick, player and ball, in a balanced tree; search, insertion and removal take logarithmic time.</summary>
 /// <remarks>An AVL tree in arrays; each node stores the size of its subtree. It allocates only to grow.</remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Encodes numbers: 0 takes no bytes, a single-precision value takes 4, and any other value takes 8. Two bits, written beforehand,
 /// select the form.</summary>

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Game;
 
 /// <summary>The positions of the game's bodies by tick; a resimulation applies them again.</summary>
 internal sealed class PlacementLog

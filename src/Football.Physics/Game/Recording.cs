@@ -2,6 +2,11 @@ using System.Globalization;
 using System.IO.Compression;
 using System.Reflection;
 using System.Runtime.InteropServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Netcode;
 
@@ -485,7 +490,7 @@ public sealed class Recording
             hash = i == 0 ? own : ((hash ^ own) * 0x9FB21C651E98DF25UL) ^ (hash >> 32);
         }
 
-        return runner.Group is null ? hash : hash ^ FootballPhysics.SceneHash.Of(runner.Group.Contact);
+        return runner.Group is null ? hash : hash ^ Simulation.SceneHash.Of(runner.Group.Contact);
     }
 
     /// <summary>The number of bodies and movable obstacles in the scene.</summary>

@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Netcode;
 
 /// <summary>Stores the last states of a runner, and resimulates them when a kick arrives late or was mispredicted.</summary>

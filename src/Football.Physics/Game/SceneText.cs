@@ -1,7 +1,8 @@
 using System.Globalization;
 using System.Text;
+using FootballPhysics.Scenes;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Writes a scene as scenario JSON with exact numbers. It rejects parts that are code, and names them.</summary>
 internal sealed class SceneText

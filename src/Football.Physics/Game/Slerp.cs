@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Game;
 
 /// <summary>Spherical interpolation at constant angular speed, from + − × ÷ √ only.</summary>
 internal static class Slerp

@@ -1,4 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
 
 namespace FootballPhysics.Netcode;
 

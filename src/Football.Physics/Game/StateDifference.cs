@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Game;
 
 namespace FootballPhysics.Netcode;
 

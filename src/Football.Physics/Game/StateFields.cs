@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Game;
 
 /// <summary>Visits the fields of a state in order, and may change them.</summary>
 internal interface IFieldVisitor

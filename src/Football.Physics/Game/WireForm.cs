@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Game;
 
 /// <summary>Encodes a state in 24 bytes, with numbers as integer multiples of a unit.</summary>
 /// <remarks>

@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>Classical Runge–Kutta, order 4 (thesis 3.17, whose k₂ lacks its k₁).</summary>
 internal readonly struct ClassicalRungeKutta : IIntegrator

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>A Runge–Kutta method of order 8 in 12 stages, for motion that changes fast but smoothly: a ball in a net.</summary>
 /// <remarks>

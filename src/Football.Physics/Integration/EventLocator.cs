@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>Finds events within a step with the accuracy of the integrator, by Newton's method within a bracket.</summary>
 /// <remarks>It repeats the step from its start with other lengths, until the event is at the end of the step.</remarks>

@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>Explicit Euler, y' = y + h f(y) (thesis 3.7). Order 1.</summary>
 internal readonly struct ExplicitEuler : IIntegrator

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>The result of a flight step: changes over the step, and the rates at its start.</summary>
 internal struct FlightStep

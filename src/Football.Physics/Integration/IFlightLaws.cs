@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Integration;
 
 /// <summary>The air as the one-step methods use it.</summary>
 internal interface IFlightLaws

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Integration;
 
 /// <summary>A one-step method. To add one, implement this interface, and add a name to <see cref="Integrator"/> and <see cref="StepperFactory"/>.</summary>
 /// <remarks>

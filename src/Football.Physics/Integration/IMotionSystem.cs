@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>A motion for general steps: it computes the rates at any instant.</summary>
 internal interface IMotionSystem

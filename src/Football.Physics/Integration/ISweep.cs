@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>A step that can be repeated from the same start with another length, to find events within it.</summary>
 internal interface ISweep

@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>Midpoint Runge–Kutta, y' = y + h f(y + h/2 f(y)) (thesis 3.15). Order 2.</summary>
 internal readonly struct MidpointRungeKutta : IIntegrator

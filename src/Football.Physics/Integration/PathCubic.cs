@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Integration;
 
 /// <summary>The path of a segment as a cubic in time: close to the integrated path, and cheap to search.</summary>
 internal readonly struct PathCubic

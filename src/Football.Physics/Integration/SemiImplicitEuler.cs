@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Integration;
 
 /// <summary>Semi-implicit (symplectic) Euler, order 1 (thesis 3.8, 3.9): velocity first, then position with the new velocity.</summary>
 internal readonly struct SemiImplicitEuler : IIntegrator

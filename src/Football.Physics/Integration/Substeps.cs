@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Integration;
 
 /// <summary>Steps of order 8 in parts, for a ball in a net: its forces change faster than a step.</summary>
 /// <remarks>

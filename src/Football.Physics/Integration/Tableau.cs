@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Simulation;
+
+namespace FootballPhysics.Integration;
 
 /// <summary>The coefficients of a one-step method whose stages each start from the rates of the previous stage.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Broyden's update: the smallest change of a Jacobian, in scaled unknowns, that matches the last step.</summary>
 internal static class Broyden

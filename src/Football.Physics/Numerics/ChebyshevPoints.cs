@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The four Chebyshev points of an interval: a cubic through them stays close to the function on the entire interval.</summary>
 internal readonly struct ChebyshevPoints

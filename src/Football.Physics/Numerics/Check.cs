@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Range checks. Their messages name the field, its value and the allowed range.</summary>
 internal static class Check

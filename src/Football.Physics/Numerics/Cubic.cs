@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The cubic polynomial A + B x + C x² + D x³.</summary>
 internal readonly struct Cubic

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Elementary functions from + − × ÷ and bit operations alone: bit-identical on every IEEE machine.</summary>
 /// <remarks>The functions of the C runtime differ between operating systems. The tests measure the errors.</remarks>

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The compiler options of the flight step and of the SIMD batch methods.</summary>
 internal static class Hot

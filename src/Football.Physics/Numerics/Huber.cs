@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Huber's loss: quadratic for small residuals, linear for outliers.</summary>
 internal static class Huber

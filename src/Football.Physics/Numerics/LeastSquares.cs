@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>A problem with bounded unknowns; a solution makes its residuals zero.</summary>
 internal interface ILeastSquares

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>ln x by table lookup, for use in every stage of a step.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The normal distribution: its integral, random samples, and the probability of a rectangle in two dimensions.</summary>
 internal static class NormalDistribution

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The default number format of <c>ToString</c> methods.</summary>
 internal static class NumberFormat

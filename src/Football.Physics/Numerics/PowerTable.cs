@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>x^q for one fixed exponent q, by table lookup.</summary>
 /// <remarks>

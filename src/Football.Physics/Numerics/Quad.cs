@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 #endif
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Four doubles, in a SIMD register if available; bit-identical with and without it.</summary>
 internal readonly struct Quad

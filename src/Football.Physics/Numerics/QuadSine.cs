@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Sine and cosine of four angles at once, with + − × and no branch: for sums of waves.</summary>
 /// <remarks>The absolute error is below 1e-13 for angles below one turn; larger angles add their own rounding error.</remarks>

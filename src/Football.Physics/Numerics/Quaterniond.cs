@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Numerics;
 using System.Runtime.Serialization;
 using System.Text.Json.Serialization;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
 

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>SplitMix64 as a counter-based generator: a number depends only on seed and counter.</summary>
 internal static class SplitMix64

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>A look-ahead of several balls in parts: each call takes a limited number of steps, and the next call resumes there.</summary>

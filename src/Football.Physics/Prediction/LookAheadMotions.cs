@@ -1,3 +1,7 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>The motions of the bodies and movable obstacles in a look-ahead in parts, which the game's own motions replace between the parts.</summary>

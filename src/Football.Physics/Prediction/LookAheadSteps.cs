@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>The steps of a look-ahead of one ball, taken one at a time.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Decides if a ball that passed a point can no longer come closer.</summary>

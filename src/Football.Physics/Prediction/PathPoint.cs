@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Prediction;
 

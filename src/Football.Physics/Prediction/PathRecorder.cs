@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Stores the segments of a path, and ends the look-ahead as soon as a stop condition is met.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>Predicts paths by simulating a copy of the state, and warms up a simulator.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <content>Queries on a path: apex, plane crossings, closest approaches and samples.</content>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Keeps a prediction of a moving ball up to date at minimum cost.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Prediction;
 
 /// <summary>Separate scenes in which a warm-up runs rare code paths, so that no frame of a game has to compile them.</summary>
 internal static class WarmUpScenes

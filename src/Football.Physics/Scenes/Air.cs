@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>The air that the ball moves through.</summary>

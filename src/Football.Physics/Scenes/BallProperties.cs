@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>The properties of a ball: mass, radius, inertia, drag curve, knuckle force.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>The condition of ball and pitch in a designer's words: pressure, wetness, wear, mud.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Laws;
 
 /// <summary>The drag coefficient of a ball without spin as a function of the Reynolds number, through the drag crisis.</summary>

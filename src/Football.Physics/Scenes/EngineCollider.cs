@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>A collider of a game engine, with a known shape or with only its surface at the contact.</summary>

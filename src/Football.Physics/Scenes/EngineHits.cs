@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Engines;
 
 /// <summary>The colliders that a sphere cast has hit.</summary>

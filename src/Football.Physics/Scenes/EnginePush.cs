@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>A snapshot of an engine collider: its motion and the impulses it received.</summary>
 internal readonly struct EnginePush

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>The forces and torques of a scene. You can disable or replace each, and add your own.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>A goal: two posts, a crossbar, nets and a goal line. The default sizes follow Law 1.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The definition of a goal, shared by the event and by every query that predicts goals.</summary>
 /// <remarks>

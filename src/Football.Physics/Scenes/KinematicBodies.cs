@@ -1,5 +1,7 @@
 using System.Collections;
 using System.Globalization;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics;
 

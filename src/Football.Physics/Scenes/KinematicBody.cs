@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>A body that your game moves: a foot, a leg, a head, a keeper's hand.</summary>

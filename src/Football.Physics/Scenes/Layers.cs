@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>Layers of objects and zones, 0 … 31, and the sets of layers that a ball ignores.</summary>

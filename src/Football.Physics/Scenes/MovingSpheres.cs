@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The broad phase of moving objects: bounding spheres, tested four at a time with SIMD.</summary>
 internal sealed class MovingSpheres

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>A net: a soft rectangle that absorbs most of the ball's energy.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>One number of a part of the scene: its name in JSON and messages, unit, range and access.</summary>
 /// <typeparam name="T">The type of the part.</typeparam>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The current motions of the obstacles with a finite mass, which impacts of the ball change.</summary>
 internal sealed class ObstacleMotions

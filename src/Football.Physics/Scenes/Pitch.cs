@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>A pitch as specified in Law 1: its size, its two goals, and boards around it.</summary>

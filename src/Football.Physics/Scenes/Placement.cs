@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The motion of an object that the game or an impact moves, with a bounding box in its orientation.</summary>
 internal sealed class Placement

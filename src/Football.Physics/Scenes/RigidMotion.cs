@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The position and motion of an object: constant velocity and constant spin.</summary>
 /// <remarks>The spin moves the surface. If <see cref="Swing"/> is above 0, it also rotates the shape about the pivot.</remarks>

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics;
 
 /// <summary>Everything that a flight depends on, except the kick: ball, air, gravity, forces, ground and objects.</summary>

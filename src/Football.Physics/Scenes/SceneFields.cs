@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The numbers of a scene, each with its name, unit, meaning, range, access, and the evidence for its default.</summary>
 /// <remarks>Validation, reading and writing of JSON, the scene hash and the tables in the docs use these lists.</remarks>
@@ -95,7 +95,7 @@ internal static class SceneFields
     {
         foreach (NumberField<T> field in fields)
         {
-            FootballPhysics.Check.Within(prefix + field.Name, field.Get(part), field.Least, field.Most, field.IsAboveLeast);
+            Numerics.Check.Within(prefix + field.Name, field.Get(part), field.Least, field.Most, field.IsAboveLeast);
         }
     }
 }

@@ -1,4 +1,6 @@
 using System.Text.Json.Serialization;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics;
 

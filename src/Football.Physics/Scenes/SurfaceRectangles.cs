@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Laws;
 
 /// <summary>Rectangles of the pitch with another material: worn turf in a goalmouth, a wet half.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>Computes the greatest speed that a rotation gives to any part of a shape.</summary>
 internal static class SwingOf

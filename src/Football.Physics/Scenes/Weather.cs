@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>The weather, which determines the density and viscosity of the air.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The sum of gravity and buoyancy: the same at every point and for every motion of the ball.</summary>
 internal static class Weight

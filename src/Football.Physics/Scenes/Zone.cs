@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>A region that reports when the ball enters or leaves it: a penalty area, a touchline, a trigger.</summary>

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the time of impact with level ground by the thesis' bisection (2.4.4).</summary>
 internal static class Bisection

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Handles bodies that the game has moved between two steps: a body moved into the ball ejects it, and a carrier that was taken
 /// away releases it.</summary>

@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Scenes;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>A straight tube along the ball's path that stays free of bodies for some time.</summary>
 /// <remarks>

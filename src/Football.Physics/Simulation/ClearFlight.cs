@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Checks that a flight, or a path along the ground, reaches no object except level ground.</summary>
 /// <remarks>

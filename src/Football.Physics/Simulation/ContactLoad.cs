@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Computes a ball's load on a surface: whether the ball stays after an impact, whether friction holds it, and whether the surface
 /// supports it.</summary>

@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a ball that moving objects squeeze: they leave the ball no room, so each part of a step moves it as far as possible.</summary>
 internal sealed partial class ContactSetParts

@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a ball on several surfaces in short parts with velocity-level impulses.</summary>
 /// <remarks>It is the fallback of <see cref="ContactSetPhase{TIntegrator}"/>. Each part evaluates the forces at both ends, computes the impulses

@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a ball on several surfaces at once with the chosen integrator.</summary>
 /// <remarks>

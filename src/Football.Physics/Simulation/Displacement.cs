@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Follows a ball that is displaced out of an overlap: on that path it may enter nets and pass through goals.</summary>
 internal sealed class Displacement

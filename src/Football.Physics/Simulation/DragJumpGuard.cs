@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Locates the jumps in the published drag law.</summary>
 /// <remarks>

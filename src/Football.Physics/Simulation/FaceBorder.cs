@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Ends a piece of a slide or a roll at the edge of a flat face, such as a face of a box.</summary>
 /// <remarks>Beyond the edge, another tile may support the ball.</remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps on flat ground, for any laws of the air.</summary>
 internal abstract class FlatSurfaceStep

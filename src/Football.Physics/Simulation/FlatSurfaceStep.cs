@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps of sliding and rolling on flat ground with no other object near: almost every step of a ball on the ground.</summary>
 /// <remarks>

@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The hot path of flight, compiled for one air model and one integrator.</summary>
 /// <remarks>

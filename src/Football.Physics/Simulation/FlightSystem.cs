@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump in the drag
 /// law.</summary>

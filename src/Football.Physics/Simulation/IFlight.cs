@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Takes a step of flight along a constant spin axis, with the fastest valid form of the laws.</summary>
 internal interface IFlight

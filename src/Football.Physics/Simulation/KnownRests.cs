@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Caches the states of resting balls that a step left unchanged while no object moved.</summary>
 /// <remarks>

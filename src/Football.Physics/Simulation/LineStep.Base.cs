@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps of a ball on several stationary surfaces, for any laws of the air.</summary>
 internal abstract class LineStep

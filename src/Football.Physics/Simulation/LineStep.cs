@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps of a ball that rolls or spins between stationary surfaces with no other object near: along a board, in a gutter, in
 /// a corner.</summary>

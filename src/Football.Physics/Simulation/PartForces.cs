@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Bounds the forces in a part of a step with velocity-level impulses, so that a part of any length does not overshoot.</summary>
 internal static class PartForces

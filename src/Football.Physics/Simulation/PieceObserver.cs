@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Observes a simulation piece by piece: for exact apexes, lengths, crossings and dense paths.</summary>

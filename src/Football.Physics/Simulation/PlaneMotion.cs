@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Constants of a material, per mass or per moment of inertia.</summary>
 internal readonly struct PlaneMaterial(in ContactMaterial of, BallProperties ball)

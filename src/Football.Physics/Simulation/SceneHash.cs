@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Hashes everything that determines the ball's path in a scene: its values, and sampled values of code (air laws, winds,
 /// shapes).</summary>

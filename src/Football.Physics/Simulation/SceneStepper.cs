@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>
 /// Steps the ball in one scene with one integrator: a loop over pieces, each taken by the current phase of the ball.

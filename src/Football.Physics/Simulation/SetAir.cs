@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The accelerations of a ball on several surfaces without contact forces, if all air forces act: g + L (ω × u) − D u, and
 /// −decay ω.</summary>

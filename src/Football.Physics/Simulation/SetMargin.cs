@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the end of a piece on several surfaces.</summary>
 /// <remarks>

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Builds the path reported to observers for a ball on several surfaces, so that it never enters stationary objects.</summary>
 internal sealed class ShownPath(World world)

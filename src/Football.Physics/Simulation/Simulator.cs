@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
 namespace FootballPhysics;
 
 /// <summary>A scene, validated and compiled for one integrator. Use it to launch, kick and step balls.</summary>
@@ -414,7 +419,7 @@ public sealed class Simulator
     {
         get
         {
-            _sceneHash ??= FootballPhysics.SceneHash.Of(Scene, Settings, _world, this);
+            _sceneHash ??= Simulation.SceneHash.Of(Scene, Settings, _world, this);
             return _sceneHash.Value;
         }
     }

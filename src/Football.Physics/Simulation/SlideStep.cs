@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps of a ball that slips on two stationary surfaces at once (<see cref="SlideForces"/>), with the rules of <see cref="LineStep{TAir}"/>.</summary>
 /// <typeparam name="TAir">The laws of the air.</typeparam>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>The integrator of a scene, and the methods that locate impacts and the end of a slide.</summary>

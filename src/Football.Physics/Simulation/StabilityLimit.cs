@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Limits the length of a piece so that no force changes the motion by more than itself: explicit Euler's limit without
 /// overshoot.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The counters that bound the work of a ball's step (contacts.md, Bounds).</summary>
 /// <remarks>A step that is taken in several calls keeps the counters between the calls.</remarks>

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics;
 
 /// <content>The zone data of a log.</content>

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics;
 
 /// <summary>The events and counts of a step or a run. Use one per ball or per thread, and reuse it.</summary>

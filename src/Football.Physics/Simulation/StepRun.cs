@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The state of a step in progress: the time left and the counters that bound the work.</summary>
 internal ref struct StepRun

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Creates the stepper of a scene.</summary>
 /// <remarks>

@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Ends a piece of a slide or a roll at the border between two materials of the ground.</summary>
 internal static class SurfaceBorder

@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the end of a slide or a roll: the load or the grip ends, the ball comes to rest, or drilling friction stops the spin
 /// about the normal.</summary>

@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>A step of flight along a constant spin axis, which can be repeated with other lengths.</summary>
 internal struct FlightSweep<TIntegrator> : IFlightSweep

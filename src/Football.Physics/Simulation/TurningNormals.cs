@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Limits the parts of a step in which the normal of a curved surface turns.</summary>
 internal static class TurningNormals

@@ -1,6 +1,8 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
+using FootballPhysics.State;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Resolves contacts with the world: an impact, and the motion state of the ball after it.</summary>
 internal sealed class WorldContact

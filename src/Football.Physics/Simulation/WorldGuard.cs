@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Ends a piece of motion at its first contact with the world, and handles that contact.</summary>
 internal sealed class WorldGuard

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The path of a piece as a polynomial of degree five in s, the elapsed share of the piece, 0 … 1.</summary>
 internal readonly struct ZonePath

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the crossings of the border of one zone along one path, in order.</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The zones of a scene, checked against each piece of the path.</summary>
 /// <remarks>

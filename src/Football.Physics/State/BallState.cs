@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
 
 namespace FootballPhysics;
 

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.State;
 
 /// <summary>The branch of the published drag law that a step uses.</summary>
 internal enum DragBranch

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.State;
 
 /// <summary>The part of the state, apart from the position, that a flight step changes.</summary>
 /// <remarks>It is stored inside <see cref="BallState"/>, so that consecutive steps need no copies.</remarks>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics;
 
 /// <summary>Computes the velocity and spin of a kick from speed, angles, topspin and sidespin.</summary>

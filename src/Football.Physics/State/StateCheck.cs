@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.State;
 
 /// <summary>Checks that a state read from bytes is one that a ball can have.</summary>
 internal static class StateCheck

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Scenarios.Input;
 

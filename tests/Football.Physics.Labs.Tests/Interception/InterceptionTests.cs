@@ -1,4 +1,5 @@
 using FootballPhysics.Labs.Intercept;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Tests.Interception;

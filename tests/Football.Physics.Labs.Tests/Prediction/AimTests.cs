@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>The solvers on many random requests.</summary>

@@ -1,4 +1,6 @@
 using System.Text.Json;
+using FootballPhysics.Aiming;
+using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Labs.Tests.Prediction;
 

@@ -1,3 +1,6 @@
+using FootballPhysics.Aiming;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Requests without sense get a finite answer of the speed asked for, by every method.</summary>

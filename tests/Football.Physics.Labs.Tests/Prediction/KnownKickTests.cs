@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown are found again, by every question whose answer they are.</summary>

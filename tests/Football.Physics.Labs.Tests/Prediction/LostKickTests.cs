@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>Kicks that were flown, and that searches over the time, or for two points, lost.</summary>

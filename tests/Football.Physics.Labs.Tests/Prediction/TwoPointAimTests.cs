@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>A point on the way and a target.</summary>

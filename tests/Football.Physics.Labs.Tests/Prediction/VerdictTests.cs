@@ -1,3 +1,5 @@
+using FootballPhysics.Aiming;
+
 namespace FootballPhysics.Labs.Tests.Predictors;
 
 /// <summary>What can be hit is hit, what cannot is said to be out of reach, and the kick for it is the closest there is.</summary>

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using FootballPhysics.Labs.Queries;
+using FootballPhysics.Laws;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Tests.Queries;

@@ -1,5 +1,7 @@
 using System.Globalization;
 using FootballPhysics.Labs.Stability;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Tests.Stability;
 

@@ -1,4 +1,6 @@
 using FootballPhysics.Labs.Stability;
+using FootballPhysics.Prediction;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Tests.Stability;
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using FootballPhysics.Labs.Hostile;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Tests.Stability;
 

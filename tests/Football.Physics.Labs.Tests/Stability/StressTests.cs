@@ -1,6 +1,7 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Labs.Stability;
-using FsCheck;
 using FsCheck.Fluent;
+using FsCheck;
 
 namespace FootballPhysics.Labs.Tests.Stability;
 

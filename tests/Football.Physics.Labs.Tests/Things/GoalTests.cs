@@ -1,4 +1,6 @@
+using FootballPhysics.Aiming;
 using FootballPhysics.Labs.Goals;
+using FootballPhysics.Prediction;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Tests.Things;

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using FootballPhysics.Labs.Scenes;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Labs.Tests.Things;
 

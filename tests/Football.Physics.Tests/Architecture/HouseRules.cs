@@ -10,7 +10,7 @@ internal static class HouseRules
     private static readonly string[] s_kinds = ["class", "struct", "interface", "enum", "record", "namespace"];
 
     /// <summary>The only file of tolerances in the folders that move a ball.</summary>
-    public const string Tolerances = "Contact/ContactTolerances.cs";
+    public const string Tolerances = "Contacts/ContactTolerances.cs";
 
     /// <summary>Files of those folders with small numbers of another kind, and the reason.</summary>
     public static IReadOnlyDictionary<string, string> OtherSmallNumbers { get; } = new Dictionary<string, string>
@@ -104,7 +104,7 @@ internal static class HouseRules
     public static IReadOnlyList<string> ReadOnlySpans(IReadOnlyList<SourceFile> tree) =>
     [
         .. from file in tree
-           where Folder(file).Split('/')[0] is "Air" or "Contact" or "Integration" or "Numerics" or "Simulation" or "State"
+           where Folder(file).Split('/')[0] is "Laws" or "Contacts" or "Integration" or "Numerics" or "Simulation" or "State"
            from token in file.Tokens
            where token.Text == "ReadOnlySpan"
            select $"{file.Path}({token.Line}): use Span",
@@ -114,7 +114,7 @@ internal static class HouseRules
     public static IReadOnlyList<string> LooseTolerances(IReadOnlyList<SourceFile> tree) =>
     [
         .. from file in tree
-           where file.Room is "Contact" or "Integration" or "Simulation" && file.Path != Tolerances && !OtherSmallNumbers.ContainsKey(file.Path)
+           where file.Room is "Contacts" or "Integration" or "Simulation" && file.Path != Tolerances && !OtherSmallNumbers.ContainsKey(file.Path)
            from i in Enumerable.Range(0, file.Tokens.Count)
            where IsSmall(file, i)
            select $"{file.Path}({file.Tokens[i].Line}): {Text(file, i)}-{Text(file, i + 2)} belongs to {Tolerances}",

@@ -32,8 +32,8 @@ public sealed class RoomTests
         Assert.Equal(Rooms.Order.Order(), SourceFile.Library.Select(file => file.Room).Distinct().Order());
         Assert.All(Rooms.Order, room => Assert.Contains(SourceFile.Library, file => file.Room == room && file.Types.Count > 0));
         foreach ((string type, string room) in (ReadOnlySpan<(string, string)>)[
-            ("Vector3d", "Numerics"), ("BallState", "State"), ("Scene", "Scenes"), ("PathSegment", "Integration"), ("DragJump", "Air"),
-            ("CoulombImpact", "Contact"), ("BallEvent", "Events"), ("Simulator", "Simulation"), ("Trajectory", "Prediction"), ("TrackFit", "Tracks"), ("Aimer", "Aiming"), ("ThesisAimer", "Thesis"),
+            ("Vector3d", "Numerics"), ("BallState", "State"), ("Scene", "Scenes"), ("PathSegment", "Integration"), ("DragJump", "Laws"),
+            ("CoulombImpact", "Contacts"), ("BallEvent", "Events"), ("Simulator", "Simulation"), ("Trajectory", "Prediction"), ("TrackFit", "Tracks"), ("Aimer", "Aiming"), ("ThesisAimer", "Thesis"),
             ("BallBatch", "Batch"), ("Ball", "Game")])
         {
             Assert.Equal(room, SourceFile.Library.First(file => file.Types.Any(item => item.Name == type)).Room);
@@ -67,9 +67,9 @@ public sealed class RoomTests
     {
         var tree = new Dictionary<string, string>(s_clean)
         {
-            ["Contact/Slip.cs"] = $"namespace FootballPhysics;\n\n// A slip.\ninternal struct Slip\n{{\n    {member}\n}}\n",
+            ["Contacts/Slip.cs"] = $"namespace FootballPhysics;\n\n// A slip.\ninternal struct Slip\n{{\n    {member}\n}}\n",
         };
-        Assert.StartsWith("Contact/Slip.cs(6): Contact names ", Assert.Single(Violations(tree)), StringComparison.Ordinal);
+        Assert.StartsWith("Contacts/Slip.cs(6): Contacts names ", Assert.Single(Violations(tree)), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -77,13 +77,13 @@ public sealed class RoomTests
     {
         var tree = new Dictionary<string, string>(s_clean)
         {
-            ["Contact/Sub/Slip.cs"] = "namespace FootballPhysics;\n\ninternal sealed class Slip : Ball<int>\n{\n    public Vector3d Of(Kick kick) => default;\n}\n",
+            ["Contacts/Sub/Slip.cs"] = "namespace FootballPhysics;\n\ninternal sealed class Slip : Ball<int>\n{\n    public Vector3d Of(Kick kick) => default;\n}\n",
             ["Elsewhere/Odd.cs"] = "internal sealed class Odd { }",
         };
         Assert.Equal(
             [
-                "Contact/Sub/Slip.cs(3): Contact names Ball, which is of Game",
-                "Contact/Sub/Slip.cs(5): Contact names Kick, which is of Aiming",
+                "Contacts/Sub/Slip.cs(3): Contacts names Ball, which is of Game",
+                "Contacts/Sub/Slip.cs(5): Contacts names Kick, which is of Aiming",
                 "Elsewhere/Odd.cs: in none of the rooms",
             ],
             Violations(tree).Order());

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Tests.Batch;
 
 /// <summary>Many balls at once do what the single ball does.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tests.Batch;
 
 /// <summary>

@@ -1,3 +1,4 @@
+using FootballPhysics.State;
 using FootballPhysics.Tests.Laws;
 using FootballPhysics.Tests.Support;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Batch;
 
 /// <summary>The functions of lanes: where their literals come from, and what they are worth.</summary>

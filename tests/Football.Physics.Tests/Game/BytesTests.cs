@@ -1,6 +1,9 @@
 using System.Numerics;
-using FsCheck;
+using FootballPhysics.Game;
+using FootballPhysics.Scenes;
+using FootballPhysics.State;
 using FsCheck.Fluent;
+using FsCheck;
 
 namespace FootballPhysics.Tests.Game;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>The ball's clock jumps between two steps, or is rounded, while the game moves bodies by it.</summary>

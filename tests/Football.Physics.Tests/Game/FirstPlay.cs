@@ -1,6 +1,6 @@
 using System.Reflection;
-using System.Runtime;
 using System.Runtime.Loader;
+using System.Runtime;
 
 namespace FootballPhysics.Tests.Game;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Game;
+
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>A segment is gone to at any tick, in few steps, with the recorded bits.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>The order of kicks, against a sorted list; and kicks that are for no ball.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Game;
+
 namespace FootballPhysics.Tests.Game;
 
 /// <summary>One bit of one field on one of two machines: it is named within the tick in which it happens.</summary>

@@ -1,5 +1,6 @@
-using FsCheck;
+using FootballPhysics.Game;
 using FsCheck.Fluent;
+using FsCheck;
 
 namespace FootballPhysics.Tests.Game;
 

@@ -1,7 +1,8 @@
 using System.Reflection;
 using System.Runtime.CompilerServices;
-using FsCheck;
+using FootballPhysics.Game;
 using FsCheck.Fluent;
+using FsCheck;
 
 namespace FootballPhysics.Tests.Game;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Game;

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The force and torque for a foreign rigid body, against the library's own flight and closed forms.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>What every form of the air promises to those who ask it.</summary>

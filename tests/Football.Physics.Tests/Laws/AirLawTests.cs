@@ -1,3 +1,4 @@
+using FootballPhysics.State;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Laws;

@@ -1,3 +1,8 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Directions of the forces and torques.</summary>

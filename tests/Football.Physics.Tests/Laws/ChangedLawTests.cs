@@ -12,7 +12,7 @@ namespace FootballPhysics.Tests.Laws;
 /// </summary>
 public sealed class ChangedLawTests : IDisposable
 {
-    private const string Law = "src/Football.Physics/Air/Laws/FittedDrag.cs";
+    private const string Law = "src/Football.Physics/Laws/Forces/FittedDrag.cs";
     private const string Published = "public const double D = 0.3056;";
     private const string Changed = "public const double D = 0.31;";
     private const string Tests = "tests/Football.Physics.Tests";
@@ -27,7 +27,7 @@ public sealed class ChangedLawTests : IDisposable
         Write(Law, Read(Law).Replace(Published, Changed, StringComparison.Ordinal));
         Assert.Equal(0, Occurrences("0.3056"));
 
-        Run("build", Tests, "-c", "Release", "-p:RunAnalyzers=false", "-p:NuGetAudit=false", "-p:RestoreSources=" + Path.Combine(_copy, Tests));
+        Run("build", Tests, "-c", "Release", "-m:1", "-p:RunAnalyzers=false", "-p:GenerateDocumentationFile=false", "-p:NuGetAudit=false", "-p:RestoreSources=" + Path.Combine(_copy, Tests));
         string assembly = Path.Combine(_copy, Tests, "bin/Release/net10.0/Football.Physics.Tests.dll");
         string said = Run("exec", assembly, "-noLogo", "-trait-", "Constants=Published");
         Assert.Matches("Total: [1-9][0-9]+,", said);

@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The surfaces of the published drag law's jump along a step, against surfaces whose zeros are known and against fine sampling.</summary>

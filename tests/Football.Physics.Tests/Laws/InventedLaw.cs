@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>A law that is nobody's: what the tables are made of must be this law's own functions.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The knuckle force against values worked out with another calculator.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>Speeds and spins over the whole domain of the laws, close to their jumps too.</summary>

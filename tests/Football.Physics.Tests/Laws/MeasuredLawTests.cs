@@ -1,3 +1,5 @@
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Laws;
 
 /// <summary>The measured laws against values worked out with another calculator.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Integration;
+using FootballPhysics.State;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Laws;

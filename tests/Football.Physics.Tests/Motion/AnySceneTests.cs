@@ -1,6 +1,7 @@
+using FootballPhysics.Scenes;
 using FootballPhysics.Tests.Support;
-using FsCheck;
 using FsCheck.Fluent;
+using FsCheck;
 
 namespace FootballPhysics.Tests.Motion;
 

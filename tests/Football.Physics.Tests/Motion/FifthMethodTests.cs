@@ -1,3 +1,7 @@
+using FootballPhysics.Integration;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Motion;
 
 /// <summary>A new method of integration needs one type: it flies, slides, rolls and hits without changes elsewhere.</summary>

@@ -1,5 +1,5 @@
-using FootballPhysics.Tests.Support;
 using FootballPhysics.Tests.Game;
+using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Motion;
 

@@ -1,4 +1,5 @@
 using System.Numerics;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tests.Numerics;
 

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>The library's own elementary functions against the runtime's, with the errors that they state.</summary>

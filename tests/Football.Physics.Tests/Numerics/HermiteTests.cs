@@ -1,3 +1,4 @@
+using FootballPhysics.Numerics;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Numerics;

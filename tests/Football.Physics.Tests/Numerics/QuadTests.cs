@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Numerics;
 
 /// <summary>Four sines at once, and logarithms by table.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tests.Queries;
 
 /// <summary>Where the kicks of a player go.</summary>

@@ -1,6 +1,6 @@
 using System.Text.Json;
-using FootballPhysics.Scenarios;
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Scenarios;
 
 namespace FootballPhysics.Tests.Reference;
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Tests.Scenes;
 

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that meet within a step: closed forms without air and weight, and long steps against short ones.</summary>

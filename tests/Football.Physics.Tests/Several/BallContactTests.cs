@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>The impulse of two balls of different size and mass, against balances and closed forms.</summary>

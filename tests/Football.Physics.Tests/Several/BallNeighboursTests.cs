@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Which balls are neighbours, against all pairs; and how long their spheres are good for.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Integration;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>The ways of two balls, piece by piece, and when they meet: against fine sampling and closed forms.</summary>

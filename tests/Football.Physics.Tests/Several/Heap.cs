@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Balls that are dropped onto each other within walls, and what is measured of them: depth in what stands still, overlap, energy, counts.</summary>

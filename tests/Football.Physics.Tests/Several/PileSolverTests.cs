@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Several;
 
 /// <summary>Impulses of a pile against closed forms and balances.</summary>

@@ -1,3 +1,4 @@
+using FootballPhysics.Scenes;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Stability;

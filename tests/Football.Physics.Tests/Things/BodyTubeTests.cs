@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>The tube along a ball's way in which no body is: for how long, how wide, how fast a ball it is good.</summary>

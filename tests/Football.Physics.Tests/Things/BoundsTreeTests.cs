@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>The broad phase finds what looking at every box finds.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>A step of Newton's method from close to the answer: what it leaves of an error is of the error's square.</summary>

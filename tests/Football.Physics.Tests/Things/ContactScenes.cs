@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Balls with several contacts, drawn at random.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>The time of impact on paths that bend, against looking at every thing at four thousand places of the path.</summary>

@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Things;
@@ -31,7 +32,7 @@ public sealed class ContactToleranceTests
     [Fact]
     public void Every_tolerance_is_a_positive_number_below_one_in_the_order_of_its_unit()
     {
-        string text = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "src", "Football.Physics", "Contact", "ContactTolerances.cs"));
+        string text = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "src", "Football.Physics", "Contacts", "ContactTolerances.cs"));
         string[] units = text.Split("// ----")[1..];
         Assert.Equal(6, units.Length);
         foreach (string unit in units)

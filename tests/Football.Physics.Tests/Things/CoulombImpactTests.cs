@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Impacts in the frame of the contact.</summary>

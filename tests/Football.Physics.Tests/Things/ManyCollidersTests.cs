@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>An engine whose answers hold many colliders, most of them far from the ball.</summary>

@@ -1,3 +1,4 @@
+using FootballPhysics.Contacts;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Things;

@@ -1,3 +1,7 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
+using FootballPhysics.State;
+
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>What becomes of a ball at a contact: one contact at a time, without air.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
 using FootballPhysics.Tests.Support;
 
 namespace FootballPhysics.Tests.Things;

@@ -8,8 +8,6 @@ namespace FootballPhysics.Tool.Tests.Tracks;
 /// <remarks>Every pattern is applied to the three tracks at 25, 50 and 29.97 Hz, with three levels of noise.</remarks>
 public sealed class GapTests(ITestOutputHelper output)
 {
-    private const int Seeds = 3;
-
     /// <summary>A flight begins within this time of its kick, in s; its velocity is within this of the kick's, in m/s, and the ball slows by at most this meanwhile, in m/s².</summary>
     private const double MostLate = 0.25;
     private const double MostMiss = 1;
@@ -17,13 +15,13 @@ public sealed class GapTests(ITestOutputHelper output)
 
     private static readonly Scene s_scene = Scene.Default with { Ball = BallProperties.Tunnel };
 
-    /// <summary>The patterns: a point is kept or not, by its index and a random number.</summary>
-    private static readonly Dictionary<string, Func<int, int, double, bool>> s_patterns = new()
+    /// <summary>The patterns: how many different ones there are, and whether one of them keeps a point, by its index and a random number.</summary>
+    private static readonly Dictionary<string, (int Seeds, Func<int, int, double, bool> Keeps)> s_patterns = new()
     {
-        ["every third point missing"] = (i, seed, _) => i % 3 != seed % 3,
-        ["every second point missing"] = (i, seed, _) => i % 2 != seed % 2,
-        ["40 % missing at random"] = (_, _, lot) => lot >= 0.4,
-        ["times rounded to 10 ms"] = (_, _, _) => true,
+        ["every third point missing"] = (3, (i, seed, _) => i % 3 != seed),
+        ["every second point missing"] = (2, (i, seed, _) => i % 2 != seed),
+        ["40 % missing at random"] = (3, (_, _, lot) => lot >= 0.4),
+        ["times rounded to 10 ms"] = (1, (_, _, _) => true),
     };
 
     public static TheoryData<string, double> Rows
@@ -56,7 +54,7 @@ public sealed class GapTests(ITestOutputHelper output)
             double latest = 0;
             int found = 0;
             int launches = 0;
-            for (int seed = 0; seed < (isRounded ? 1 : Seeds); seed++)
+            for (int seed = 0; seed < s_patterns[pattern].Seeds; seed++)
             {
                 MatchFitResult fit = new MatchFit(s_scene).Find(Gappy(track, pattern, seed, isRounded));
                 double ratio = fit.Noise / noise;
@@ -87,7 +85,7 @@ public sealed class GapTests(ITestOutputHelper output)
         for (int i = 0; i < track.Points.Length; i++)
         {
             (double t, double x, double y, double z) = track.Points[i];
-            if (s_patterns[pattern](i, seed, random.NextDouble()))
+            if (s_patterns[pattern].Keeps(i, seed, random.NextDouble()))
             {
                 text.AppendLine(string.Create(CultureInfo.InvariantCulture, $"{(isRounded ? Math.Round(t, 2) : t):0.#####},{x:0.00000},{y:0.00000},{z:0.00000}"));
             }

@@ -1,3 +1,5 @@
+using FootballPhysics.Contacts;
+
 namespace FootballPhysics.Labs.Stability.Things;
 
 /// <summary>Looks along the path of a ball how deep it is in anything: nothing is passed through.</summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using FootballPhysics.Contacts;
 
 namespace FootballPhysics.Labs.Stability.Things;
 

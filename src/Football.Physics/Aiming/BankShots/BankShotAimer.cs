@@ -1,4 +1,6 @@
 using System.Globalization;
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Aiming;
 

@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Simulates bank shots in the full scene; their miss by elevation and azimuth is a least-squares problem.</summary>

@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The fallback for bank shots: a grid search over all directions that can hit the first object.</summary>

@@ -1,3 +1,7 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Guesses the contacts of a bank shot; <see cref="BankShotProblem"/> refines them.</summary>

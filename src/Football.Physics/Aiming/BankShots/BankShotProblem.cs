@@ -1,3 +1,6 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A bank shot as a chain of legs, from contact to contact and to the target, solved by multiple shooting.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A closed-form flight, accurate to a few centimetres at 20 m; the initial guess of the solvers.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The boundary-value problem of a kick at a given speed: elevation and azimuth for a target, plus spins for a waypoint.</summary>

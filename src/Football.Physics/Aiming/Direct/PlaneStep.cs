@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A Newton step of a <see cref="PlaneProblem"/>, and the Jacobian of its residuals.</summary>

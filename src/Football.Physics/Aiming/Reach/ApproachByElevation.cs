@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The closest approach to a target as a function of the elevation, with the best azimuth for each.</summary>

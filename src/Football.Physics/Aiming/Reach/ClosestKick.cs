@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Finds the kick that comes closest to a target, over all elevations within the bounds.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Simulates kicks in all directions, and lists the local minima of the miss as starts for a search.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The general solver, used if <see cref="DirectAim"/> finds no kick; any quantity may be unknown.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>The boundary-value problem of a kick in its most general form: the ball must be at the target at a given time.</summary>

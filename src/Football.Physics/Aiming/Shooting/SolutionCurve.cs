@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Follows the curve of kicks that hit a target with free speed, in elevation, azimuth, speed and time.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A request to shield the ball: the player keeps his body between the ball and his opponents.</summary>

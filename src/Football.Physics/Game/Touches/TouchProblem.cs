@@ -1,4 +1,6 @@
-namespace FootballPhysics.Aiming;
+using FootballPhysics.Numerics;
+
+namespace FootballPhysics.Game;
 
 /// <summary>A touch as a least-squares problem: the unknowns are the ball's new velocity and spin; its simulated path gives the residuals.</summary>
 internal abstract class TouchProblem : ILeastSquares

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>A dribbling touch: a running player pushes the ball ahead, and reaches it again later.</summary>

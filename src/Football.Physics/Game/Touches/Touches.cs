@@ -1,3 +1,6 @@
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Finds a player's touches of the ball: dribbling touch, trap, first-time shot and shielding.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The cubic Hermite interpolant c₀ + c₁ s + c₂ s² + c₃ s³ over 0 ≤ s ≤ 1, from values and slopes at both ends.</summary>
 internal readonly struct CubicHermite

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The cubic Hermite interpolant of a motion, from positions and velocities at both ends.</summary>
 internal readonly struct CubicHermite3d

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The quintic Hermite interpolant of a motion, from positions, velocities and accelerations at both ends.</summary>
 internal readonly struct QuinticHermite3d

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Numerics;
 
 /// <summary>Root finders that never leave their bracket. Functions are structs, so that the searches are specialized for them.</summary>
 internal static class Roots

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Finds which players can reach the ball on a predicted path, and when.</summary>

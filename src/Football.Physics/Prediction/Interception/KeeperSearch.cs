@@ -1,3 +1,6 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Computes a goalkeeper's response to a shot.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>A condition for a meeting on a path segment, as a function that falls through zero: the squared distance, or the height.</summary>

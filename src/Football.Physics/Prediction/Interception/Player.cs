@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>A model of a player who runs to the ball, with a reaction time, an acceleration and a top speed.</summary>

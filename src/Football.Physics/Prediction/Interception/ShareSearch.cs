@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Divides the ball's path among the players who can reach the ball; each point belongs to the player who could be there first.</summary>

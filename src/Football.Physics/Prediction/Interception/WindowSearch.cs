@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Prediction;
 
 /// <summary>Finds all windows in which one player can reach the ball.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Shapes;
 
 /// <summary>A box in any orientation: a board, a dummy, a wall of players.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Shapes;
 
 /// <summary>A capsule, a segment with a radius: a post, a crossbar, a leg, an arm.</summary>

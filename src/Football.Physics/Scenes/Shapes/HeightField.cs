@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Shapes;
 
 /// <summary>Uneven ground: a uniform cubic B-spline over a grid of heights.</summary>

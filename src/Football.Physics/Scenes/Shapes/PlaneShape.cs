@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Shapes;
 
 /// <summary>A half-space bounded by a plane: a wall, a board, a tilted pitch.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Shapes;
 
 /// <summary>A sphere: a head, a fist.</summary>

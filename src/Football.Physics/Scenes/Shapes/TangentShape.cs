@@ -1,4 +1,4 @@
-namespace FootballPhysics.Shapes;
+namespace FootballPhysics.Scenes;
 
 /// <summary>An approximation of a surface near its origin: a plane, or a sphere with the same curvature.</summary>
 internal sealed class TangentShape : IShape

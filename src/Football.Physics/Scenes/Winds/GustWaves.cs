@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
 
-namespace FootballPhysics.Laws;
+namespace FootballPhysics.Scenes;
 
 /// <summary>The gusts as a function of the distance along the wind: twelve sines per component with a Dryden spectrum.</summary>
 internal sealed class GustWaves

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Laws;
 
 /// <summary>The gusts of a wind: turbulence with a Dryden spectrum that drifts with the mean wind.</summary>

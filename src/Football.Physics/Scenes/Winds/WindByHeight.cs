@@ -1,4 +1,6 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Laws;
 

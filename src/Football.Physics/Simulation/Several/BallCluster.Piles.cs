@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <content>The piles of the cluster.</content>
 internal sealed partial class BallCluster

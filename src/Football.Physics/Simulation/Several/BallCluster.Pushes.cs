@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <content>Objects pushed by balls.</content>
 internal sealed partial class BallCluster

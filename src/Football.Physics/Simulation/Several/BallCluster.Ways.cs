@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <content>The paths of the balls, and the first event on them.</content>
 internal sealed partial class BallCluster

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Balls that may collide in a step, stepped again together from its start: event by event, bit-identical to their own
 /// steps.</summary>

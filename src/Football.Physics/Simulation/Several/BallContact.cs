@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The contact of two balls: their gap, and the impulse between them.</summary>
 internal static class BallContact

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics;
 
 /// <content>The independent steps of all balls, and the choice of the balls that must be stepped together.</content>

@@ -1,3 +1,7 @@
+using FootballPhysics.Contacts;
+using FootballPhysics.Numerics;
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics;
 
 /// <summary>Several balls in one scene, stepped together. They collide at exact times and in the exact order.</summary>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Follows a ball to a time within its step.</summary>
 internal sealed class BallLook

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Caches the contact time of each pair of balls in a cluster, until the path of one of them changes.</summary>
 internal sealed class BallMeetings

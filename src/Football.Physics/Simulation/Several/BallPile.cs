@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a pile: balls in sustained contact with each other.</summary>
 /// <remarks>A few balls whose contacts keep their modes take whole steps of the integrator (<see cref="PileWholes"/>). Otherwise the pile takes a few equal parts,

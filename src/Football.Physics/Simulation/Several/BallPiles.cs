@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The piles of a group in one step, and the pile of each ball.</summary>
 internal sealed class BallPiles

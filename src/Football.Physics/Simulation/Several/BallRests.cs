@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
+using FootballPhysics.Contacts;
 
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the balls in sustained contact with each other before a step.</summary>
 /// <remarks>

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the time at which two balls touch on their own steps, and their states at that time.</summary>
 /// <param name="simulators">The scenes of the balls.</param>

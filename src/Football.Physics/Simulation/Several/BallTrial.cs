@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The path of a ball as if it were alone.</summary>
 /// <remarks>It leads to the end of the step, or to the push of an object that another ball may reach.</remarks>

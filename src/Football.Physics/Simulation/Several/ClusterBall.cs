@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>A ball of a cluster that is solved as one system, in one step of the integrator.</summary>
 internal struct ClusterBall

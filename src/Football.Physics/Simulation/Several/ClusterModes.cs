@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Determines the modes of all contacts of a cluster at one instant, as <see cref="ContactModes"/> does for one ball.</summary>
 /// <remarks>

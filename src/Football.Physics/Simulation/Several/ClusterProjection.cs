@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Projects the balls of a cluster back onto their loaded contacts, to remove the integrator's error.</summary>
 internal static class ClusterProjection

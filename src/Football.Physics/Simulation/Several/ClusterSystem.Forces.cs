@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <content>The forces of the contacts: one linear system for all of them.</content>
 internal sealed partial class ClusterSystem

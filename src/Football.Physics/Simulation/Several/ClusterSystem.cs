@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Balls in sustained contact as one system, with the contacts and their modes locked (contacts.md, Balls on balls).</summary>
 /// <remarks>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>An event of one ball, or a contact of two.</summary>
 internal readonly struct Happening(double time, int ball, int other)

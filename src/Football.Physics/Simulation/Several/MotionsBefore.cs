@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The motions of all pushed objects before a step.</summary>
 /// <remarks>The first push reads them, so a step without pushes has no cost.</remarks>

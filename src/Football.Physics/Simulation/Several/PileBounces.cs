@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Impacts within a pile: between its balls, and with other objects.</summary>
 internal sealed class PileBounces

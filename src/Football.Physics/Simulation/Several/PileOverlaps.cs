@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Resolves the overlaps of a pile after a part. No ball enters a stationary object.</summary>
 /// <param name="simulators">The scenes of all balls of the group.</param>

@@ -1,4 +1,8 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Steps a single ball of a pile: the forces without contacts, its path through nets and goals, and its state after the
 /// pile.</summary>

@@ -1,4 +1,6 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Solves the impulses of all contacts of a pile over a short time, with Coulomb's law at all of them.</summary>
 /// <remarks>

@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>Whole steps of a pile with the integrator, for a few balls whose contacts keep their modes (contacts.md, Balls on
 /// balls).</summary>

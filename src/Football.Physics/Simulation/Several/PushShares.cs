@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Finds the balls that can reach a pushed object which another ball can reach as well.</summary>
 /// <remarks>Only the steps of these balls end at a push.</remarks>

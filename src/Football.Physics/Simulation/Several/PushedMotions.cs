@@ -1,4 +1,7 @@
-namespace FootballPhysics;
+using FootballPhysics.Contacts;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Simulation;
 
 /// <summary>The motions of all objects that balls push: before and after a push, and saved during a look-ahead.</summary>
 /// <param name="world">The world.</param>

@@ -1,4 +1,4 @@
-namespace FootballPhysics;
+namespace FootballPhysics.Simulation;
 
 /// <summary>The time span of a step of a group.</summary>
 /// <param name="start">Start time, s.</param>

@@ -1,3 +1,5 @@
+using FootballPhysics.Numerics;
+
 namespace FootballPhysics.Tool.Sweep.Ranges;
 
 /// <summary>The quantiles of the normal distribution, with the same bits on every machine.</summary>

@@ -1,0 +1,435 @@
+using FootballPhysics.Integration;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>An object that the ball can hit, prepared for queries: the ground, an obstacle, a post or a body.</summary>
+internal sealed class Collider
+{
+    private readonly RigidMotion _motion;
+    private readonly ObstacleMotions? _obstacles;
+    private readonly KinematicBody? _body;
+    private readonly EnginePushes? _enginePushes;
+    private IShape _shape;
+    private PlaneShape? _plane;
+    private Bounds3d _bounds;
+    private ContactMaterial _material;
+    private Placement? _placement;
+    private readonly ISurfacePattern? _pattern;
+    private readonly ContactMaterial[] _patches = [];
+
+    /// <summary>The factor by which the ball scales every restitution.</summary>
+    private readonly double _bounce = 1;
+
+    public Collider(string name, IShape shape, in ContactMaterial material)
+    {
+        Name = name;
+        _shape = shape;
+        _plane = shape as PlaneShape;
+        _bounds = shape.Bounds;
+        _material = material;
+    }
+
+    public Collider(Ground ground, IShape shape, BallProperties ball)
+        : this("ground", shape, new ContactMaterial(ground, ball.Bounce))
+    {
+        _pattern = ground.Pattern;
+        Surfaces = [ground.Material, .. _pattern?.Surfaces ?? []];
+        _patches = _pattern is null ? [] : [.. _pattern.Surfaces.Select(surface => new ContactMaterial(surface, ball.Bounce))];
+    }
+
+    public Collider(Obstacle obstacle, BallProperties ball, ObstacleMotions? all = null, Placement? placement = null)
+        : this(obstacle.Name, obstacle.Shape, new ContactMaterial(obstacle.Surface, ball.Bounce))
+    {
+        Surfaces = [obstacle.Surface];
+        Mass = obstacle.Mass;
+        Layer = obstacle.Layer;
+        _obstacles = all;
+        _placement = placement;
+        _motion.Velocity = obstacle.Velocity;
+        _motion.Spin = obstacle.Spin;
+        _motion.Pivot = obstacle.Pivot;
+    }
+
+    public Collider(KinematicBody body, BallProperties ball)
+        : this(body.Name, body.Shape, new ContactMaterial(body.Surface, ball.Bounce))
+    {
+        Surfaces = [body.Surface];
+        Mass = body.Mass;
+        Layer = body.Layer;
+        _body = body;
+        _placement = body.Placement;
+    }
+
+    /// <summary>Creates an empty slot for an engine collider.</summary>
+    public Collider(Placement none, EnginePushes pushes, BallProperties ball)
+    {
+        _bounce = ball.Bounce;
+        _enginePushes = pushes;
+        Name = "";
+        _shape = new TangentShape();
+        _bounds = _shape.Bounds;
+        _placement = none;
+    }
+
+    /// <summary>Its name.</summary>
+    public string Name { get; private set; }
+
+    /// <summary>True if it is level ground. A ball on level ground has an exact height, because other code compares such heights for equality.</summary>
+    public bool IsLevelGround { get; init; }
+
+    /// <summary>The exact height of the centre of a ball on level ground, m; −∞ for other surfaces.</summary>
+    public double LevelContact { get; init; } = double.NegativeInfinity;
+
+    /// <summary>Returns the position of a ball on this surface, with the exact height if it is level ground.</summary>
+    public Vector3d Snap(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, LevelContact, position.Z) : position;
+
+    /// <summary>Like <see cref="Snap"/>, but never lowers the ball.</summary>
+    public Vector3d SnapUp(in Vector3d position) => IsLevelGround ? new Vector3d(position.X, Math.Max(position.Y, LevelContact), position.Z) : position;
+
+    /// <summary>Its layer; −1 for the ground, goal frames and engine slots. Engine colliders are filtered when they are
+    /// found.</summary>
+    public int Layer { get; init; } = -1;
+
+    /// <summary>The engine collider in this slot; null if there is none.</summary>
+    public EngineCollider? Engine { get; private set; }
+
+    /// <summary>Width of its narrowest material patch, m; infinite if it has one material.</summary>
+    public double LeastWidth => _pattern is null ? double.PositiveInfinity : _pattern.MinimumWidth;
+
+    /// <summary>V, m/s.</summary>
+    public Vector3d Velocity => Motion.Velocity;
+
+    /// <summary>Ω of its material, rad/s.</summary>
+    public Vector3d Spin => Motion.Spin;
+
+    /// <summary>True if the shape itself rotates within a step: bodies and engine colliders.</summary>
+    /// <remarks>The spin of an obstacle moves only its surface, as does any spin that leaves the shape unchanged.</remarks>
+    public bool Rotates => Motion.Rotates;
+
+    /// <summary>True if it has no velocity and no spin in this step, so that a ball may rest on it.</summary>
+    public bool StandsStill => Velocity == Vector3d.Zero && Spin == Vector3d.Zero;
+
+    /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
+    /// <remarks>The rate of the gap follows from the ball's velocity relative to the shape.</remarks>
+    public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
+
+    /// <summary>Returns V_p, the velocity of its material extrapolated to a point, m/s.</summary>
+    public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
+
+    /// <summary>Returns the position of a point that moves along with its material, after a time, m.</summary>
+    public Vector3d CarriedTo(in Vector3d point, double time, double after)
+    {
+        ref readonly RigidMotion motion = ref Motion;
+        Vector3d pivot = motion.Pivot + ((time - motion.Time) * motion.Velocity);
+        return pivot + (after * motion.Velocity) + Quaterniond.FromRotationVector(after * motion.Spin).Rotate(point - pivot);
+    }
+
+    /// <summary>Returns the distance of a point inside the border of the flat face below it, m; negative beyond it, infinite without a
+    /// border.</summary>
+    public double FaceMargin(in Vector3d position, double time) => _shape is BoxShape box ? box.FaceMargin(Motion.ToShape(in position, time)) : double.PositiveInfinity;
+
+    /// <summary>True if it has several materials.</summary>
+    public bool HasPatches => _patches.Length > 0;
+
+    /// <summary>True if its shape is a plane, or a local approximation of a surface, which may be flat.</summary>
+    public bool IsPlane => _shape is PlaneShape or TangentShape;
+
+    /// <summary>True if its shape has flat faces with borders, such as a box.</summary>
+    public bool HasFaces => _shape is BoxShape;
+
+    /// <summary>The greatest speed of any part of it, m/s. For an unbounded shape, this is the speed of V alone.</summary>
+    public double GreatestSpeed => Motion.GreatestSpeed;
+
+    /// <summary>Effective mass at its surface, kg; infinite if the ball cannot move it.</summary>
+    public double Mass { get; private set; } = double.PositiveInfinity;
+
+    /// <summary>True if the ball can move it.</summary>
+    public bool GivesWay => Mass < double.PositiveInfinity;
+
+    /// <summary>The motion that the scene defines for it; default for objects that the game or an engine moves.</summary>
+    public ref readonly RigidMotion Given => ref _motion;
+
+    /// <summary>True if the game or an engine moves it.</summary>
+    public bool IsBody => _placement is not null && _obstacles is null;
+
+    /// <summary>True if the game has withdrawn it.</summary>
+    public bool IsWithdrawn => _body is { IsWithdrawn: true };
+
+    /// <summary>True if its position may change.</summary>
+    public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
+
+    /// <summary>Its plane if it is a stationary plane; otherwise null.</summary>
+    /// <remarks>The distance of a path from the plane is a single cubic.</remarks>
+    public PlaneShape? StandingPlane => Moves ? null : _plane;
+
+    /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
+    public double HollowCurvature => _shape.MaximumConcaveCurvature;
+
+    /// <summary>Its bounding box in its own frame; for objects that the game does not move, at time 0.</summary>
+    public ref readonly Bounds3d Bounds => ref _bounds;
+
+    private ref readonly RigidMotion Motion
+    {
+        get
+        {
+            if (_placement is null)
+            {
+                return ref _motion;
+            }
+
+            return ref _placement.Motion;
+        }
+    }
+
+    /// <summary>Assigns an engine collider to this slot.</summary>
+    public void Become(EngineCollider collider)
+    {
+        Engine = collider;
+        Name = collider.Name;
+        _shape = collider.Shape;
+        _plane = _shape as PlaneShape;
+        _bounds = _shape.Bounds;
+        _material = new ContactMaterial(collider.Surface, _bounce);
+        _placement = collider.Placement;
+        Mass = collider.Mass;
+    }
+
+    /// <summary>Applies the impulse of an impact, N s: its velocity becomes V + J/M.</summary>
+    public void Push(in Vector3d impulse, double time)
+    {
+        Vector3d velocity = Velocity + (impulse / Mass);
+        if (_body is not null)
+        {
+            _body.Push(in velocity, time);
+        }
+        else if (Engine is not null)
+        {
+            _enginePushes!.Note(Engine);
+            Engine.Push(in velocity, time);
+        }
+        else
+        {
+            _obstacles?.Push(_placement!, in velocity, time);
+        }
+    }
+
+    /// <summary>Returns the index of the material patch at a position; −1 for its main material.</summary>
+    public int PatchAt(in Vector3d position)
+    {
+        int patch = _pattern is null ? -1 : _pattern.At(position.X, position.Z);
+        return (uint)patch < (uint)_patches.Length ? patch : -1;
+    }
+
+    /// <summary>The given materials: the main one, then those of its patches. Empty for an engine collider.</summary>
+    public IReadOnlyList<SurfaceMaterial> Surfaces { get; } = [];
+
+    /// <summary>Contact materials: the main one, then those of its patches.</summary>
+    public ContactMaterial[] Materials
+    {
+        get
+        {
+            var materials = new ContactMaterial[1 + _patches.Length];
+            materials[0] = _material;
+            _patches.CopyTo(materials, 1);
+            return materials;
+        }
+    }
+
+    /// <summary>Returns the material at a position.</summary>
+    public ref readonly ContactMaterial MaterialAt(in Vector3d position)
+    {
+        int patch = PatchAt(in position);
+        if (patch < 0)
+        {
+            return ref _material;
+        }
+
+        return ref _patches[patch];
+    }
+
+    /// <summary>Returns distance, normal and curvature at a point and a time.</summary>
+    public ShapePoint At(in Vector3d position, double time) => Motion.At(_shape, in position, time);
+
+    /// <summary>Returns distance, normal and curvature at a point in the object's own frame.</summary>
+    public ShapePoint At(in Vector3d position) => _shape.At(in position);
+
+    /// <summary>Returns the shape and its motion from a given time on, for repeated queries within a piece.</summary>
+    public MovingShape From(double time) => new(_shape, in Motion, time);
+
+    /// <summary>Transforms a path to the object's own frame.</summary>
+    public PathCubic Seen(in PathCubic path, double time)
+    {
+        // Transform the path to the frame of the moving shape, in which the shape is stationary.
+        ref readonly RigidMotion motion = ref Motion;
+        PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
+        return motion.IsTurned ? seen.InAxes(in motion) : seen;
+    }
+
+    /// <summary>Returns its bounding box at a time.</summary>
+    public Bounds3d BoundsAt(double time) => BoundsDuring(time, 0);
+
+    /// <summary>Returns a box around it, valid for a duration if the box moves at its velocity.</summary>
+    public Bounds3d BoundsDuring(double time, double duration) =>
+        _placement is null ? _bounds.Translated(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
+
+    /// <summary>Returns the surface velocity at a contact point, V + Ω × (c − o), m/s.</summary>
+    public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);
+}
+
+/// <summary>The contact constants of a surface: the pitch or any other object.</summary>
+internal readonly struct ContactMaterial
+{
+    /// <summary>Approach speed at which a speed-dependent restitution is specified, m/s: the speed in the test rigs.</summary>
+    private const double RigSpeed = 6.0;
+
+    /// <summary>C: the ratio of tangential to approach speed at which half of the rise is reached (measured in one match: 2.5 …
+    /// 3.5).</summary>
+    private const double HalfRise = 2.8;
+
+    /// <summary>e₀ = e₆ √(1 + (6/V_e)²).</summary>
+    public double SlowRestitution { get; init; }
+
+    /// <summary>1/V_e, s/m.</summary>
+    public readonly double PerRestitutionSpeed;
+
+    /// <summary>η.</summary>
+    public double RestitutionRise { get; init; }
+
+    /// <summary>Upper bound of e at any speed: 1, or more for a bumper.</summary>
+    private readonly double _most;
+
+    /// <summary>Minimum separation speed after an impact, m/s.</summary>
+    public double MinimumExitSpeed { get; init; }
+
+    /// <summary>e_t along x, and along every direction except z.</summary>
+    public readonly double TangentialX;
+
+    /// <summary>e_t along z.</summary>
+    public readonly double TangentialZ;
+
+    /// <summary>e_ω.</summary>
+    public readonly double Spin;
+
+    /// <summary>μ of an impact.</summary>
+    public readonly double ImpactFriction;
+
+    /// <summary>μ_s.</summary>
+    public readonly double SlidingFriction;
+
+    /// <summary>μ_r or c₀.</summary>
+    public readonly double RollingFriction;
+
+    /// <summary>c₁, s/m.</summary>
+    public readonly double RollingFrictionBySpeed;
+
+    /// <summary>c_ω, N m s.</summary>
+    public readonly double SpinDamping;
+
+    /// <summary>b, m.</summary>
+    public readonly double DrillingLength;
+
+    public ContactMaterial(Ground ground, double bounce = 1)
+        : this(ground.Material, bounce) => TangentialZ = ground.TangentialRestitutionZ ?? TangentialX;
+
+    /// <param name="surface">The surface.</param>
+    /// <param name="bounce">The factor by which the ball scales its restitution.</param>
+    public ContactMaterial(SurfaceMaterial surface, double bounce = 1)
+    {
+        PerRestitutionSpeed = 1.0 / surface.RestitutionSpeedScale;
+        SlowRestitution = bounce * AtRest(surface.NormalRestitution, PerRestitutionSpeed);
+        _most = surface.NormalRestitution > 1 ? Math.Max(1.0, bounce * surface.NormalRestitution) : 1.0;
+        MinimumExitSpeed = surface.MinimumExitSpeed;
+        RestitutionRise = surface.GrazingRestitutionGain;
+        TangentialX = surface.TangentialRestitution;
+        TangentialZ = surface.TangentialRestitution;
+        Spin = surface.SpinRestitution;
+        ImpactFriction = surface.ImpactFriction;
+        SlidingFriction = surface.SlidingFriction;
+        RollingFriction = surface.RollingResistance;
+        RollingFrictionBySpeed = surface.RollingResistancePerSpeed;
+        SpinDamping = surface.SpinDamping;
+        DrillingLength = surface.TorsionalPatchRadius;
+    }
+
+    /// <summary>Creates a surface with the three constants of an impact only, the same at every speed.</summary>
+    public ContactMaterial(double restitution, double tangentialRestitution, double friction)
+    {
+        this = default;
+        SlowRestitution = restitution;
+        _most = 1;
+        TangentialX = tangentialRestitution;
+        TangentialZ = tangentialRestitution;
+        Spin = 1;
+        ImpactFriction = friction;
+    }
+
+    /// <summary>Returns the same surface without restitution.</summary>
+    public ContactMaterial WithoutRestitution() => this with { SlowRestitution = 0, RestitutionRise = 0, MinimumExitSpeed = 0 };
+
+    /// <summary>True if an impact may add energy.</summary>
+    public bool IsBumper => _most > 1 || MinimumExitSpeed > 0;
+
+    /// <summary>e = e_n + η (1 − e_n) v_t⁴/(v_t⁴ + (C v_n)⁴), e_n = e₀/√(1 + (v_n/V_e)²).</summary>
+    /// <remarks>
+    /// An oblique impact has a higher e.
+    /// e is at most 1, except for a bumper, whose e does not rise.
+    /// </remarks>
+    /// <param name="approach">v_n, m/s.</param>
+    /// <param name="along">v_t, the ball's velocity along the surface, m/s.</param>
+    public double RestitutionAt(double approach, in Vector3d along)
+    {
+        double e = RestitutionHeadOn(approach);
+        if (!(RestitutionRise > 0))
+        {
+            return e;
+        }
+
+        // Use the ratio of squares, up to the limit beyond which its square would overflow.
+        double steep = HalfRise * approach;
+        double square = along.LengthSquared / (steep * steep);
+        double grazing = square < 1e150 ? square * square / (1.0 + (square * square)) : 1;
+        return e + (RestitutionRise * Math.Max(0, 1.0 - e) * grazing);
+    }
+
+    /// <summary>Returns the upper bound of e at any obliqueness.</summary>
+    public double LargestRestitutionAt(double approach)
+    {
+        double e = RestitutionHeadOn(approach);
+        return e + (RestitutionRise * Math.Max(0, 1.0 - e));
+    }
+
+    /// <summary>Returns the largest restitution anywhere on a ground: in the slowest and most oblique impacts.</summary>
+    public static double LargestOn(Ground ground, BallProperties ball)
+    {
+        double largest = new ContactMaterial(ground.Material, ball.Bounce).LargestRestitutionAt(0);
+        for (int i = 0; i < (ground.Pattern?.Surfaces.Count ?? 0); i++)
+        {
+            largest = Math.Max(largest, new ContactMaterial(ground.Pattern!.Surfaces[i], ball.Bounce).LargestRestitutionAt(0));
+        }
+
+        return largest;
+    }
+
+    /// <summary>Returns the separation speed after an impact with a bumper, m/s: e v_n or more.</summary>
+    /// <remarks>It exceeds 1000 m/s only if the approach speed did.</remarks>
+    /// <param name="approach">v_n, m/s.</param>
+    /// <param name="restitution">e.</param>
+    /// <param name="share">The share of the restitution to apply.</param>
+    public double Bumped(double approach, double restitution, double share) =>
+        Math.Min(share * Math.Max(restitution * approach, MinimumExitSpeed), Math.Max(approach, Limits.Speed));
+
+    /// <summary>e_n = e₀/√(1 + (v_n/V_e)²), limited to 1, or to the higher bound of a bumper.</summary>
+    private double RestitutionHeadOn(double approach)
+    {
+        double x = approach * PerRestitutionSpeed;
+        return Math.Min(_most, x > 0 ? SlowRestitution / Math.Sqrt(1.0 + (x * x)) : SlowRestitution);
+    }
+
+    private static double AtRest(double atRigSpeed, double perSpeed)
+    {
+        // The restitution at zero speed, e₀ = e₆ √(1 + (6/V_e)²).
+        double x = RigSpeed * perSpeed;
+        return x > 0 ? atRigSpeed * Math.Sqrt(1.0 + (x * x)) : atRigSpeed;
+    }
+}

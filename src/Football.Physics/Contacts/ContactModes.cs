@@ -1,0 +1,445 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>Determines the modes of a contact set at one instant: which contacts have a load, and which of them stick.</summary>
+/// <remarks>
+/// It starts with all contacts active. It then opens contacts with a negative load, starts slips outside the friction cone, and closes
+/// penetrating contacts, until all of Coulomb's conditions hold.
+/// </remarks>
+internal static unsafe class ContactModes
+{
+    /// <summary>Maximum number of mode changes. After these, the search fails.</summary>
+    private const int MostChanges = 24;
+
+    /// <summary>Maximum number of iterations for the direction of a starting slip.</summary>
+    public const int MostStarts = 12;
+
+    /// <summary>Maximum number of iterations to find the bearer.</summary>
+    private const int MostBearers = 5;
+
+    /// <summary>Determines the modes.</summary>
+    /// <param name="system">The contacts, already updated, that touch the ball without closing.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="sticking">A slip below this counts as zero, m/s.</param>
+    /// <param name="carrier">The carrier of the ball, which most likely still has the greatest load.</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    /// <returns>False if no consistent modes were found.</returns>
+    public static bool Find(ref ContactSystem system, double time, in Motion at, double sticking, int carrier, ref int evaluations)
+    {
+        int likely = -1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref SetContact contact = ref system.Contacts[i];
+            contact.Look(system.World, time, in at);
+            double slip = contact.Slip.Length;
+            contact.Press(sticking);
+            contact.Direction = slip > 0 ? contact.Slip / slip : Vector3d.Zero;
+            likely = contact.Collider == carrier ? i : likely;
+        }
+
+        LetIdle(ref system, time, in at, ref evaluations);
+        likely = likely >= 0 && system.Contacts[likely].Bears ? likely : -1;
+        Forget(ref system);
+        if (likely >= 0)
+        {
+            // Start with the carrier as the bearer (the contact that resists rolling). At a standstill, search for the bearer.
+            system.Bearer = likely;
+            Roll(ref system, in at, default);
+            system.Pinned = false;
+            if (system.Contacts[likely].Sticks && system.Contacts[likely].RollingVelocity.Length < ContactTolerances.Rolling)
+            {
+                Forget(ref system);
+            }
+        }
+
+        for (int change = 0; change < MostChanges; change++)
+        {
+            Force(ref system, time, in at, ref evaluations);
+            if (!Change(ref system, sticking) && !Start(ref system, time, in at, ref evaluations))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Opens contacts that the push does not press against, if three contacts surround the ball in one plane.</summary>
+    /// <remarks>An example is a ball between a player and a board on the ground. With all three active, the loads would not be
+    /// determined.</remarks>
+    [SkipLocalsInit]
+    private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        if (system.Count != 3)
+        {
+            return;
+        }
+
+        Vector3d* normals = stackalloc Vector3d[3] { system.Contacts[0].Normal, system.Contacts[1].Normal, system.Contacts[2].Normal };
+        if (!PushProjection.Surround(normals))
+        {
+            return;
+        }
+
+        system.Bearer = -1;
+        system.Free(time, in at, out Vector3d push, out _, out _);
+        evaluations++;
+        PushProjection free = PushProjection.Of(normals, 3, in push);
+        for (int i = 0; i < 3; i++)
+        {
+            system.Contacts[i].Bears = free.Bears(i);
+        }
+    }
+
+    /// <summary>Iterates the direction of a starting slip until friction and the rate of the slip agree.</summary>
+    /// <returns>True if the forces have changed so much that the modes must be checked again.</returns>
+    private static bool Start(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        bool changed = false;
+        for (int round = 0; round < MostStarts; round++)
+        {
+            bool again = false;
+            bool starts = false;
+            for (int i = 0; i < system.Count; i++)
+            {
+                starts |= system.Contacts[i].StartsToSlip;
+            }
+
+            if (!starts)
+            {
+                break;
+            }
+
+            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
+            evaluations++;
+            for (int i = 0; i < system.Count; i++)
+            {
+                ref SetContact contact = ref system.Contacts[i];
+                if (contact.StartsToSlip)
+                {
+                    Vector3d rate = contact.SlipRate(in acceleration, in spinAcceleration, in at.Spin, system.World.Ball.Radius);
+                    again |= contact.TurnSlip(in rate);
+                }
+            }
+
+            if (!again)
+            {
+                break;
+            }
+
+            changed = true;
+        }
+
+        return changed;
+    }
+
+    /// <summary>Solves the forces with the current modes; the bearer and the direction of the roll follow from the loads.</summary>
+    /// <remarks>
+    /// Rolling resistance may reduce the bearer's load so much that the other contact has the greater load, whichever is the bearer.
+    /// The two loads are then treated as equal, and the first contact is the bearer.
+    /// </remarks>
+    private static void Force(ref ContactSystem system, double time, in Motion at, ref int evaluations)
+    {
+        int before = -1;
+        system.IsTied = false;
+        for (int round = 0; round < MostBearers; round++)
+        {
+            system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out system.AirSpeed);
+            evaluations++;
+            Vector3d free = acceleration;
+            ContactForces.Solve(ref system, in at.Spin, ref acceleration, ref spinAcceleration);
+            system.Acceleration = acceleration;
+            system.SpinAcceleration = spinAcceleration;
+            int bearer = BearerOf(in system);
+            if (bearer == system.Bearer || system.IsTied)
+            {
+                return;
+            }
+
+            system.IsTied = bearer >= 0 && bearer == before;
+            if (system.IsTied && system.Bearer < bearer)
+            {
+                return;
+            }
+
+            before = system.Bearer;
+            if (bearer < 0)
+            {
+                Forget(ref system);
+                return;
+            }
+
+            system.Bearer = bearer;
+            Roll(ref system, in at, in free);
+        }
+    }
+
+    /// <summary>Determines the direction of the roll: the free direction of the velocity, or at a standstill of the push.</summary>
+    /// <remarks>At a standstill, rolling resistance may hold the ball instead.</remarks>
+    private static void Roll(ref ContactSystem system, in Motion at, in Vector3d free)
+    {
+        ref readonly SetContact bearer = ref system.Contacts[system.Bearer];
+        double about = Vector3d.Dot(in at.Spin, in bearer.Normal) - bearer.CarrierSpin;
+        system.SpinSign = about > ContactTolerances.Rolling ? 1.0 : about < -ContactTolerances.Rolling ? -1.0 : 0.0;
+        system.HoldsSpin = system.SpinSign == 0 && bearer.Drilling > 0;
+        system.Pinned = false;
+        system.Along = DirectionLeft(in system, out bool isLine);
+        if (!bearer.Sticks || system.Along == Vector3d.Zero)
+        {
+            return;
+        }
+
+        double along = Vector3d.Dot(in bearer.RollingVelocity, in system.Along);
+        if (bearer.RollingVelocity.Length >= ContactTolerances.Rolling)
+        {
+            system.Along = along < 0 ? -system.Along : system.Along;
+            return;
+        }
+
+        // At a standstill, the ball is either held, or starts to roll along the push.
+        double push = Vector3d.Dot(free - bearer.MaterialRate, in system.Along);
+        system.Along = push < 0 ? -system.Along : system.Along;
+        system.Pinned = isLine && Math.Abs(push) <= (1.0 + system.World.Ball.InertiaFactor) * bearer.Rolling * bearer.Load;
+    }
+
+    /// <summary>Returns the direction that active contacts leave free, normal to both normals; zero if a third contact blocks it.</summary>
+    private static Vector3d DirectionLeft(in ContactSystem system, out bool isLine)
+    {
+        Vector3d first = system.Contacts[system.Bearer].Normal;
+        Vector3d along = default;
+        isLine = false;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (i == system.Bearer || !contact.Bears)
+            {
+                continue;
+            }
+
+            if (!isLine)
+            {
+                Vector3d across = Vector3d.Cross(in first, in contact.Normal);
+                double size = across.Length;
+                isLine = size > ContactTolerances.Independent;
+                along = isLine ? across / size : along;
+            }
+            else if (Math.Abs(Vector3d.Dot(in along, in contact.Normal)) > ContactTolerances.Independent)
+            {
+                isLine = false;
+                return Vector3d.Zero;
+            }
+        }
+
+        if (!isLine)
+        {
+            // If only one normal remains, the free direction is the direction of the velocity.
+            Vector3d rolling = SurfaceSystem.Tangential(system.Contacts[system.Bearer].RollingVelocity, in first);
+            double speed = rolling.Length;
+            return speed > 0 ? rolling / speed : Vector3d.Zero;
+        }
+
+        return along;
+    }
+
+    /// <summary>Returns the sticking contact with the greatest load; if none sticks, the one with the greatest load.</summary>
+    public static int BearerOf(in ContactSystem system)
+    {
+        int bearer = -1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (!contact.Bears || !(contact.Load > 0))
+            {
+                continue;
+            }
+
+            bearer = bearer < 0 || contact.Outweighs(in system.Contacts[bearer]) ? i : bearer;
+        }
+
+        return bearer;
+    }
+
+    /// <summary>Resets the bearer and its hold on the ball: without a bearer, the ball is not pinned.</summary>
+    private static void Forget(ref ContactSystem system)
+    {
+        system.Bearer = -1;
+        system.Pinned = false;
+        system.HoldsSpin = false;
+        system.Along = default;
+    }
+
+    /// <summary>Changes one inconsistent mode.</summary>
+    /// <returns>False if all modes are consistent.</returns>
+    private static bool Change(ref ContactSystem system, double sticking)
+    {
+        // Open the contact with the most negative load.
+        int worst = -1;
+        double least = ContactTolerances.LeastLoad;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (contact.Bears && contact.Load <= least)
+            {
+                least = contact.Load;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            system.Contacts[worst].Bears = false;
+            Forget(ref system);
+            return true;
+        }
+
+        // Activate the contact that the ball would penetrate fastest.
+        least = -ContactTolerances.LeastLoad;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (!contact.Bears && contact.Opening < least)
+            {
+                least = contact.Opening;
+                worst = i;
+            }
+        }
+
+        if (worst >= 0)
+        {
+            system.Contacts[worst].Press(sticking);
+            Forget(ref system);
+            return true;
+        }
+
+        // Let the contact that exceeds its friction cone most slip. If its slip is zero, it slips against the friction that it needs.
+        double most = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            ref readonly SetContact contact = ref system.Contacts[i];
+            if (contact.Bears && contact.Sticks)
+            {
+                worst = contact.Excess > most ? i : worst;
+                most = Math.Max(most, contact.Excess);
+            }
+        }
+
+        if (worst < 0 && system.HoldsSpin && Math.Abs(system.HeldSpin) > system.Contacts[system.Bearer].Drilling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
+        {
+            // Drilling friction cannot hold the spin: the spin starts against the holding torque.
+            system.HoldsSpin = false;
+            system.SpinSign = system.HeldSpin > 0 ? -1.0 : 1.0;
+            return true;
+        }
+
+        if (worst < 0 && system.Pinned && Math.Abs(system.Held) > system.Contacts[system.Bearer].Rolling * system.Contacts[system.Bearer].Load * (1.0 + ContactTolerances.BeyondCone))
+        {
+            // Rolling resistance cannot hold the ball either: the ball starts to roll against the holding force.
+            system.Pinned = false;
+            system.Along = system.Held > 0 ? -system.Along : system.Along;
+            return true;
+        }
+
+        if (worst >= 0)
+        {
+            system.Contacts[worst].StartSlip();
+            Forget(ref system);
+            return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>True if contacts hold a ball at rest (several.md, Rest).</summary>
+    /// <remarks>The part of the push that no load can take must be at most (1 + α) c₀ N, with N the greatest load.</remarks>
+    /// <param name="system">The contacts, already updated.</param>
+    /// <param name="push">The acceleration of the ball at rest, relative to its carrier, m/s².</param>
+    public static bool Hold(in ContactSystem system, in Vector3d push)
+    {
+        // Project the push onto the directions that the contacts leave free. Zero to three contacts have a load; three leave no free direction.
+        PushProjection free = Project(in system, in push);
+        return free.TakesAll || (free.First < 0 ? push.Length <= ContactTolerances.LeastLoad
+            : free.FirstLoad >= free.SecondLoad ? IsHeld(in system, free.Left, free.First, free.FirstLoad) : IsHeld(in system, free.Left, free.Second, free.SecondLoad));
+    }
+
+    /// <summary>Returns the part of a push that frictionless contacts do not take up.</summary>
+    private static PushProjection Project(in ContactSystem system, in Vector3d push)
+    {
+        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
+        for (int i = 0; i < system.Count; i++)
+        {
+            normals[i] = system.Contacts[i].Normal;
+        }
+
+        return PushProjection.Of(normals, system.Count, in push);
+    }
+
+    /// <summary>True if friction holds a ball at rest that rolling resistance alone cannot hold (contacts.md, Rest).</summary>
+    /// <remarks>With equal velocities of ball and surfaces, the modes at that instant leave the ball at its position.</remarks>
+    /// <param name="system">The contacts; their modes do not change.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="still">The ball at the velocity of its carrier, without spin.</param>
+    /// <param name="carrier">The carrier.</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    public static bool Grip(in ContactSystem system, double time, in Motion still, int carrier, ref int evaluations)
+    {
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        for (int i = 0; i < system.Count; i++)
+        {
+            contacts[i] = system.Contacts[i];
+        }
+
+        ContactSystem at = system;
+        at.Contacts = contacts;
+        return Find(ref at, time, in still, ContactTolerances.LeastLoad, carrier, ref evaluations)
+            && at.Acceleration.Length + (system.World.Ball.Radius * at.SpinAcceleration.Length) <= ContactTolerances.LeastLoad;
+    }
+
+    /// <summary>True if contacts hold a ball at its carrier's velocity without spin.</summary>
+    /// <remarks>No contact may move relative to the carrier (contacts.md, Rest).</remarks>
+    /// <param name="around">The scene.</param>
+    /// <param name="set">The contacts.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="still">The ball at that velocity.</param>
+    /// <param name="branch">The branch of the drag law there.</param>
+    /// <param name="gained">The carrier's velocity jump divided by the step, m/s².</param>
+    /// <param name="evaluations">Counts the evaluations.</param>
+    public static bool HoldAtRest(
+        Surroundings around, scoped Span<Contact> set, in BallState s, in Motion still, DragBranch branch, in Vector3d gained, ref int evaluations)
+    {
+        World world = around.World;
+        SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        for (int i = 0; i < set.Length; i++)
+        {
+            Collider collider = world.Colliders[set[i].Collider];
+            if (collider.Velocity != still.Velocity || collider.Spin != Vector3d.Zero)
+            {
+                return false;
+            }
+
+            contacts[i].Prepare(in set[i], collider, world.Ball);
+            contacts[i].Look(world, s.Time, in still);
+        }
+
+        var system = new ContactSystem
+        {
+            Around = around,
+            World = world,
+            Contacts = contacts,
+            Count = set.Length,
+            Bearer = -1,
+            Nets = s.Nets,
+            NetSides = s.NetSides,
+            Branch = branch,
+        };
+        evaluations++;
+        return Hold(in system, system.PushAtRest(s.Time, in still) - gained)
+            || (gained == Vector3d.Zero && Grip(in system, s.Time, in still, (int)s.Carrier - world.FirstCollider, ref evaluations));
+    }
+
+    private static bool IsHeld(in ContactSystem system, in Vector3d left, int bearer, double load) =>
+        left.Length <= ((1.0 + system.World.Ball.InertiaFactor) * system.Contacts[bearer].Rolling * load) + ContactTolerances.LeastLoad;
+}

@@ -1,0 +1,293 @@
+using System.Runtime.CompilerServices;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>Solves the impulses of a contact set over a short time, with Coulomb's law at all contacts: J_n ≥ 0, no closing, |J_t| ≤ μ
+/// J_n.</summary>
+/// <remarks>
+/// Projected Gauss–Seidel finds the modes (load, grip, slip). <see cref="ContactNewton"/> then computes the impulses, and another iteration
+/// checks them.
+/// On a sphere a normal impulse does not change the spin, and a tangential one acts on the mass m α/(1 + α) in every direction.
+/// Each contact therefore has a closed-form solution per iteration.
+/// </remarks>
+internal static class ContactSolver
+{
+    /// <summary>Maximum number of iterations. If they do not suffice, the set is unsolvable, as with two objects that close on a ball.</summary>
+    private const int MostRounds = 48;
+
+    /// <summary>Number of iterations for a set that may be unsolvable.</summary>
+    private const int RoundsInVain = 16;
+
+    /// <summary>Larger sets are solved by Gauss–Seidel alone.</summary>
+    private const int MostByNewton = 64;
+
+    /// <summary>Newton gains little if the change is more than this share of the previous one.</summary>
+    private const double Little = 0.1;
+
+    /// <summary>Number of iterations before a Newton step. The number doubles whenever the guessed modes are wrong.</summary>
+    private const int RoundsBetween = 2;
+    private const int RoundsOfWrong = 2 * RoundsBetween;
+
+    /// <summary>Solves the velocity and the spin after a time, given their values without contacts.</summary>
+    /// <param name="set">The contacts. They hold the impulses of the previous part, or zero, and receive the new ones.</param>
+    /// <param name="ball">The ball.</param>
+    /// <param name="duration">The time, s, in which a contact with a gap may close.</param>
+    /// <param name="v">Velocity, m/s.</param>
+    /// <param name="w">Spin, rad/s.</param>
+    /// <param name="settled">Relative change of impulses and speeds below which the solver has converged.</param>
+    /// <param name="closing">Maximum closing speed of a contact, m/s.</param>
+    /// <returns>True if a solution was found.</returns>
+    public static bool Solve(
+        Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled = ContactTolerances.Settled, double closing = ContactTolerances.LargestClosing)
+    {
+        bool found = Settles(set, ball, duration, ref v, ref w, settled);
+        foreach (ref readonly Contact contact in set)
+        {
+            found &= Closing(in contact, duration, in v) >= -closing;
+        }
+
+        return found;
+    }
+
+    /// <summary>True if a set too large for the force-level solver holds a ball: from a standstill, the forces do not move it.</summary>
+    /// <param name="set">The contacts.</param>
+    /// <param name="world">The world.</param>
+    /// <param name="free">The rates without contacts.</param>
+    /// <param name="duration">The time, s.</param>
+    /// <param name="still">A ball below this speed is at a standstill, m/s, and rad/s times its radius.</param>
+    [SkipLocalsInit]
+    public static bool Holds(scoped Span<Contact> set, World world, in MotionRates free, double duration, double still)
+    {
+        Span<Contact> room = stackalloc Contact[ContactSet.Room];
+        Span<Contact> held = world.Room.Of(set.Length, room).Slice(0, set.Length);
+        set.CopyTo(held);
+        ContactSet.Forget(held);
+        Vector3d v = duration * free.Acceleration;
+        Vector3d w = duration * free.SpinAcceleration;
+        double most = ContactTolerances.StillHeld * (v.Length + (world.Ball.Radius * w.Length));
+        Solve(held, world.Ball, duration, ref v, ref w);
+        return v.Length + (world.Ball.Radius * w.Length) <= most + still;
+    }
+
+    /// <summary>Iterates Gauss–Seidel and Newton until the impulses converge.</summary>
+    private static bool Settles(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w, double settled)
+    {
+        Begin(set, ball, ref v, ref w);
+        bool isLarge = set.Length > MostByNewton;
+        Span<Contact> kept = stackalloc Contact[isLarge ? 0 : set.Length];
+        var resistance = new TurningResistance { Bearer = -1 };
+        var before = new Guess { Change = double.PositiveInfinity };
+        double change = double.PositiveInfinity;
+        int between = RoundsBetween;
+        int next = between - 1;
+        for (int round = 0; round < MostRounds; round++)
+        {
+            // Run one iteration of projected Gauss–Seidel, and return if the solution has converged.
+            change = Round(set, ball, duration, ref resistance, ref v, ref w);
+            if (change <= settled)
+            {
+                return true;
+            }
+
+            if (change > before.Change)
+            {
+                // Newton's method guessed wrong modes (load, grip or slip): restore the state, and continue with Gauss–Seidel only.
+                kept.CopyTo(set);
+                v = before.Velocity;
+                w = before.Spin;
+                resistance = before.Resistance;
+                before.Change = double.PositiveInfinity;
+                between *= 2;
+                next = round + between;
+                continue;
+            }
+
+            // Stop if the solution has nearly converged and more iterations gain little, as with indeterminate loads.
+            if (change <= ContactTolerances.Foreseen && (change > Little * before.Change || between > RoundsOfWrong))
+            {
+                return true;
+            }
+
+            before.Change = double.PositiveInfinity;
+
+            // Occasionally try a Newton step. Save the state first, because the step may guess the wrong modes.
+            if (set.Length > 1 && !isLarge && round >= next && round < MostRounds - 1)
+            {
+                next = round + between;
+                set.CopyTo(kept);
+                before = new Guess { Velocity = v, Spin = w, Resistance = resistance, Change = change };
+                ContactNewton.Step(set, ball, duration, ref resistance, ref v, ref w);
+            }
+        }
+
+        return change <= ContactTolerances.Foreseen;
+    }
+
+    /// <summary>Runs a few iterations on a set that may be unsolvable; the result is approximate.</summary>
+    public static void Try(Span<Contact> set, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    {
+        Begin(set, ball, ref v, ref w);
+        var resistance = new TurningResistance { Bearer = -1 };
+        for (int round = 0; round < RoundsInVain; round++)
+        {
+            if (Round(set, ball, duration, ref resistance, ref v, ref w) <= ContactTolerances.Settled)
+            {
+                return;
+            }
+        }
+    }
+
+    /// <summary>Applies the impulses that the contacts already hold.</summary>
+    private static void Begin(Span<Contact> set, BallProperties ball, ref Vector3d v, ref Vector3d w)
+    {
+        // Warm start: apply the stored impulses to velocity and spin.
+        foreach (ref readonly Contact contact in set)
+        {
+            v += (contact.Load * contact.Normal) + contact.Friction;
+            w -= 1.0 / (ball.InertiaFactor * ball.Radius) * Vector3d.Cross(in contact.Normal, in contact.Friction);
+        }
+    }
+
+    /// <summary>Solves one contact after the other.</summary>
+    /// <returns>Relative change of the impulses and the speeds.</returns>
+    private static double Round(
+        Span<Contact> set, BallProperties ball, double duration, ref TurningResistance resistance, ref Vector3d v, ref Vector3d w)
+    {
+        double scale = v.Length + (ball.Radius * w.Length);
+        double change = 0;
+        foreach (ref Contact contact in set)
+        {
+            change = Math.Max(change, Press(ref contact, ball, duration, ref v, ref w));
+            scale += contact.Load;
+        }
+
+        // Rolling resistance and drilling friction act only at the contact with the greatest load.
+        change = Math.Max(change, ball.Radius * resistance.Act(set, ball, duration, in v, ref w));
+        return change > 0 ? change / scale : 0;
+    }
+
+    /// <summary>Returns the closing speed of a contact, minus the speed that its gap allows, m/s.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Closing(in Contact contact, double duration, in Vector3d v)
+    {
+        // (v − V)·n + gap/h, because a gap may close within the time h. Over zero time, only touching surfaces count.
+        double gap = duration > 0 ? Math.Max(0, contact.Gap) / duration : contact.Gap > ContactTolerances.Touching ? double.MaxValue : 0;
+        return Vector3d.Dot(v - contact.Velocity, in contact.Normal) + gap;
+    }
+
+    /// <summary>Solves a single contact.</summary>
+    /// <returns>Change of its impulses, m/s.</returns>
+    private static double Press(ref Contact contact, BallProperties ball, double duration, ref Vector3d v, ref Vector3d w)
+    {
+        double alpha = ball.InertiaFactor;
+        double r = ball.Radius;
+        Vector3d n = contact.Normal;
+
+        // J_n: the ball must separate at least as fast as the gap requires.
+        double load = Math.Max(0, contact.Load - Closing(in contact, duration, in v));
+        double pushed = load - contact.Load;
+        v += pushed * n;
+        contact.Load = load;
+
+        // J_t: the impulse that stops the slip s = u_t + r n × ω, limited by friction.
+        Vector3d relative = v - contact.Velocity;
+        Vector3d slip = relative - (Vector3d.Dot(in relative, in n) * n) + (r * Vector3d.Cross(in n, in w));
+        Vector3d friction = contact.Friction - (alpha / (1.0 + alpha) * slip);
+        double size = friction.Length;
+        double most = contact.Material.SlidingFriction * load;
+        friction = size > most ? most / size * friction : friction;
+        Vector3d rubbed = friction - contact.Friction;
+        v += rubbed;
+        w -= 1.0 / (alpha * r) * Vector3d.Cross(in n, in rubbed);
+        contact.Friction = friction;
+        return Math.Max(Math.Abs(pushed), rubbed.Length);
+    }
+}
+
+/// <summary>The state before a Newton step.</summary>
+internal struct Guess
+{
+    /// <summary>Velocity, m/s.</summary>
+    public Vector3d Velocity;
+
+    /// <summary>Spin, rad/s.</summary>
+    public Vector3d Spin;
+
+    /// <summary>Resistance to rolling and drilling.</summary>
+    public TurningResistance Resistance;
+
+    /// <summary>The last change of the impulses.</summary>
+    public double Change;
+}
+
+/// <summary>Rolling and drilling resistance at the contact with the greatest load.</summary>
+internal struct TurningResistance
+{
+    /// <summary>Index of that contact; −1 if none has a load.</summary>
+    public int Bearer;
+
+    /// <summary>Spin removed about the normal, rad/s.</summary>
+    public double Drilling;
+
+    /// <summary>Spin removed from the rolling, rad/s.</summary>
+    public Vector3d Rolling;
+
+    /// <summary>Applies drilling friction b μ_s J_n/I and damping c_ω h/I about the normal, and rolling resistance across it.</summary>
+    /// <remarks>Rolling resistance is (1 + α)(c₀ + c₁ |v|) r J_n/I, which slows the rolling by (c₀ + c₁ |v|) J_n/m.</remarks>
+    /// <returns>Change of the spin, rad/s.</returns>
+    public double Act(Span<Contact> set, BallProperties ball, double duration, in Vector3d v, ref Vector3d w)
+    {
+        int heaviest = ContactSet.Heaviest(set);
+
+        // The greatest load is now at another contact: undo the resistance at the old one.
+        if (heaviest != Bearer)
+        {
+            w -= Rolling + (Bearer < 0 ? Vector3d.Zero : Drilling * set[Bearer].Normal);
+            Rolling = default;
+            Drilling = 0;
+            Bearer = heaviest;
+        }
+
+        if (heaviest < 0)
+        {
+            return 0;
+        }
+
+        ref readonly Contact contact = ref set[heaviest];
+        Vector3d n = contact.Normal;
+
+        // About the normal: damping gives ω_n/(1 + k), k = c_ω h/I; then drilling friction reduces it by at most b μ_s J_n/I.
+        double about = Vector3d.Dot(in w, in n);
+        double damped = (about - Drilling) / (1.0 + Damping(in contact, ball, duration));
+        double most = DrillingPerLoad(in contact, ball) * contact.Load;
+        double kept = damped > 0 ? Math.Max(0, damped - most) : Math.Min(0, damped + most);
+        double drilled = kept - about;
+        Drilling += drilled;
+        w += drilled * n;
+
+        // Across the normal: the rolling resistance, which is limited by the load and never reverses the roll.
+        double resistance = MostRolling(in contact, ball, in v);
+        Vector3d turning = w - (Vector3d.Dot(in w, in n) * n) - Rolling;
+        double size = turning.Length;
+        Vector3d resisted = size > resistance ? -(resistance / size) * turning : -turning;
+        Vector3d more = resisted - Rolling;
+        w += more;
+        Rolling = resisted;
+        return Math.Max(Math.Abs(drilled), more.Length);
+    }
+
+    /// <summary>c_ω h/I.</summary>
+    public static double Damping(in Contact contact, BallProperties ball, double duration) => duration * contact.Material.SpinDamping / ball.MomentOfInertia;
+
+    /// <summary>Maximum spin that drilling friction removes about the normal per unit of load, rad/s per m/s: b μ_s/(α r²).</summary>
+    public static double DrillingPerLoad(in Contact contact, BallProperties ball) =>
+        contact.Material.DrillingLength * contact.Material.SlidingFriction / (ball.InertiaFactor * ball.Radius * ball.Radius);
+
+    /// <summary>Maximum spin that resistance removes from the rolling, rad/s; zero if the contact slipped before.</summary>
+    public static double MostRolling(in Contact contact, BallProperties ball, in Vector3d v)
+    {
+        ref readonly ContactMaterial material = ref contact.Material;
+        double share = material.RollingFriction + (material.RollingFrictionBySpeed * (v - contact.Velocity).Length);
+        return contact.Rolls ? (1.0 + ball.InertiaFactor) * share * contact.Load / (ball.InertiaFactor * ball.Radius) : 0;
+    }
+}

@@ -1,0 +1,133 @@
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>A ball on several surfaces at once, with the contacts and their modes locked (contacts.md, Rates under a fixed set).</summary>
+/// <remarks>
+/// With n, ṅ, V_c and A of each contact: v̇ = a + Σ (N n + F), ω̇ = T/I − Σ n × F/(α r).
+/// An active contact keeps touching: n·v̇ = −(qᵀHq − A_s·n). A sticking one keeps zero slip: (v̇ − A + r ṅ × ω + r n × ω̇)_t = 0.
+/// A slipping one has F = −μ_s N ŝ. One linear system gives all loads and friction forces.
+/// </remarks>
+internal unsafe struct ContactSystem : IMotionSystem
+{
+    /// <summary>Maximum number of contacts of a set.</summary>
+    public const int Most = 6;
+
+    public Surroundings Around;
+    public World World;
+    public SetContact* Contacts;
+    public int Count;
+
+    /// <summary>The contact at which rolling resistance and drilling friction act; −1 for none.</summary>
+    public int Bearer;
+
+    /// <summary>True if another contact has as much load as the bearer, whichever of the two is the bearer.</summary>
+    public bool IsTied;
+    public DragBranch Branch;
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>The direction that the contacts leave free, in which the ball rolls from a standstill; zero if there is none.</summary>
+    public Vector3d Along;
+
+    /// <summary>True if rolling resistance holds a ball at a standstill, so that it only spins.</summary>
+    public bool Pinned;
+
+    /// <summary>The holding force per mass, m/s².</summary>
+    public double Held;
+
+    /// <summary>The accelerations with which the modes were determined, m/s² and rad/s².</summary>
+    public Vector3d Acceleration;
+    public Vector3d SpinAcceleration;
+
+    /// <summary>The airspeed at that moment, m/s.</summary>
+    public double AirSpeed;
+
+    /// <summary>Sign of the spin about the bearer's normal, relative to the bearer. Drilling friction keeps this sign.</summary>
+    public double SpinSign;
+
+    /// <summary>True if drilling friction holds the spin about the bearer's normal equal to the bearer's spin.</summary>
+    public bool HoldsSpin;
+
+    /// <summary>The holding torque per moment of inertia, rad/s².</summary>
+    public double HeldSpin;
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            Contacts[i].Look(World, time, in at);
+        }
+
+        Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed);
+        ContactForces.Solve(ref this, in at.Spin, ref acceleration, ref spinAcceleration);
+        rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
+    }
+
+    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
+
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
+        s.Position = step.End.Position;
+        s.Velocity = step.End.Velocity;
+        s.SpinAxis = step.End.Spin;
+        s.AirDistance = step.End.AirDistance;
+    }
+
+    /// <summary>Computes the forces on the ball without contacts.</summary>
+    public readonly void Free(double time, in Motion at, out Vector3d acceleration, out Vector3d spinAcceleration, out double airSpeed)
+    {
+        Vector3d u = at.Velocity - Around.Wind;
+        bool sticks = Bearer >= 0 && Contacts[Bearer].Sticks;
+        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, sticks ? MotionState.Rolling : MotionState.Sliding, at.AirDistance);
+        Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        u = air.AirVelocity;
+        airSpeed = air.AirSpeed;
+
+        // a_air = L (ω × u) − D u; the ground's settings determine which share of it acts.
+        Vector3d push = air.Acceleration;
+        if (World.AirActs)
+        {
+            push += (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        }
+
+        spinAcceleration = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        if (!World.AirLoads && Bearer >= 0)
+        {
+            push = SurfaceSystem.Tangential(in push, in Contacts[Bearer].Normal);
+        }
+
+        if (!World.SharesAir && sticks)
+        {
+            // If the spin does not share the air's force, the air accelerates a rolling ball directly and the spin follows: ω̇_t = n × a_air/r.
+            ref readonly SetContact bearer = ref Contacts[Bearer];
+            Vector3d along = SurfaceSystem.Tangential(in push, in bearer.Normal);
+            spinAcceleration = (Vector3d.Dot(in spinAcceleration, in bearer.Normal) * bearer.Normal) + (Vector3d.Cross(in bearer.Normal, in along) / Around.Radius);
+        }
+
+        acceleration = push + Around.Weight;
+        if (Nets != 0)
+        {
+            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            acceleration += Bearer < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[Bearer].Normal);
+            spinAcceleration += nets.SpinAcceleration;
+        }
+    }
+
+    /// <summary>Returns the forces on a ball at rest, per mass. In the published profile they exclude the air.</summary>
+    public readonly Vector3d PushAtRest(double time, in Motion still)
+    {
+        if (World.SharesAir)
+        {
+            Free(time, in still, out Vector3d acceleration, out _, out _);
+            return acceleration;
+        }
+
+        Vector3d u = still.Velocity - Around.Wind;
+        Around.Air.Evaluate(new ForceContext(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
+        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.PushOfNets(Nets, NetSides, in still).Acceleration;
+        return air.Acceleration + Around.Weight + nets;
+    }
+}

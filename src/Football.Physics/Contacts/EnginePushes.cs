@@ -1,0 +1,124 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>The engine colliders that the ball has pushed since the engine placed them, with their saved motions.</summary>
+internal sealed class EnginePushes
+{
+    /// <summary>The buffers for saved motions: for a look-ahead, a group's step and a trial, and before and after a push.</summary>
+    public const int OfLook = 0;
+    public const int OfStep = 1;
+    public const int OfTry = 2;
+    public const int BeforePush = 3;
+    public const int AfterPush = 4;
+
+    private static readonly ConditionalWeakTable<IEngineColliders, EnginePushes> s_all = new();
+
+    private readonly List<EngineCollider> _pushed = [];
+    private readonly List<(EngineCollider Collider, EnginePush Push)>[] _kept = [[], [], [], [], []];
+
+    /// <summary>Returns the pushes of an engine.</summary>
+    /// <remarks>Several simulators may share an engine, such as those of a match and its look-aheads. They share its pushed colliders
+    /// too.</remarks>
+    public static EnginePushes Of(IEngineColliders engine) => s_all.GetValue(engine, _ => new EnginePushes());
+
+    /// <summary>Records a collider before it is pushed.</summary>
+    public void Note(EngineCollider collider)
+    {
+        // Pushes are valid until the engine's time advances: remove pushes of earlier times.
+        for (int i = _pushed.Count - 1; i >= 0; i--)
+        {
+            if (_pushed[i] == collider)
+            {
+                return;
+            }
+
+            if (_pushed[i].PushedAt != collider.Placement.Motion.Time && !IsKept(_pushed[i]))
+            {
+                _pushed[i].ForgetPush();
+                _pushed.RemoveAt(i);
+            }
+        }
+
+        _pushed.Add(collider);
+    }
+
+    /// <summary>Saves the motions.</summary>
+    public void Keep(int memory)
+    {
+        _kept[memory].Clear();
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _kept[memory].Add((_pushed[i], _pushed[i].PushSoFar));
+        }
+    }
+
+    /// <summary>Restores the saved motions. Colliders first pushed since then get their original motions.</summary>
+    public void PutBack(int memory)
+    {
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _pushed[i].ForgetPush();
+        }
+
+        _pushed.Clear();
+        List<(EngineCollider Collider, EnginePush Push)> kept = _kept[memory];
+        for (int i = 0; i < kept.Count; i++)
+        {
+            kept[i].Collider.PushSoFar = kept[i].Push;
+            _pushed.Add(kept[i].Collider);
+        }
+
+        // The look-ahead is over: discard its pushes. Keep the others, because a step may be repeated.
+        if (memory == OfLook)
+        {
+            kept.Clear();
+        }
+    }
+
+    /// <summary>Returns one of the pushed colliders.</summary>
+    /// <param name="index">Its index among them, from 0.</param>
+    /// <param name="time">Start time of a step, s.</param>
+    /// <param name="dt">Length of the step, s.</param>
+    /// <param name="box">A box around all its positions in that step, with and without the push.</param>
+    /// <returns>False after the last one.</returns>
+    public bool Has(int index, double time, double dt, out Bounds3d box)
+    {
+        box = default;
+        if (index >= _pushed.Count)
+        {
+            return false;
+        }
+
+        EngineCollider collider = _pushed[index];
+        Bounds3d at = collider.Placement.BoundsAt(time);
+        box = at.Union(at.Translated(dt * collider.Placement.Motion.Velocity)).Expanded(2.0 * dt * collider.PushSoFar.Pushed.Length);
+        return true;
+    }
+
+    /// <summary>Undoes all pushes.</summary>
+    public void Forget()
+    {
+        for (int i = 0; i < _pushed.Count; i++)
+        {
+            _pushed[i].ForgetPush();
+        }
+
+        _pushed.Clear();
+    }
+
+    private bool IsKept(EngineCollider collider)
+    {
+        // A push stored during a look-ahead belongs to the real step, which continues after the look-ahead.
+        for (int i = 0; i < _kept[OfLook].Count; i++)
+        {
+            if (_kept[OfLook][i].Collider == collider)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}

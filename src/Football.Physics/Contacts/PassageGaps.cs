@@ -1,0 +1,198 @@
+using FootballPhysics.Integration;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>The gap to an event of a net that is linear in the position: it falls to zero. A gap that is closed already does not count.</summary>
+/// <param name="sought">The event.</param>
+/// <param name="path">The path.</param>
+/// <param name="time">Start time of the path, s.</param>
+/// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+/// <param name="span">The span of the search.</param>
+internal readonly struct FallingGap(in Separation sought, in PathCubic path, double time, double acceleration, in SearchSpan span) : IGap
+{
+    private readonly Separation _sought = sought;
+    private readonly PathCubic _path = path;
+    private readonly SearchSpan _span = span;
+    private readonly double _bend = sought.Bends * acceleration;
+    private readonly double _time = time;
+
+    public bool IsClosed(double t, out double step)
+    {
+        _sought.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+        step = double.PositiveInfinity;
+
+        // If the gap is closed and still decreases, the event has occurred. If it is closed and constant, there is no event.
+        if (gap <= ContactTolerances.Touching)
+        {
+            if (rate < -ContactTolerances.Approaching && (t > 0 || gap > 0 || _sought.What == SeparationKind.NetLeft))
+            {
+                return true;
+            }
+
+            if (rate <= ContactTolerances.Approaching)
+            {
+                return false;
+            }
+        }
+
+        step = TimeOfImpact.Step(gap, rate, _bend);
+        return false;
+    }
+
+    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
+}
+
+/// <summary>The gap to a net: closed within the ball's radius of the sheet, inside the rectangle.</summary>
+internal struct NetGap : IGap
+{
+    private readonly World _world;
+    private readonly PathCubic _path;
+    private readonly SearchSpan _span;
+    private readonly double _acceleration;
+    private readonly int _index;
+    private readonly int _deepest;
+    private readonly double _deepestSide;
+    private Separation _last;
+
+    /// <summary>Prepares the gap.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="index">The net.</param>
+    /// <param name="deepest">The net in which the ball is deepest; −1 if it is in none.</param>
+    /// <param name="deepestSide">σ of that net.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+    /// <param name="span">The span of the search.</param>
+    public NetGap(World world, int index, int deepest, double deepestSide, in PathCubic path, double acceleration, in SearchSpan span)
+    {
+        _world = world;
+        _path = path;
+        _span = span;
+        _acceleration = acceleration;
+        _index = index;
+        _deepest = deepest;
+        _deepestSide = deepestSide;
+        double side = world.Nets[index].PlaceInFrame(path.At(0)).Z < 0 ? -1.0 : 1.0;
+        _last = Separation.OfMeetingNet(world, index, 2, side, side, deepest, deepestSide);
+    }
+
+    /// <summary>The condition that was met last.</summary>
+    public readonly Separation Last => _last;
+
+    public bool IsClosed(double t, out double step)
+    {
+        Vector3d at = _path.At(t);
+        Vector3d velocity = _path.VelocityAt(t);
+        Vector3d place = _world.Nets[_index].PlaceInFrame(in at);
+
+        // The side of entry is the side of the sheet from which the ball reaches the slab.
+        double side = place.Z < 0 ? -1.0 : 1.0;
+        step = 0;
+        Consider(Separation.OfMeetingNet(_world, _index, 2, place.Z, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        Consider(Separation.OfMeetingNet(_world, _index, 0, place.X, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        Consider(Separation.OfMeetingNet(_world, _index, 1, place.Y, side, _deepest, _deepestSide), in at, in velocity, ref step);
+        return step == 0;
+    }
+
+    public readonly bool Advance(ref double t, double step) => _span.Advance(ref t, step);
+
+    /// <summary>Computes for how long one condition of a net remains unmet. The longest such time is safe for all conditions.</summary>
+    private void Consider(in Separation condition, in Vector3d place, in Vector3d velocity, ref double step)
+    {
+        condition.Evaluate(in place, in velocity, 0, out double value, out double rate);
+        double bend = condition.Bends * _acceleration;
+
+        // If the gap is open, advance as far as it certainly stays open. If it is zero but not decreasing, advance until it could decrease. Otherwise, the step is zero.
+        double safe = value > ContactTolerances.Touching ? TimeOfImpact.Safe(value, rate, bend)
+            : value > -ContactTolerances.Touching && rate >= 0 ? TimeOfImpact.Along(rate, bend)
+            : 0;
+        if (value > -ContactTolerances.Touching && rate >= 0)
+        {
+            safe = Math.Max(safe, double.Epsilon);
+        }
+
+        if (safe > step)
+        {
+            step = safe;
+            _last = condition;
+        }
+    }
+}
+
+/// <summary>The gap to the mouth of a goal, which the ball may enter only from the front.</summary>
+internal struct MouthGap : IGap
+{
+    private readonly Separation _mouth;
+    private readonly GoalMouth _goal;
+    private readonly PathCubic _path;
+    private readonly SearchSpan _span;
+    private readonly double _time;
+    private readonly double _bend;
+    private bool _isBefore;
+
+    /// <summary>Prepares the gap.</summary>
+    /// <param name="mouth">The mouth.</param>
+    /// <param name="goal">Its goal.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="time">Start time of the path, s.</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+    /// <param name="span">The span of the search.</param>
+    public MouthGap(in Separation mouth, in GoalMouth goal, in PathCubic path, double time, double acceleration, in SearchSpan span)
+    {
+        _mouth = mouth;
+        _goal = goal;
+        _path = path;
+        _span = span;
+        _time = time;
+        _bend = acceleration;
+
+        // At the start of the path, the ball may be slightly behind the mouth, because the last piece projected it onto its carrier.
+        _isBefore = goal.BeforeMouth(path.At(0)) >= -ContactTolerances.Projected;
+    }
+
+    public bool IsClosed(double t, out double step)
+    {
+        Vector3d place = _path.At(t);
+        _mouth.Evaluate(in place, _path.VelocityAt(t), _time + t, out double gap, out double rate);
+        step = 0;
+        if (_isBefore && TimeOfImpact.Closes(gap, rate) && _goal.IsOpen(in place))
+        {
+            return true;
+        }
+
+        // The ball can reach the plane from either side, so record on which side it is.
+        _isBefore = gap > ContactTolerances.Touching || (_isBefore && rate >= -ContactTolerances.Approaching);
+        step = gap < -ContactTolerances.Touching ? TimeOfImpact.Safe(-gap, -rate, _bend)
+            : TimeOfImpact.Step(gap, gap > ContactTolerances.Touching ? rate : Math.Abs(rate), _bend);
+        return false;
+    }
+
+    public readonly bool Advance(ref double t, double step) => _span.AdvanceFreely(ref t, step);
+}
+
+/// <summary>The gap to a plane of a goal for a ball in its mouth. A plane that the ball has already passed counts at once.</summary>
+/// <param name="plane">The plane.</param>
+/// <param name="path">The path.</param>
+/// <param name="time">Start time of the path, s.</param>
+/// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+/// <param name="span">The span of the search.</param>
+internal readonly struct GoalPlaneGap(in Separation plane, in PathCubic path, double time, double acceleration, in SearchSpan span) : IGap
+{
+    private readonly Separation _plane = plane;
+    private readonly PathCubic _path = path;
+    private readonly SearchSpan _span = span;
+    private readonly double _time = time;
+    private readonly double _bend = acceleration;
+
+    public bool IsClosed(double t, out double step)
+    {
+        _plane.Evaluate(_path.At(t), _path.VelocityAt(t), _time + t, out double gap, out double rate);
+
+        // The ball is beyond the plane, or on the plane and moving through it.
+        bool passes = gap < -2.0 * ContactTolerances.Touching || TimeOfImpact.Closes(gap, rate);
+        step = passes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
+        return passes;
+    }
+
+    public bool Advance(ref double t, double step) => _span.AdvanceFreely(ref t, step);
+}

@@ -1,0 +1,176 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.Integration;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>The gap between a ball on a path and a stationary plane.</summary>
+/// <param name="distance">Distance of the ball's surface from the plane along the path.</param>
+/// <param name="span">The span of the search.</param>
+internal readonly struct PlaneGap(in PathDistance distance, in SearchSpan span) : IGap
+{
+    private readonly PathDistance _distance = distance;
+    private readonly SearchSpan _span = span;
+    private readonly double _bend = distance.GreatestFall;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool IsClosed(double t, out double step)
+    {
+        double gap = _distance.At(t);
+        double rate = _distance.RateAt(t);
+        bool closes = TimeOfImpact.Closes(gap, rate);
+        step = closes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
+        return closes;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
+}
+
+/// <summary>The gap between a ball on a path and a collider that does not rotate, in the frame of the collider.</summary>
+internal struct ShapeGap : IGap
+{
+    private readonly Collider _collider;
+    private readonly PathCubic _path;
+    private readonly SearchSpan _span;
+    private readonly double _radius;
+    private readonly double _acceleration;
+    private readonly double _speed;
+    private readonly double _bend;
+
+    /// <summary>Prepares the gap.</summary>
+    /// <param name="collider">The collider.</param>
+    /// <param name="path">The path in the frame of the collider.</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+    /// <param name="radius">Radius of the ball, m.</param>
+    /// <param name="span">The span of the search.</param>
+    public ShapeGap(Collider collider, in PathCubic path, double acceleration, double radius, in SearchSpan span)
+    {
+        _collider = collider;
+        _path = path;
+        _span = span;
+        _radius = radius;
+        _acceleration = acceleration;
+
+        // M bounds f'': the acceleration of the path, plus |v|² κ/(1 − κ d) if the surface is concave. A convex surface bends away from the path.
+        double hollow = collider.HollowCurvature;
+        _speed = path.FastestSpeed;
+        _bend = acceleration + (hollow > 0 ? _speed * _speed * hollow / (1.0 - ((1.0 + TimeOfImpact.NearHollow) * radius * hollow)) : 0);
+        Crosses = false;
+    }
+
+    /// <summary>True after the ball has crossed a flush seam onto the collider.</summary>
+    public bool Crosses { get; set; }
+
+    public readonly bool IsClosed(double t, out double step)
+    {
+        ShapePoint at = _collider.At(_path.At(t));
+        double gap = at.Distance - _radius;
+        double rate = Vector3d.Dot(_path.VelocityAt(t), at.Normal);
+        step = 0;
+        if (TimeOfImpact.Closes(gap, rate))
+        {
+            return true;
+        }
+
+        step = double.PositiveInfinity;
+        if (t == 0 && gap <= ContactTolerances.Touching && rate <= ContactTolerances.Leaving && _acceleration == 0)
+        {
+            // On a straight path, ignore a closing contact without load. If the ball ends inside the surface, a push moves it out.
+            return false;
+        }
+
+        double hollow = _collider.HollowCurvature;
+        if ((t == 0 || Crosses) && hollow == 0)
+        {
+            // A convex shape lies behind the tangent plane at its nearest point: if the path never reaches that plane, there is no contact.
+            var plane = new PlaneGap(_path.DistanceTo(at.Normal, gap - _path.ClimbAlong(at.Normal, t)), in _span);
+            if (!(TimeOfImpact.First(ref plane, t) <= _span.Until))
+            {
+                return false;
+            }
+        }
+
+        step = TimeOfImpact.Step(gap, rate, _bend);
+
+        // Far from a concave surface, M is invalid: bound the closing by the speed. Near it, use M only until the ball may be far again.
+        if (hollow > 0)
+        {
+            double bySpeed = Math.Max(gap, 0) / _speed;
+            step = gap < TimeOfImpact.NearHollow * _radius ? Math.Max(bySpeed, Math.Min(step, ((TimeOfImpact.NearHollow * _radius) - gap) / _speed)) : bySpeed;
+        }
+
+        return false;
+    }
+
+    public readonly bool Advance(ref double t, double step) => _span.Advance(ref t, step);
+}
+
+/// <summary>The gap between a ball on a path and a rotating shape.</summary>
+/// <remarks>
+/// The rate and the second derivative of the gap are bounded for the path in the rotating frame, where the shape is at rest.
+/// </remarks>
+internal readonly struct RotatingGap : IGap
+{
+    /// <summary>Maximum closing speed of a slow gap, m/s.</summary>
+    private const double Slow = 0.01;
+
+    private readonly MovingShape _shape;
+    private readonly PathCubic _path;
+    private readonly SearchSpan _span;
+    private readonly double _hollow;
+    private readonly double _radius;
+    private readonly double _closing;
+    private readonly double _whole;
+    private readonly double _bend;
+
+    /// <summary>Prepares the gap.</summary>
+    /// <param name="shape">The shape, from the start of the path.</param>
+    /// <param name="hollow">Its largest concave curvature, 1/m.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="acceleration">Upper bound of the acceleration on it, m/s².</param>
+    /// <param name="radius">Radius of the ball, m.</param>
+    /// <param name="span">The span of the search.</param>
+    public RotatingGap(in MovingShape shape, double hollow, in PathCubic path, double acceleration, double radius, in SearchSpan span)
+    {
+        _shape = shape;
+        _path = path;
+        _span = span;
+        _hollow = hollow;
+        _radius = radius;
+
+        // Upper bounds of |w|, with w = v − V, and of ρ, the ball's distance from the pivot.
+        PathCubic seen = path.SeenFrom(shape.Pivot, shape.Velocity);
+        Bounds3d box = seen.Bounds;
+        double farthest = new Vector3d(Math.Max(-box.Min.X, box.Max.X), Math.Max(-box.Min.Y, box.Max.Y), Math.Max(-box.Min.Z, box.Max.Z)).Length;
+        double speed = seen.FastestSpeed;
+        double spin = shape.SpinRate;
+
+        // The gap closes at most at |w| plus the rotation speed, either of the ball about the pivot or of the shape, whichever is smaller.
+        double around = spin * farthest;
+        _closing = speed + Math.Min(around, shape.Swing);
+
+        // q̈ = a − 2 Ω × w + Ω × (Ω × ρ). A convex surface bends away from the path; a concave one bends towards it by |q̇|² κ/(1 − κ d).
+        _whole = speed + around;
+        double bend = acceleration + (spin * ((2.0 * speed) + around));
+        bend += hollow > 0 ? _whole * _whole * hollow / (1.0 - ((1.0 + TimeOfImpact.NearHollow) * radius * hollow)) : 0;
+        _bend = bend;
+    }
+
+    public bool IsClosed(double t, out double step)
+    {
+        double gap = _shape.Distance(_path.At(t), _path.VelocityAt(t), t, out double rate) - _radius;
+        step = 0;
+        if (TimeOfImpact.Closes(gap, rate))
+        {
+            return true;
+        }
+
+        // Use the longer of two safe steps: by the speed bound, and by the acceleration bound. On concave surfaces, the latter only holds near the surface.
+        double byBend = TimeOfImpact.Safe(Math.Max(gap, 0) + (rate > -Slow ? ContactTolerances.SlowSink : 0), rate, _bend);
+        byBend = !(_hollow > 0) ? byBend : gap < TimeOfImpact.NearHollow * _radius ? Math.Min(byBend, ((TimeOfImpact.NearHollow * _radius) - gap) / _whole) : 0;
+        step = Math.Max(byBend, Math.Max(gap, 0) / _closing);
+        return false;
+    }
+
+    public bool Advance(ref double t, double step) => _span.Advance(ref t, step);
+}

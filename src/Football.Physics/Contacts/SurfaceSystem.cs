@@ -1,0 +1,365 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.Integration;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>The equations of a ball that slides or rolls on a surface (world.md, Carried by any surface).</summary>
+/// <remarks>
+/// Symbols: n the normal, q the velocity relative to the shape, H the curvature, V_c and V_p the velocities of the carrier's material at
+/// the
+/// contact point and at the ball's centre, A the rate of V_c, a_t the tangential acceleration by all forces except friction.
+/// Load: N/m = max(0, −(a_b − A_s)·n − qᵀHq), minus the normal part of the air's acceleration if it acts.
+/// Sliding: v̇_t = a_t − μ_s (N/m) ŝ, ω̇ = (μ_s N r/I) n × ŝ + torques.
+/// Rolling: v̇_t = (a_b,t + α (A_t + r ω_n n × ṅ))/(1+α) + a_air,t/κ − (μ_r + c₁|v−V_p|)(N/m) v̂, ω_t = n × (v−V_c)/r.
+/// The normal part of v̇ keeps the ball on the surface.
+/// </remarks>
+internal struct SurfaceSystem : IMotionSystem
+{
+    public Surroundings Around;
+    public World World;
+    public Collider Carrier;
+
+    /// <summary>Material of the carrier below the ball, for the entire piece.</summary>
+    public ContactMaterial Material;
+    public DragBranch Branch;
+    public ulong Nets;
+    public ulong NetSides;
+
+    /// <summary>True if the ball rolls; false if it slides.</summary>
+    public bool Rolls;
+
+    /// <summary>Direction of the slip or the roll at the start of the piece.</summary>
+    /// <remarks>Friction keeps this direction if a stage passes zero.</remarks>
+    public Vector3d Direction;
+
+    /// <summary>True if friction keeps <see cref="Direction"/> for the entire piece.</summary>
+    /// <remarks>
+    /// It is used for a slip or a roll so slow that friction could reverse it within the piece. The integrator would then amplify rounding
+    /// errors across it.
+    /// </remarks>
+    public bool LocksDirection;
+
+    /// <summary>True if the ball is at a standstill on the carrier and only spins about the normal.</summary>
+    public bool Pinned;
+
+    /// <summary>True if the ball is on a flat face for the entire piece: <see cref="FaceNormal"/> is then its normal, and the shape is not
+    /// evaluated.</summary>
+    public bool IsFace;
+
+    /// <summary>The normal of that face.</summary>
+    public Vector3d FaceNormal;
+
+    /// <summary>The carrier's velocity jump at the start of the step, divided by its length, m/s².</summary>
+    /// <remarks>A ball does not come to rest on a carrier that accelerates faster than rolling friction can take it along.</remarks>
+    public Vector3d CarrierGain;
+
+    /// <summary>Sign of the ball's spin about the normal, relative to the carrier. Drilling friction keeps this sign.</summary>
+    public double SpinSign;
+
+    /// <summary>The spin at the start of the piece, rad/s.</summary>
+    public Vector3d StartSpin;
+
+    /// <summary>Spin decay by the air in a slide if it exceeds the torque of friction, rad/s²; otherwise 0.</summary>
+    /// <remarks>The spin can then only decrease.</remarks>
+    private double _ending;
+
+    /// <summary>Creates the system of a ball on a carrier, which slides unless <see cref="Rolls"/> is set.</summary>
+    /// <param name="around">The forces.</param>
+    /// <param name="carrier">The carrier.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    public static SurfaceSystem On(Surroundings around, Collider carrier, in BallState s, DragBranch branch) => new()
+    {
+        Around = around,
+        World = around.World,
+        Carrier = carrier,
+        Material = carrier.MaterialAt(s.Position),
+        Branch = branch,
+        Nets = s.Nets,
+        NetSides = s.NetSides,
+    };
+
+    public void Rates(double time, in Motion at, out MotionRates rates)
+    {
+        if (HasEnded(in at.Spin))
+        {
+            // Continue the decay beyond zero, so that the end of the piece can be located, but with no spin to lift the ball.
+            var still = new Motion(in at.Position, in at.Velocity, Vector3d.Zero);
+            SurfaceForces held = ForcesOn(time, in still);
+            rates = new MotionRates(Sliding(time, in still, in held).Acceleration, (-_ending / StartSpin.Length) * StartSpin);
+            return;
+        }
+
+        SurfaceForces on = ForcesOn(time, in at);
+        rates = RatesUnder(in on, time, in at);
+    }
+
+    /// <summary>Returns the rates of change for known forces.</summary>
+    public MotionRates RatesUnder(in SurfaceForces on, double time, in Motion at)
+    {
+        if (Rolls)
+        {
+            return Rolling(time, in at, in on);
+        }
+
+        _ending = on.Braking > Turning(in on) && !Around.Air.Varies ? on.Braking : 0;
+        return Sliding(time, in at, in on);
+    }
+
+    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
+
+    public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
+    {
+        s.BaseOrientation = s.BaseOrientation.Turned(in step.Rotation);
+        s.Position = step.End.Position;
+        s.Velocity = step.End.Velocity;
+
+        // A greater spin at the end means that the spin has passed zero: near zero, a stage gave it an arbitrary direction.
+        Vector3d spin = step.End.Spin;
+        bool ended = HasEnded(in spin) || (_ending > 0 && spin.LengthSquared > StartSpin.LengthSquared);
+        s.SpinAxis = ended ? Vector3d.Zero : spin;
+    }
+
+    /// <summary>True if the air has stopped the spin.</summary>
+    private readonly bool HasEnded(in Vector3d spin) => _ending > 0 && Vector3d.Dot(in spin, in StartSpin) < 0;
+
+    /// <summary>Returns the angular acceleration of a sliding ball by friction, rad/s².</summary>
+    private readonly double Turning(in SurfaceForces on) => SlidingFriction(in on) / (World.Ball.InertiaFactor * World.Ball.Radius);
+
+    /// <summary>n.</summary>
+    public readonly Vector3d NormalAt(in Vector3d position, double time) => IsFace ? FaceNormal : Carrier.At(in position, time).Normal;
+
+    /// <summary>Computes all forces except friction.</summary>
+    public readonly SurfaceForces ForcesOn(double time, in Motion at)
+    {
+        Unsafe.SkipInit(out SurfaceForces on);
+
+        // Get n, ṅ and qᵀHq − A_s·n of the carrier below the ball.
+        ShapePoint point = IsFace ? new ShapePoint(World.Ball.Radius, in FaceNormal, SymmetricMatrix3d.Zero) : Carrier.At(in at.Position, time);
+        Describe(Carrier, World.Ball.Radius, in point, time, in at, ref on);
+        Vector3d n = on.Normal;
+
+        // N/m = −(a_b − A_s)·n − qᵀHq is the load that makes the ball follow the surface.
+        Vector3d body = Around.Weight;
+        double load = -Vector3d.Dot(in body, in n) - on.Centripetal;
+        on.Body = Tangential(in body, in n);
+
+        // a_air = L (ω × u) − D u plus custom forces. In the measured profile, the normal component adds to the load.
+        Vector3d u = at.Velocity - Around.Wind;
+        var ball = new ForceContext(time, in at.Position, in at.Velocity, in u, in at.Spin, Rolls ? MotionState.Rolling : MotionState.Sliding);
+        double rate = Around.Air.Evaluate(in ball, Branch, out AirFactors air);
+        u = air.AirVelocity;
+        Vector3d flow = (air.Lift * Vector3d.Cross(in at.Spin, in u)) - (air.Drag * u);
+        Vector3d push = World.AirActs ? air.Acceleration + flow : air.Acceleration;
+        load -= World.AirLoads ? Vector3d.Dot(in push, in n) : 0;
+        on.Air = Tangential(in push, in n);
+        on.Own = air.Acceleration;
+        on.Torque = (-air.Decay * at.Spin) + air.SpinAcceleration;
+        on.Spins = rate > 0;
+        on.Braking = on.Spins ? air.Decay * rate : air.Decay;
+
+        // A net's force acts fully along the surface. Along the normal, only the component that presses the ball onto the surface acts.
+        double pressing = 0;
+        if (Nets != 0)
+        {
+            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
+            on.Body += Tangential(nets.Acceleration, in n);
+            on.Torque += nets.SpinAcceleration;
+        }
+
+        // Forces that act in flight but not on a surface also hold the ball on the surface, without friction. Otherwise, the ball would leave and
+        // return at once.
+        on.FreeLoad = pressing + (World.SharesAir ? load : Math.Max(load, -Vector3d.Dot(body + air.Acceleration + flow, in n) - on.Centripetal));
+        on.Load = Math.Max(0, load);
+        if (Around.Air.HasSide && on.FreeLoad <= ContactTolerances.LeastLoad)
+        {
+            // A knuckle force acts only in flight. If it would press the ball back at once, the ball stays on the surface.
+            on.FreeLoad -= Math.Min(0, Vector3d.Dot(Around.Air.Side(in u, in at.Spin, at.AirDistance), in n));
+        }
+
+        return on;
+    }
+
+    /// <summary>Computes the motion of a surface below the ball: all quantities that do not depend on forces.</summary>
+    /// <param name="carrier">The surface.</param>
+    /// <param name="radius">r, m.</param>
+    /// <param name="point">Distance, normal and curvature below the ball.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="at">The ball.</param>
+    /// <param name="on">Receives the result.</param>
+    public static void Describe(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        on.Normal = point.Normal;
+        on.Velocity = at.Velocity - carrier.Velocity;
+        on.Turning = point.Curvature * on.Velocity;
+        on.Centripetal = Vector3d.Dot(in on.Velocity, in on.Turning);
+        on.Rolling = on.Velocity;
+        on.Surface = carrier.Velocity;
+        on.SurfaceRate = Vector3d.Zero;
+        on.MaterialRate = Vector3d.Zero;
+        if (carrier.Spin != Vector3d.Zero)
+        {
+            AddRotation(carrier, radius, in point, time, in at, ref on);
+        }
+
+        on.Gyration = on.Turning == Vector3d.Zero ? Vector3d.Zero : radius * Vector3d.Dot(in at.Spin, in on.Normal) * Vector3d.Cross(in on.Normal, in on.Turning);
+    }
+
+    /// <summary>Adds the terms of a rotating carrier (world.md, On a carrier that moves, rotates or accelerates).</summary>
+    private static void AddRotation(Collider carrier, double radius, in ShapePoint point, double time, in Motion at, ref SurfaceForces on)
+    {
+        Vector3d n = on.Normal;
+        Vector3d spin = carrier.Spin;
+        Vector3d contact = at.Position - (radius * n);
+        on.Surface = carrier.SurfaceVelocity(in contact, time);
+        Vector3d material = carrier.SurfaceVelocity(in at.Position, time);
+        on.Rolling = Tangential(at.Velocity - material, in n);
+        on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - carrier.Velocity), in n);
+        if (carrier.Rotates)
+        {
+            // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
+            Vector3d q = at.Velocity - material;
+            Vector3d bent = point.Curvature * q;
+            on.Velocity = q;
+            on.Turning = Vector3d.Cross(in spin, in n) + bent;
+            on.Centripetal = Vector3d.Dot(in q, in bent)
+                - Vector3d.Dot(Vector3d.Cross(in spin, (material - carrier.Velocity) + (2.0 * q)), in n);
+        }
+
+        // A = Ω × (ċ − V), ċ = v − r ṅ.
+        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n);
+    }
+
+    /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>
+    /// <remarks>
+    /// It is α/(1+α) of the push along the surface, minus the acceleration of the surface, and minus the part that the air's torque turns
+    /// on its own, if that torque acts.
+    /// </remarks>
+    public readonly Vector3d Traction(in SurfaceForces on)
+    {
+        double alpha = World.Ball.InertiaFactor;
+        Vector3d pushed = World.SharesAir ? on.Body + on.Air : on.Body;
+        Vector3d traction = alpha / (1.0 + alpha) * (pushed - on.SurfaceRate - on.Gyration);
+        return World.SharesAir ? traction - (alpha * World.Ball.Radius / (1.0 + alpha) * Vector3d.Cross(in on.Torque, in on.Normal)) : traction;
+    }
+
+    /// <summary>Returns the push on a ball that moves along with its carrier, relative to the carrier, m/s².</summary>
+    /// <remarks>The ball stays at rest if rolling friction can hold it against this push.</remarks>
+    public readonly Vector3d PushFromRest(in SurfaceForces on)
+    {
+        // The drive of a rolling ball is (a_b,t − A_s,t)/(1 + α); A_s is the acceleration of the carrier's material.
+        Vector3d drive = World.SharesAir ? Drive(in on) : (on.Body / (1.0 + World.Ball.InertiaFactor)) + Tangential(on.Own, in on.Normal);
+        return drive - (on.MaterialRate / (1.0 + World.Ball.InertiaFactor));
+    }
+
+    /// <summary>Returns the tangential acceleration of a rolling ball without friction, m/s².</summary>
+    public readonly Vector3d Drive(in SurfaceForces on)
+    {
+        double alpha = World.Ball.InertiaFactor;
+
+        // (a_b + a_air + α r T × n)/(1 + α). If the spin does not share the air's force: a_b/(1 + α) + a_air.
+        Vector3d shared = World.SharesAir ? on.Body + on.Air + (alpha * World.Ball.Radius * Vector3d.Cross(in on.Torque, in on.Normal)) : on.Body;
+        Vector3d drive = shared / (1.0 + alpha);
+        return World.SharesAir ? drive : drive + on.Air;
+    }
+
+    /// <summary>True if rolling friction holds a ball at a standstill.</summary>
+    /// <remarks>If the spin does not share the air's force, a ball at rest stays at rest in any wind.</remarks>
+    public readonly bool Rests(in SurfaceForces on) =>
+        (PushFromRest(in on) - (1.0 / (1.0 + World.Ball.InertiaFactor) * CarrierGain)).Length <= RollingFriction(in on, 0);
+
+    /// <summary>Returns the slip velocity relative to the carrier, m/s.</summary>
+    public readonly Vector3d SlipOf(in Motion at, in SurfaceForces on) =>
+        Slip.Of(at.Velocity - on.Surface, in at.Spin, in on.Normal, World.Ball.Radius);
+
+    /// <summary>True if friction can hold the ball without slip.</summary>
+    public readonly bool Grips(in SurfaceForces on) => Traction(in on).Length + ContactTolerances.LeastLoad <= SlidingFriction(in on);
+
+    /// <summary>μ_s N/m, m/s².</summary>
+    public readonly double SlidingFriction(in SurfaceForces on) => Material.SlidingFriction * on.Load;
+
+    /// <summary>(c₀ + c₁ |v|) N/m, m/s².</summary>
+    public readonly double RollingFriction(in SurfaceForces on, double speed) =>
+        (Material.RollingFriction + (Material.RollingFrictionBySpeed * speed)) * on.Load;
+
+    /// <summary>Returns the acceleration of the slip without friction, m/s²: the push along the surface, r n × torques, and the turning
+    /// normal.</summary>
+    public readonly Vector3d SlipPush(in SurfaceForces on, in Vector3d spin) =>
+        on.Body + on.Air + (World.Ball.Radius * (Vector3d.Cross(in on.Normal, in on.Torque) + SlipTurn(in on, in spin))) - on.SurfaceRate;
+
+    /// <summary>Returns the tangential part of ṅ × ω, rad/s²: if the normal turns, spin about it becomes slip.</summary>
+    public static Vector3d SlipTurn(in SurfaceForces on, in Vector3d spin) => Vector3d.Dot(in spin, in on.Normal) * Vector3d.Cross(in on.Turning, in on.Normal);
+
+    /// <summary>Returns the rate of the spin about the normal in a slide, rad/s².</summary>
+    public readonly double AboutRate(in SurfaceForces on, in Motion at) =>
+        AboutNormal(AboutCarrier(in at.Spin, in on.Normal), in on) + Vector3d.Dot(in on.Torque, in on.Normal);
+
+    /// <summary>(ω − Ω)·n, rad/s.</summary>
+    public readonly double AboutCarrier(in Vector3d spin, in Vector3d normal) => Vector3d.Dot(in spin, in normal) - Vector3d.Dot(Carrier.Spin, in normal);
+
+    /// <summary>Returns the tangential part of a vector.</summary>
+    public static Vector3d Tangential(in Vector3d vector, in Vector3d normal) => vector - (Vector3d.Dot(in vector, in normal) * normal);
+
+    private readonly MotionRates Sliding(double time, in Motion at, in SurfaceForces on)
+    {
+        Vector3d n = on.Normal;
+
+        // Use ŝ, or the initial direction if the slip has reversed within a stage: friction can stop the slip but not reverse it.
+        Vector3d slip = SlipOf(in at, in on);
+        double size = slip.Length;
+        Vector3d s = size > 0 && !LocksDirection && Vector3d.Dot(in slip, in Direction) > 0 ? slip / size : Direction;
+        double friction = SlidingFriction(in on);
+
+        // If the ball has no spin, the air's torque reduces the torque of friction, but never reverses it.
+        double turning = Math.Max(0, Turning(in on) - (on.Spins ? 0 : on.Braking));
+
+        // v̇ = a_t − μ_s (N/m) ŝ − (v − V)ᵀH(v − V) n.
+        Vector3d acceleration = on.Body + on.Air - (friction * s) - (on.Centripetal * n);
+        Vector3d spin = on.Torque
+            + (turning * Vector3d.Cross(in n, in s))
+            + (AboutNormal(AboutCarrier(in at.Spin, in n), in on) * n);
+        return new MotionRates(in acceleration, in spin);
+    }
+
+    private readonly MotionRates Rolling(double time, in Motion at, in SurfaceForces on)
+    {
+        Vector3d n = on.Normal;
+        double r = World.Ball.Radius;
+        double alpha = World.Ball.InertiaFactor;
+        double about = Vector3d.Dot(in at.Spin, in n);
+        Vector3d sliding = at.Velocity - on.Surface;
+        Vector3d rolling = Vector3d.Cross(in n, in sliding) / r;
+
+        // ω̇_n = −(c_ω/I) (ω − Ω)·n + T·n/I + ω_t·ṅ.
+        double aboutRate = AboutNormal(AboutCarrier(in at.Spin, in n), in on) + Vector3d.Dot(in on.Torque, in n) + Vector3d.Dot(in rolling, in on.Turning);
+        if (Pinned && Carrier.Spin == Vector3d.Zero)
+        {
+            return new MotionRates(Vector3d.Zero, aboutRate * n);
+        }
+
+        // v̇_t = drive + α (A_t + r ω_n n × ṅ)/(1 + α) − (c₀ + c₁|v|)(N/m) v̂. A pinned ball accelerates like the carrier's material.
+        double speed = on.Rolling.Length;
+        bool goesOn = speed > 0 && !LocksDirection && Vector3d.Dot(in on.Rolling, in Direction) > 0;
+        Vector3d direction = goesOn ? on.Rolling / speed : Direction;
+        Vector3d along = Pinned ? on.MaterialRate
+            : Drive(in on)
+                + (alpha * r * about / (1.0 + alpha) * Vector3d.Cross(in n, in on.Turning))
+                + (alpha / (1.0 + alpha) * on.SurfaceRate)
+                - (RollingFriction(in on, speed) * direction);
+
+        // The spin of a rolling ball, ω = n × (v − V_c)/r + ω_n n, and its derivative ω̇.
+        Vector3d spin = ((Vector3d.Cross(in on.Turning, in sliding) + Vector3d.Cross(in n, along - on.SurfaceRate)) / r) + (aboutRate * n) + (about * on.Turning);
+        return new MotionRates(along - (on.Centripetal * n), in spin);
+    }
+
+    /// <summary>Returns the angular acceleration about the normal by the surface, rad/s².</summary>
+    /// <remarks>It is −(c_ω/I) ω_n − sign(ω_n) b μ_s N/I, with ω_n relative to the carrier.</remarks>
+    private readonly double AboutNormal(double about, in SurfaceForces on)
+    {
+        double inertia = World.Ball.MomentOfInertia;
+        double drilling = SpinSign * Material.DrillingLength * Material.SlidingFriction * on.Load * World.Ball.Mass / inertia;
+        return (-Material.SpinDamping / inertia * about) - drilling;
+    }
+}

@@ -1,0 +1,60 @@
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Contacts;
+
+/// <content>The motions of the objects that a ball can push, read and restored together.</content>
+internal sealed partial class World
+{
+    /// <summary>Number of stored motions: bodies, then obstacles with a mass.</summary>
+    public int Movers => (Bodies?.Count ?? 0) + Obstacles.Count;
+
+    /// <summary>Reads the motions of all movable objects.</summary>
+    public void ReadMotions(Span<RigidMotion> into)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        for (int i = 0; i < bodies; i++)
+        {
+            into[i] = Bodies![i].Motion;
+        }
+
+        Obstacles.Read(into.Slice(bodies));
+    }
+
+    /// <summary>Saves all motions before a look-ahead.</summary>
+    public void KeepMotions()
+    {
+        Bodies?.Keep();
+        Obstacles.Keep();
+        Engine?.KeepPushes(EnginePushes.OfLook);
+    }
+
+    /// <summary>Restores the saved motions.</summary>
+    public void PutMotionsBack()
+    {
+        Bodies?.PutBack();
+        Obstacles.PutBack();
+        Engine?.PutPushesBack(EnginePushes.OfLook);
+    }
+
+    /// <summary>Returns a box around a movable object, valid for a duration if the box moves at the object's velocity.</summary>
+    public Bounds3d BoundsOfMover(int mover, double time, double duration)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        return mover < bodies ? Bodies![mover].BoundsDuring(time, duration) : Obstacles.BoundsAt(mover - bodies, time);
+    }
+
+    /// <summary>Sets the motions of all movable objects.</summary>
+    public void WriteMotions(Span<RigidMotion> from)
+    {
+        int bodies = Bodies?.Count ?? 0;
+        for (int i = 0; i < bodies; i++)
+        {
+            Bodies![i].Motion = from[i];
+        }
+
+        if (Obstacles.Count > 0)
+        {
+            Obstacles.Write(from.Slice(bodies));
+        }
+    }
+}

@@ -1,0 +1,521 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
+
+namespace FootballPhysics.Contacts;
+
+/// <summary>All objects that a ball can hit or pass in a scene: colliders (the ground first), nets, goals.</summary>
+/// <remarks>Built once. Only the positions of moving objects change afterwards.</remarks>
+internal sealed partial class World
+{
+    /// <summary>The longest part of a step in nets, times the rate at which they change the motion.</summary>
+    /// <remarks>At 2, shots into a goal are up to 1e-6 m off after 1.5 s; at 1.5, 1e-7 m.</remarks>
+    private const double ChangeInNets = 1.5;
+
+    private readonly string[] _names;
+    private readonly int _zones;
+
+    /// <summary>Bounding spheres of the moving obstacles, which come first in <see cref="Moving"/>; bodies come last.</summary>
+    private readonly MovingSpheres _movers = new();
+    private long _known;
+
+    public World(Scene scene)
+    {
+        Obstacles = scene.Motions ?? new ObstacleMotions(scene.Obstacles);
+        Ball = scene.Ball;
+        MinimumBounceSpeed = scene.Ground.MinimumBounceSpeed;
+        RestEnergy = scene.Ground.RestEnergy * scene.Ball.RestShare;
+        SharesAir = scene.Ground.Aerodynamics == GroundAerodynamics.Full;
+        AirLoads = SharesAir || Weight.UpwardAcceleration(scene) >= 0;
+        AirActs = scene.Ground.Aerodynamics != GroundAerodynamics.None;
+        IsLevel = scene.Ground.IsLevel;
+        LevelContact = scene.Ground.IsNone || !IsLevel ? double.NegativeInfinity : scene.Ground.Height + Ball.Radius;
+        var colliders = new List<Collider>();
+        if (!scene.Ground.IsNone)
+        {
+            IShape ground = scene.Ground.Heights is { } heights ? heights.Raised(scene.Ground.Height)
+                : new PlaneShape(new Vector3d(0, scene.Ground.Height, 0), scene.Ground.Normal);
+            colliders.Add(new Collider(scene.Ground, ground, Ball) { IsLevelGround = IsLevel, LevelContact = LevelContact });
+            Ground = colliders[0];
+        }
+
+        scene.Bodies?.Use();
+        IsBare = !scene.HasThings;
+        FirstCollider = scene.Ground.IsNone ? 1 : 0;
+        IsLevelGroundAlone = IsLevel && IsBare;
+        IsPlaneAlone = IsBare && scene.Ground.Heights is null;
+
+        // Colliders in the order of their indices: ground, obstacles and goal frames, bodies, engine slots, then nets and goals.
+        if (!IsBare)
+        {
+            Bodies = scene.Bodies is { Count: > 0 } ? scene.Bodies : null;
+            AddThings(scene, Obstacles, colliders);
+            Nets = NetsOf(scene);
+            Goals = GoalsOf(scene);
+            Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
+            colliders.AddRange(Engine?.Colliders ?? []);
+        }
+
+        // Classify each collider: moving, unbounded, or a leaf of the tree.
+        Colliders = colliders.ToArray();
+        FirstPassage = Colliders.Length;
+        _zones = scene.Zones.Count;
+        foreach (Collider collider in Colliders)
+        {
+            foreach (ContactMaterial material in collider.Materials)
+            {
+                LargestFriction = Math.Max(LargestFriction, material.SlidingFriction);
+            }
+        }
+
+        GivesWay = Colliders.Any(collider => collider.GivesWay && !Ignores(collider));
+        var moving = new List<int>();
+        var unbounded = new List<int>();
+        var leaves = new List<int>();
+        for (int i = 0; i < Colliders.Length; i++)
+        {
+            // A collider that the ball ignores keeps its index, but searches never find it.
+            Collider collider = Colliders[i];
+            if (Ignores(collider))
+            {
+                continue;
+            }
+
+            if (!collider.Moves)
+            {
+                (collider.Bounds.IsFinite ? leaves : unbounded).Add(i);
+            }
+            else if (Engine is null || !Engine.Has(i))
+            {
+                moving.Add(i);
+                if (!collider.IsBody)
+                {
+                    _movers.Add(collider.BoundsAt(0), collider.Velocity);
+                }
+            }
+        }
+
+        // Nets and goals are stationary, so they are also in the tree.
+        for (int i = 0; i < Nets.Length + Goals.Length; i++)
+        {
+            leaves.Add(FirstPassage + i);
+        }
+
+        Moving = moving.ToArray();
+        Unbounded = unbounded.ToArray();
+        Leaves = leaves.ToArray();
+
+        // The broad phase of all bounded stationary objects.
+        var boxes = new Bounds3d[Leaves.Length];
+        for (int i = 0; i < boxes.Length; i++)
+        {
+            boxes[i] = BoundsOf(Leaves[i]);
+        }
+
+        Tree = new BoundsTree(boxes);
+        _names = IsBare && _zones == 0 ? ["ground"] : NamesOf(scene);
+    }
+
+    /// <summary>The ball.</summary>
+    public BallProperties Ball { get; }
+
+    /// <summary>The ground; null if there is none.</summary>
+    public Collider? Ground { get; }
+
+    /// <summary>The ground, obstacles, posts and bars; then bodies, and engine colliders.</summary>
+    public Collider[] Colliders { get; private set; }
+
+    /// <summary>The index of the first net. Goals follow nets, and zones follow goals.</summary>
+    /// <remarks>Engine slots that were added later come after them.</remarks>
+    public int FirstPassage { get; }
+
+    /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
+    public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
+
+    /// <summary>The colliders that move.</summary>
+    public int[] Moving { get; }
+
+    /// <summary>The stationary colliders without bounds.</summary>
+    public int[] Unbounded { get; }
+
+    /// <summary>Bounding boxes of all other stationary objects.</summary>
+    public BoundsTree Tree { get; }
+
+    /// <summary>Objects in the boxes of the tree, by index: colliders, then nets, then goals.</summary>
+    public int[] Leaves { get; }
+
+    /// <summary>Nets.</summary>
+    public NetSheet[] Nets { get; } = [];
+
+    /// <summary>Goals.</summary>
+    public GoalMouth[] Goals { get; } = [];
+
+    /// <summary>Index of the first collider among the objects of the scene; the ground is always 0.</summary>
+    public int FirstCollider { get; }
+
+    /// <summary>True if the ball ignores a collider because of its layer.</summary>
+    public bool Ignores(Collider collider) => collider.Layer >= 0 && Layers.Contains(Ball.Ignores, collider.Layer);
+
+    /// <summary>True if any object can move.</summary>
+    public bool Moves => Moving.Length > 0 || Engine is not null;
+
+    /// <summary>The speed of the fastest moving object, m/s.</summary>
+    public double FastestMover
+    {
+        get
+        {
+            double fastest = Engine?.GreatestSpeed ?? 0;
+            foreach (int mover in Moving)
+            {
+                fastest = Math.Max(fastest, Colliders[mover].GreatestSpeed);
+            }
+
+            return fastest;
+        }
+    }
+
+    /// <summary>True if an object is in motion now. Engine colliders are not checked.</summary>
+    public bool IsMoving
+    {
+        get
+        {
+            foreach (int mover in Moving)
+            {
+                if (!Colliders[mover].StandsStill)
+                {
+                    return true;
+                }
+            }
+
+            return false;
+        }
+    }
+
+    /// <summary>Changes whenever the game moves a body, or an impact pushes a body or an obstacle.</summary>
+    public long MotionVersion => (Bodies?.Version ?? 0) + Obstacles.Version;
+
+    /// <summary>Bodies that the game moves; null if there are none.</summary>
+    public KinematicBodies? Bodies { get; }
+
+    /// <summary>Motions of the obstacles with a mass.</summary>
+    public ObstacleMotions Obstacles { get; }
+
+    /// <summary>True if the ball can push a body or an obstacle. Engine colliders are not known in advance.</summary>
+    public bool GivesWay { get; }
+
+    /// <summary>True if the ball can push any object, including engine colliders.</summary>
+    public bool MayGiveWay => GivesWay || Engine is not null;
+
+    /// <summary>The engine's colliders; null without an engine.</summary>
+    public EngineThings? Engine { get; }
+
+    /// <summary>True if the ground is level.</summary>
+    public bool IsLevel { get; }
+
+    /// <summary>True if the scene has no objects other than the ground.</summary>
+    public bool IsBare { get; }
+
+    /// <summary>True if the scene has only flat ground, level or tilted, or no ground.</summary>
+    public bool IsPlaneAlone { get; }
+
+    /// <summary>True if the scene has only level ground, or no ground.</summary>
+    public bool IsLevelGroundAlone { get; }
+
+    /// <summary>Height of the centre of a ball on level ground, m; −∞ if there is none.</summary>
+    public double LevelContact { get; }
+
+    /// <summary>The largest sliding friction of all surfaces.</summary>
+    public double LargestFriction { get; }
+
+    /// <summary>A ball that leaves a contact more slowly than this stays, m/s.</summary>
+    public double MinimumBounceSpeed { get; }
+
+    /// <summary>A rolling ball below this energy rests if it is held, J.</summary>
+    public double RestEnergy { get; }
+
+    /// <summary>True if all air forces act on a supported ball and are shared with the spin of a rolling ball.</summary>
+    public bool SharesAir { get; }
+
+    /// <summary>True if the normal part of air and custom forces adds to the load.</summary>
+    /// <remarks>This is so if all air forces act, and for a ball that is no heavier than air, which no other force could keep on the ground.</remarks>
+    public bool AirLoads { get; }
+
+    /// <summary>True if air forces act on a supported ball.</summary>
+    public bool AirActs { get; }
+
+    /// <summary>Shared memory for contact sets outside the phases of a step.</summary>
+    public ContactRoom Room { get; } = new();
+
+    /// <summary>True if the first of two touched colliders has priority.</summary>
+    /// <remarks>
+    /// Bodies and engine colliders are ordered by their contact normals: the order in which they were added or found must not matter.
+    /// All others are in the order of the scene.
+    /// </remarks>
+    public bool ComesFirst(int first, in Vector3d normal, int second, in Vector3d other) =>
+        IsByside(first, second) ? NearThings.IsBefore(in normal, first, in other, second) : first < second;
+
+    /// <summary>True if the contact normals, and not the indices, decide the order of two colliders.</summary>
+    public bool IsByside(int first, int second) => Colliders[first].IsBody && Colliders[second].IsBody;
+
+    /// <summary>True if an index belongs to a collider.</summary>
+    public bool IsCollider(long index) => (ulong)index < (ulong)Colliders.Length && !IsPassage((int)index);
+
+    /// <summary>Adds new slots of an engine's table as colliders.</summary>
+    /// <param name="places">All slots of the engine.</param>
+    /// <param name="from">The first new slot.</param>
+    /// <param name="index">Its index among the colliders. The indices between the last collider and this one belong to nets and
+    /// goals.</param>
+    public void Extend(Collider[] places, int from, int index)
+    {
+        int before = Colliders.Length;
+        var colliders = new Collider[index + places.Length - from];
+        Array.Copy(Colliders, colliders, before);
+        Array.Fill(colliders, places[0], before, index - before);
+        Array.Copy(places, from, colliders, index, places.Length - from);
+        Colliders = colliders;
+    }
+
+    // Keep code that a bare pitch does not need in a separate method, so that games without obstacles need not compile it.
+    private static void AddThings(Scene scene, ObstacleMotions motions, List<Collider> colliders)
+    {
+        colliders.AddRange(scene.Obstacles.Select((obstacle, i) => motions.Of(i) is { } placement ? new Collider(obstacle, scene.Ball, motions, placement) : new Collider(obstacle, scene.Ball)));
+        colliders.AddRange(scene.Goals.SelectMany(goal => goal.Frame(scene.Forces)).Select(obstacle => new Collider(obstacle, scene.Ball) { Layer = -1 }));
+        colliders.AddRange((scene.Bodies ?? Enumerable.Empty<KinematicBody>()).Select(body => new Collider(body, scene.Ball)));
+    }
+
+    private static NetSheet[] NetsOf(Scene scene) =>
+        [.. scene.Nets.Concat(scene.Goals.SelectMany(goal => goal.Nets())).Select(net => new NetSheet(net, scene.Ball))];
+
+    private static GoalMouth[] GoalsOf(Scene scene) => [.. scene.Goals.Select(goal => new GoalMouth(goal))];
+
+    private string[] NamesOf(Scene scene) =>
+    [
+        "ground",
+        .. Colliders.Where(collider => collider != Ground).Select(collider => collider.Name),
+        .. Nets.Select(net => net.Name),
+        .. Goals.Select(_ => "goal"),
+        .. scene.Zones.Select(zone => zone.Name),
+    ];
+
+    /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its duration.</summary>
+    public double FreeFor(in StraightWay way)
+    {
+        // Most paths reach no box at all, so test this first.
+        Bounds3d box = way.Box;
+        int node = 0;
+        double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
+
+        // For shapes without a bounding box, compare their distance from the midpoint of the path.
+        Vector3d middle = way.Middle;
+        double half = 0.5 * way.Duration;
+        double reach = (half * way.Velocity.Length) + way.Around;
+        for (int i = 0; i < Unbounded.Length; i++)
+        {
+            Collider collider = Colliders[Unbounded[i]];
+            if (!collider.IsLevelGround && !(collider.At(in middle).Distance > reach))
+            {
+                // If this distance is too small, use the distance from the start: the ball must cover it before it can reach the shape.
+                double distance = collider.At(way.From).Distance - way.Around;
+                free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
+            }
+        }
+
+        KnowObstacles();
+        for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
+        {
+            Collider collider = Colliders[Moving[i]];
+            free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
+        }
+
+        return free;
+    }
+
+    /// <summary>Prepares the fast query for pushed obstacles.</summary>
+    private void KnowObstacles()
+    {
+        if (_known == Obstacles.Version)
+        {
+            return;
+        }
+
+        _known = Obstacles.Version;
+        for (int i = 0; i < Moving.Length && !Colliders[Moving[i]].IsBody; i++)
+        {
+            _movers.Set(i, Colliders[Moving[i]].BoundsAt(0), Colliders[Moving[i]].Velocity);
+        }
+    }
+
+    /// <summary>Hashes all objects that are stationary or move on their own.</summary>
+    public void AddTo(ref ClearKey key)
+    {
+        key.Add(Ball.Radius);
+        for (int i = 0; i < Leaves.Length; i++)
+        {
+            key.Add(BoundsOf(Leaves[i]));
+        }
+
+        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
+        {
+            // Hash an unbounded shape by sampling it at two points.
+            ShapePoint low = collider.At(Vector3d.Zero);
+            ShapePoint high = collider.At(new Vector3d(11, 7, 5));
+            key.Add(low.Distance);
+            key.Add(low.Normal);
+            key.Add(high.Distance);
+            key.Add(high.Normal);
+            key.Add(in collider.Bounds);
+            key.Add(collider.Given.Velocity);
+        }
+    }
+
+    /// <summary>The names of all objects, the ground first.</summary>
+    public IReadOnlyList<string> Names => _names;
+
+    /// <summary>Returns the name of an object.</summary>
+    /// <param name="thing">Its index in the scene.</param>
+    public string NameOf(int thing)
+    {
+        if (Engine?.Of(thing, Vector3d.Zero, 0) is { } collider)
+        {
+            return collider.Name;
+        }
+
+        Check.Index(nameof(thing), thing, _names.Length);
+        return _names[thing];
+    }
+
+    /// <summary>Starts a step: replaces the number of an engine collider in the state by its index.</summary>
+    public void Enter(ref BallState s)
+    {
+        if (Engine is { } engine && engine.Begin(s.Motion == MotionState.Airborne ? 0 : s.Carrier, s.Position, s.Time) is >= 0 and int carrier)
+        {
+            s.Carrier = carrier + FirstCollider;
+        }
+    }
+
+    /// <summary>Ends a step: replaces the index of an engine collider in the state by its number.</summary>
+    public void Exit(ref BallState s)
+    {
+        if (Engine?.NumberOf(s.Carrier - FirstCollider) is >= 0 and int carrier)
+        {
+            s.Carrier = carrier;
+        }
+    }
+
+    /// <summary>Converts the carrier in a state or event to a collider index; out of range if it is not a collider.</summary>
+    /// <remarks>An engine collider has an index only within a step.</remarks>
+    public long ColliderOf(long thing, in Vector3d position, double time) =>
+        Engine is not null && thing >= EngineCollider.FirstNumber ? Engine.IndexOf((int)thing, in position, time) : thing - FirstCollider;
+
+    /// <summary>Returns the index of a net in the scene.</summary>
+    public int ThingOfNet(int net) => FirstCollider + FirstPassage + net;
+
+    /// <summary>Returns the index of a goal in the scene.</summary>
+    public int ThingOfGoal(int goal) => ThingOfNet(Nets.Length) + goal;
+
+    /// <summary>Returns the index of a zone in the scene.</summary>
+    public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
+
+    private Bounds3d BoundsOf(int thing) =>
+        thing < FirstPassage ? Colliders[thing].Bounds
+        : thing < FirstPassage + Nets.Length ? Nets[thing - FirstPassage].Bounds
+        : Goals[thing - FirstPassage - Nets.Length].Bounds;
+
+    /// <summary>Returns the carrier of the ball; the first collider if a state of another scene names an unknown one.</summary>
+    public Collider CarrierOf(in BallState s)
+    {
+        // Between steps, identify an engine collider by its own number.
+        long index = ColliderOf(s.Carrier, s.Position, s.Time);
+        return Colliders[(ulong)index < (ulong)FirstPassage || IsCollider(index) ? index : 0];
+    }
+
+    /// <summary>Projects a ball onto a collider that it touches, to remove the integrator's error.</summary>
+    /// <remarks>Heights on level ground are exact.</remarks>
+    /// <returns>The normal there.</returns>
+    public Vector3d Hold(ref BallState s, Collider collider)
+    {
+        ShapePoint at = collider.At(s.Position, s.Time);
+        Vector3d n = at.Normal;
+
+        // The position on the surface, p + (r − d) n, with zero separation speed.
+        s.Position += (Ball.Radius - at.Distance) * n;
+        s.Velocity -= Vector3d.Dot(s.Velocity - collider.ShapeVelocity(s.Position, s.Time), in n) * n;
+        s.Position = collider.Snap(s.Position);
+        return n;
+    }
+
+    /// <summary>Energy of the motion relative to the carrier, ½ m |v−V_p|² + ½ I |ω−Ω|², J.</summary>
+    public double Energy(in Motion at, Collider carrier, double time) =>
+        (0.5 * Ball.Mass * (at.Velocity - carrier.MaterialVelocity(in at.Position, time)).LengthSquared) + (0.5 * Ball.MomentOfInertia * (at.Spin - carrier.Spin).LengthSquared);
+
+    /// <summary>Returns V_c, the velocity of a touched surface at the contact point, m/s.</summary>
+    /// <param name="collider">The surface.</param>
+    /// <param name="position">The ball's centre, m.</param>
+    /// <param name="normal">n.</param>
+    /// <param name="time">The time, s.</param>
+    public Vector3d SurfaceVelocity(Collider collider, in Vector3d position, in Vector3d normal, double time) =>
+        collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(position - (Ball.Radius * normal), time);
+
+    /// <summary>Returns the accelerations by the nets that the ball is in.</summary>
+    public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)
+    {
+        Vector3d acceleration = default;
+        Vector3d spinAcceleration = default;
+        for (int i = 0; i < Nets.Length; i++)
+        {
+            if ((nets >> i & 1) != 0)
+            {
+                MotionRates push = Nets[i].Push(in at, SideOf(sides, i));
+                acceleration += push.Acceleration;
+                spinAcceleration += push.SpinAcceleration;
+            }
+        }
+
+        return new MotionRates(in acceleration, in spinAcceleration);
+    }
+
+    /// <summary>Returns the longest part of a step in nets that is accurate, in s.</summary>
+    public double LongestPartInNets(ulong nets, ulong sides, in Motion at) => LongestInNets(nets, sides, at.Position, at.Velocity, ChangeInNets);
+
+    /// <summary>Returns the longest piece that needs at most this number of such parts, in s.</summary>
+    public double LongestPieceInNets(in BallState s, int parts) => LongestInNets(s.Nets, s.NetSides, s.Position, s.Velocity, parts * ChangeInNets);
+
+    /// <summary>Returns the time in which nets change the motion by a multiple of itself, in s.</summary>
+    private double LongestInNets(ulong nets, ulong sides, Vector3d position, Vector3d velocity, double change)
+    {
+        double longest = double.PositiveInfinity;
+        double speed = velocity.Length;
+        for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
+        {
+            if ((nets >> i & 1) != 0)
+            {
+                // The greatest depth that the ball can reach in the time p satisfies p λ(δ + p v) = c, which is quadratic in p.
+                double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(in position, SideOf(sides, i))));
+                double bend = Nets[i].RatePerDepth * speed;
+                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
+            }
+        }
+
+        return longest;
+    }
+
+    /// <summary>True if the ball rests in a net and on no other object.</summary>
+    public bool HangsInNet(in BallState s) => s.Motion == MotionState.Rest && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
+
+    /// <summary>Returns the net in which the ball is deepest; −1 if it is in none.</summary>
+    public int DeepestNet(in BallState s)
+    {
+        int deepest = -1;
+        double most = double.NegativeInfinity;
+        for (int i = 0; i < Nets.Length && s.Nets >> i != 0; i++)
+        {
+            double depth = (s.Nets >> i & 1) != 0 ? Nets[i].Depth(s.Position, SideOf(s.NetSides, i)) : double.NegativeInfinity;
+            deepest = depth > most ? i : deepest;
+            most = Math.Max(most, depth);
+        }
+
+        return deepest;
+    }
+
+    /// <summary>Returns σ of a net.</summary>
+    public static double SideOf(ulong sides, int net) => (sides >> net & 1) != 0 ? 1.0 : -1.0;
+}

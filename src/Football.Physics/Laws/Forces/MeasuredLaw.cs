@@ -1,0 +1,173 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>The measured laws: <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>, <see cref="SaturatingLift"/>, <see cref="ProportionalSpinDecay"/>.</summary>
+/// <remarks>
+/// Functions of the Reynolds number replace functions of speed, so that a ball has the same tables in any weather. A force that is absent or has a constant
+/// coefficient is data of this law as well: its functions become the constant 1, and its scale the coefficient or 0. Every mixture runs the same code.
+/// </remarks>
+internal struct MeasuredLaw : ITableLaw
+{
+    /// <summary>The tables of each drag curve, kept while the curve is reachable: with no constant coefficient, constant drag, constant lift, and both.</summary>
+    private static readonly ConditionalWeakTable<DragCurve, LawTables>[] Shared = [new(), new(), new(), new()];
+
+    /// <summary>Reynolds numbers from 4 096 to 4.2e6.</summary>
+    private static readonly Octaves Reynolds = new(24, 44, 6);
+
+    /// <summary>Reynolds numbers from 65 000 to 740 000, in segments fine enough for the narrowest drag crisis.</summary>
+    private static readonly Octaves Crisis = new(32, 39, 7);
+
+    private DragCurve _curve;
+    private ReynoldsDrag _drag;
+    private ProportionalSpinDecay _decay;
+    private double _ofDrag; // ½ ρ A / m, times C_D if this is constant; 0 without drag; 1/m
+    private double _ofLift; // ½ ρ A r / m, or C_M π ρ r³ / m; 0 without lift
+    private bool _constantDrag;
+    private bool _constantLift;
+    private double _radius;
+    private double _perSpeed; // 2r/ν, s/m
+
+    /// <summary>The Reynolds number above which C_D stays constant, at twice the speed of any kick, so that C_D is bounded.</summary>
+    private double _largest;
+
+    public readonly bool NeedsSpinAcross
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly double SpeedScale
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _perSpeed;
+    }
+
+    public readonly LawTables Tables
+    {
+        get
+        {
+            // The tables depend only on the curve and the constant coefficients, not on a scene's cut-off.
+            MeasuredLaw law = new() { _constantDrag = _constantDrag, _constantLift = _constantLift, _largest = double.PositiveInfinity };
+            return Shared[(_constantDrag ? 1 : 0) + (_constantLift ? 2 : 0)].GetValue(_curve, curve => law.TablesOf(curve));
+        }
+    }
+
+    // The lift bound: C_L |u| ≤ L |u|, or C_M π ρ r³/m |ω| for a constant lift.
+    public readonly RateBound LiftBound => _constantLift ? new(0, Math.Abs(_ofLift), 0) : new(_ofLift / _radius * SaturatingLift.Limit, 0, 0);
+
+    public readonly RateBound DecayBound => _decay.Bound;
+
+    public readonly RateBound DragBound(double fastest) =>
+        new(_ofDrag * (_constantDrag ? 1.0 : _drag.Largest(_perSpeed * fastest) + SpinDrag.Limit), 0, 0);
+
+    public void Prepare(Scene scene)
+    {
+        ForceSet forces = scene.Forces;
+        _curve = Canonical(scene.Ball.DragCurve);
+        _drag = new ReynoldsDrag(_curve);
+        _radius = scene.Ball.Radius;
+        _perSpeed = 2.0 * _radius / scene.Air.KinematicViscosity;
+        _largest = _perSpeed * (2.0 * Limits.Speed);
+        _constantDrag = forces.Drag == ForceLaw.Constant;
+        _constantLift = forces.Magnus == ForceLaw.Constant;
+        double dynamic = AirScale.DynamicArea(scene);
+        _ofDrag = Scale(forces.Drag, ConstantDrag.Scale(scene), dynamic);
+        _ofLift = Scale(forces.Magnus, ConstantMagnus.Scale(scene), dynamic * _radius);
+        _decay.Prepare(scene);
+    }
+
+    /// <summary>Returns the scale of a force: 0 if it is absent.</summary>
+    private static double Scale(ForceLaw law, double constant, double fitted) => law == ForceLaw.None ? 0 : law == ForceLaw.Constant ? constant : fitted;
+
+    private LawTables TablesOf(DragCurve curve)
+    {
+        _drag = new ReynoldsDrag(curve);
+        return new LawTables(this, Reynolds, Crisis);
+    }
+
+    /// <summary>Returns one shared instance for equal generic curves, so that their tables are built only once.</summary>
+    private static DragCurve Canonical(DragCurve curve) => curve == DragCurve.Generic ? DragCurve.Generic : curve;
+
+    // Compute C_D without spin, the reduction of drag due to spin, and the reduction of lift below the crisis.
+    public readonly void OfSpeed(double speed, out LawFactors factors)
+    {
+        double share = _drag.SubcriticalShare(speed);
+        factors.First = _constantDrag ? 1 : _drag.Coefficient(Math.Min(speed, _largest));
+        factors.Second = _constantDrag ? 0 : SpinDrag.OfShare(share);
+        factors.Third = _constantLift ? 1 : SaturatingLift.OfShare(share);
+        factors.Fourth = 0;
+    }
+
+    // C_D by spin above the crisis, and C_L/S above the crisis.
+    public readonly void OfSpin(double spinParameter, out LawFactors factors)
+    {
+        factors.First = SpinDrag.OfSpin(spinParameter);
+        factors.Second = _constantLift ? 1 : SaturatingLift.PerSpin(spinParameter);
+        factors.Third = 0;
+        factors.Fourth = 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Combine(
+        DragBranch region, in LawFactors bySpeed, in LawFactors bySpin, double speed, double spinRate, out double drag, out double lift, out double decay)
+    {
+        // D = ½ρA/m |u| C_D
+        double scale = _ofDrag * speed;
+        drag = (scale * bySpeed.First) + (scale * bySpeed.Second * bySpin.First);
+
+        // L = ½ρA/m |u|² C_L/(|u| sin) = ½ρA/m r|ω| C_L/S, for S|u| = r|ω| sin and |ω̂ × u| = |u| sin
+        lift = _ofLift * spinRate * bySpeed.Third * bySpin.Second;
+
+        // |ω|˙ = −(k |u| + ε ρ/1.2) |ω|
+        decay = _decay.PerSpin(speed) * spinRate;
+    }
+
+    /// <summary>Computes the factors in a flow with non-zero speed.</summary>
+    public readonly void At(in AirFlow flow, out double drag, out double lift, out double decay)
+    {
+        // S = r|ω × u|/|u|²
+        OfSpeed(_perSpeed * flow.Speed, out LawFactors bySpeed);
+        OfSpin(_radius * flow.SpinRate * Math.Sqrt(flow.AcrossSquared) / flow.SpeedSquared, out LawFactors bySpin);
+        Combine(DragBranch.Unknown, in bySpeed, in bySpin, flow.Speed, flow.SpinRate, out drag, out lift, out decay);
+    }
+}
+
+/// <summary>The drag of the measured laws alone, F_D = −½ ρ A C_D |u| u by <see cref="ReynoldsDrag"/> and <see cref="SpinDrag"/>.</summary>
+internal struct MeasuredDrag : IAirLaw
+{
+    private MeasuredLaw _law;
+
+    public readonly RateBound Bound => _law.DragBound(2.0 * Limits.Speed);
+
+    public void Prepare(Scene scene) => _law.Prepare(scene);
+
+    public readonly double Factor(in AirFlow flow)
+    {
+        _law.At(in flow, out double drag, out _, out _);
+        return drag;
+    }
+}
+
+/// <summary>The lift of the measured laws alone, by <see cref="SaturatingLift"/>.</summary>
+internal struct MeasuredMagnus : IAirLaw
+{
+    private MeasuredLaw _law;
+
+    public readonly RateBound Bound => _law.LiftBound;
+
+    public void Prepare(Scene scene) => _law.Prepare(scene);
+
+    public readonly double Factor(in AirFlow flow)
+    {
+        _law.At(in flow, out _, out double lift, out _);
+        return lift;
+    }
+}

@@ -1,0 +1,52 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>No laws of the air: the flight step reduces to a parabola.</summary>
+internal struct NoAir : IFlightAir
+{
+    public readonly bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    public readonly bool HasField => false;
+
+    public readonly bool HasSide => false;
+
+    public readonly bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        drag = 0;
+        lift = 0;
+        decay = 0;
+        return spinSquared > AirRates.NoSpin;
+    }
+
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
+}

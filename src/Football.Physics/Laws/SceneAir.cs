@@ -1,0 +1,162 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>All effects of a scene's air at one instant: laws, local wind, knuckle force and custom forces.</summary>
+/// <remarks>
+/// All code except the hot flight step uses it. If the air varies, jumps in the drag law are not located: each evaluation uses the branch at its own flow.
+/// </remarks>
+internal struct SceneAir : IFlightAir
+{
+    private readonly AirLaws _laws;
+    private readonly IWind? _wind;
+
+    /// <summary>The wind field if it is a <see cref="WindByHeight"/>, to avoid the virtual call.</summary>
+    private readonly WindByHeight? _byHeight;
+    private readonly KnuckleForce? _knuckle;
+    private readonly OwnForces? _own;
+    private readonly double _radiusSquared;
+    private readonly bool _hasField;
+    private readonly bool _jumpsInField;
+
+    private SceneAir(Scene scene, AirLaws laws, bool hasOwnForces)
+    {
+        _laws = laws;
+        _wind = scene.Air.WindField;
+        _byHeight = _wind as WindByHeight;
+        _knuckle = KnuckleForce.Of(scene);
+        _own = hasOwnForces ? new OwnForces(scene) : null;
+        _radiusSquared = scene.Ball.Radius * scene.Ball.Radius;
+        _hasField = HasFieldIn(scene);
+        _jumpsInField = _hasField && laws.Jumps;
+        Bound = laws.Bound + (_knuckle?.Bound ?? default);
+        OrdinaryBound = laws.OrdinaryBound + (_knuckle?.Bound ?? default);
+    }
+
+    /// <summary>The laws alone.</summary>
+    public readonly AirLaws Laws => _laws;
+
+    /// <summary>True if drag acts.</summary>
+    public readonly bool Drags => _laws.Drags;
+
+    /// <summary>True if the Magnus force acts.</summary>
+    public readonly bool Lifts => _laws.Lifts;
+
+    /// <summary>True if spin decays.</summary>
+    public readonly bool SpinDecays => _laws.SpinDecays;
+
+    public readonly bool Acts => _laws.Drags || _laws.Lifts || _laws.SpinDecays || _knuckle is not null;
+
+    public readonly bool HasField => _hasField;
+
+    public readonly bool HasSide => _knuckle is not null;
+
+    public readonly bool Jumps => !_hasField && _laws.Jumps;
+
+    /// <summary>True if the air depends on position or time, or has effects beyond drag, lift and spin decay.</summary>
+    /// <remarks>Flight then calls only <see cref="Evaluate"/>.</remarks>
+    public readonly bool Varies => _hasField || _own is not null;
+
+    /// <summary>True if torques can turn the spin, so that the flight has no constant axis.</summary>
+    public readonly bool TurnsAxis => _own is not null;
+
+    /// <summary>True if the scene has custom forces.</summary>
+    public readonly bool HasOwnForces => _own is not null;
+
+    /// <summary>True if the wind at a fixed position can change with time.</summary>
+    public readonly bool ChangesInTime => _wind is not null && _byHeight is not { Gusts: null };
+
+    /// <summary>A bound on the speed of the variable wind, in m/s; 0 if the wind is steady.</summary>
+    public readonly double FastestWind => _wind?.MaximumSpeed ?? 0;
+
+    /// <summary>A bound on the rate at which the air changes the motion.</summary>
+    public RateBound Bound { get; }
+
+    /// <inheritdoc cref="AirLaws.OrdinaryBound"/>
+    public RateBound OrdinaryBound { get; }
+
+    /// <summary>Returns the air of a scene. If a <see cref="ScaledAir"/> is its only custom force, it scales the laws.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The scene contains an undefined law.</exception>
+    public static SceneAir Of(Scene scene) => ScaledAir.AloneIn(scene) is { } scaled
+        ? new SceneAir(scene, AirLaws.Of(scene, scaled.Drag, scaled.Lift), false)
+        : new SceneAir(scene, AirLaws.Of(scene), scene.HasOwnForces);
+
+    /// <summary>Returns true if only laws act in a scene.</summary>
+    public static bool HasLawsAlone(Scene scene) => !HasFieldIn(scene) && (!scene.HasOwnForces || ScaledAir.AloneIn(scene) is not null);
+
+    /// <summary>Returns true if the wind of a scene depends on position or time, or a knuckle force acts.</summary>
+    public static bool HasFieldIn(Scene scene) => scene.Air.WindField is not null || scene.Forces.KnuckleSeed is not null;
+
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        // In a wind field, jumps are not located: use the branch of the present flow.
+        DragBranch here = DragJump.Choose(_jumpsInField, locates: false, region, speedSquared, _radiusSquared * spinRate * spinRate);
+        _laws.Factors(speedSquared, spinRate, acrossSquared, here, out drag, out lift, out decay);
+    }
+
+    public readonly bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        _laws.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d WindAt(double time, double x, double y, double z) =>
+        _byHeight is not null ? _byHeight.At(time, x, y, z) : _wind is null ? Vector3d.Zero : _wind.At(time, new Vector3d(x, y, z));
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _knuckle!.Acceleration(in u, in spin, distance);
+
+    /// <summary>Computes the effect of the air and of custom forces at one instant, for any motion.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="branch">The branch of the drag law.</param>
+    /// <param name="factors">The effect of the air.</param>
+    /// <returns>|ω|, in rad/s; 0 if its reciprocal would overflow.</returns>
+    public readonly double Evaluate(in ForceContext ball, DragBranch branch, out AirFactors factors)
+    {
+        // u = v − W(p, t)
+        Vector3d u = _wind is null ? ball.AirVelocity : ball.AirVelocity - _wind.At(ball.Time, ball.Position);
+        Vector3d w = ball.Spin;
+        factors.AirVelocity = u;
+        factors.AirSpeed = 0;
+        factors.Acceleration = Vector3d.Zero;
+        factors.SpinAcceleration = Vector3d.Zero;
+        DragBranch here = DragJump.Choose(_jumpsInField, locates: false, branch, u.LengthSquared, _radiusSquared * w.LengthSquared);
+        double rate = AirRates.Factors(_laws, u.X, u.Y, u.Z, w.X, w.Y, w.Z, here, out factors.Drag, out factors.Lift, out factors.Decay);
+
+        // The knuckle force acts only in flight, and depends on the distance flown.
+        if (_knuckle is not null && ball.Motion == MotionState.Airborne)
+        {
+            factors.AirSpeed = u.Length;
+            factors.Acceleration = Side(in u, in w, ball.AirDistance);
+        }
+
+        _own?.AddTo(in ball, ref factors);
+        return rate;
+    }
+}
+
+/// <summary>An upper bound on the rate at which a law changes the motion: PerSpeed · |u| + PerSpin · |ω| + Constant, in 1/s.</summary>
+internal readonly struct RateBound
+{
+    public readonly double PerSpeed;
+    public readonly double PerSpin;
+    public readonly double Constant;
+
+    public RateBound(double perSpeed, double perSpin, double constant)
+    {
+        PerSpeed = perSpeed;
+        PerSpin = perSpin;
+        Constant = constant;
+    }
+
+    /// <summary>Returns the bound, in 1/s, for an air speed in m/s and a spin in rad/s.</summary>
+    public double At(double speed, double spinRate) => (PerSpeed * speed) + (PerSpin * spinRate) + Constant;
+
+    public static RateBound operator +(in RateBound a, in RateBound b) =>
+        new(a.PerSpeed + b.PerSpeed, a.PerSpin + b.PerSpin, a.Constant + b.Constant);
+}

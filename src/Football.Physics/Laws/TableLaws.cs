@@ -1,0 +1,64 @@
+using FootballPhysics.Numerics;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>Tabulated laws, optionally scaled.</summary>
+/// <remarks>An absent force is a scale of 0 of the law itself.</remarks>
+/// <typeparam name="TLaw">The type of the laws.</typeparam>
+internal sealed class TableLaws<TLaw> : AirLaws
+    where TLaw : struct, ITableLaw
+{
+    private readonly double _ofDrag;
+    private readonly double _ofLift;
+    private TableAir<TLaw> _air;
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="drag">The factor on the drag.</param>
+    /// <param name="lift">The factor on the Magnus force.</param>
+    public TableLaws(Scene scene, double drag, double lift)
+    {
+        ForceSet forces = scene.Forces;
+        TLaw law = default;
+        law.Prepare(scene);
+        _air = new TableAir<TLaw>(scene);
+        Drags = Acts("forces.drag", forces.Drag);
+        Lifts = Acts("forces.magnus", forces.Magnus);
+        SpinDecays = Acts("forces.spinDecay", forces.SpinDecay);
+        _ofDrag = drag;
+        _ofLift = lift;
+
+        // Lift depends on the same C_D as drag, and jumps together with it.
+        Jumps = law.Jumps && (Drags || Lifts);
+        Bound = BoundUpTo(2.0 * Limits.Speed);
+        OrdinaryBound = BoundUpTo(OrdinarySpeed);
+
+        RateBound BoundUpTo(double fastest) => (Drags ? Scaled(law.DragBound(fastest), drag) : default)
+            + (Lifts ? Scaled(law.LiftBound, lift) : default)
+            + (SpinDecays ? law.DecayBound : default);
+    }
+
+    public override void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        _air.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        drag *= _ofDrag;
+        lift *= _ofLift;
+    }
+
+    public override bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = _air.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+        drag *= _ofDrag;
+        lift *= _ofLift;
+        return spins;
+    }
+
+    private static bool Acts(string field, ForceLaw law) => law switch
+    {
+        ForceLaw.None => false,
+        ForceLaw.Constant or ForceLaw.Empirical => true,
+        _ => throw Check.Unknown(field, law),
+    };
+}

@@ -1,0 +1,49 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>A smooth tabulated law in air that varies.</summary>
+/// <remarks>Each stage checks the range of the tables, because the wind may change by any amount along a step.</remarks>
+/// <typeparam name="TLaw">The type of the law, which has no regions.</typeparam>
+internal struct FieldAir<TLaw> : IFlightAir
+    where TLaw : struct, ITableLaw
+{
+    private readonly SceneAir _scene;
+    private TableAir<TLaw> _table;
+
+    public FieldAir(Scene scene, in SceneAir air)
+    {
+        _scene = air;
+        _table = new TableAir<TLaw>(scene);
+    }
+
+    public readonly bool Acts => true;
+
+    public readonly bool Jumps => false;
+
+    public readonly bool HasField => true;
+
+    public readonly bool HasSide => _scene.HasSide;
+
+    public readonly bool Covers(double speedSquared, double spinRate, double h) => true;
+
+    public readonly double WholeUpTo(in RateBound bound) => 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        _table.FactorsAnywhere(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay) =>
+        _table.FactorsPerSpin(speedSquared, spinSquared, crossSquared, region, out drag, out lift, out decay);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly Vector3d WindAt(double time, double x, double y, double z) => _scene.WindAt(time, x, y, z);
+
+    public readonly Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => _scene.Side(in u, in spin, distance);
+}

@@ -1,0 +1,261 @@
+using System.Runtime.CompilerServices;
+using FootballPhysics.Scenes;
+using FootballPhysics.State;
+
+namespace FootballPhysics.Laws;
+
+/// <summary>A law evaluated from tables of its functions, valid where <see cref="Covers"/> returns true.</summary>
+/// <remarks>
+/// It costs two table indices, a few cubics and <see cref="ITableLaw.Combine"/>. The functions define the law; the tests compare tables and functions over the
+/// entire domain.
+/// </remarks>
+/// <typeparam name="TLaw">The type of the law.</typeparam>
+internal struct TableAir<TLaw> : IFlightAir
+    where TLaw : struct, ITableLaw
+{
+    /// <summary>The |u|, in m/s, below which there is no drag and no lift, and the spin decay stays constant.</summary>
+    private const double StillAir = 1e-9;
+
+    /// <summary>Added to (r|ω|)², in m²/s², so that a ball without spin stays within the tables.</summary>
+    private const double NoSpin = 1e-20;
+
+    /// <summary>The lowest speed of a single evaluation by tables, in m/s.</summary>
+    private const double SlowestPoint = 0.5;
+
+    /// <summary>The margin by which a step must start above the lowest speed of the tables.</summary>
+    private const double AboveSlowest = 1.5;
+
+    /// <summary>The share of the highest speed of the tables up to which they are used.</summary>
+    private const double BelowFastest = 0.9375;
+
+    private TLaw _law;
+    private readonly FactorTable _speeds;
+    private readonly FactorTable _spins;
+    private readonly TableRange _range;
+    private readonly double _radius;
+    private readonly double _radiusSquared;
+    private readonly double _slowestSquared; // |u|² within the tables
+    private readonly double _fastestSquared;
+
+    public bool Acts
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
+
+    public bool HasField => false;
+
+    public bool HasSide => false;
+
+    public bool Jumps
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _law.Jumps;
+    }
+
+    /// <summary>The highest spin that is covered at any speed, in rad/s.</summary>
+    private double FastestSpin => TableRange.LargestSpinParameter * TableRange.Fastest / _radius;
+
+    public TableAir(Scene scene)
+    {
+        _law = default;
+        _law.Prepare(scene);
+        LawTables tables = _law.Tables;
+        _speeds = tables.Speeds;
+        _spins = tables.Spins;
+        _radius = scene.Ball.Radius;
+        _radiusSquared = _radius * _radius;
+        double slowest = Math.Max(SlowestPoint, tables.Slowest / _law.SpeedScale);
+        double fastest = Math.Min(TableRange.Fastest, BelowFastest * tables.Fastest / _law.SpeedScale);
+        _slowestSquared = slowest * slowest;
+        _fastestSquared = fastest * fastest;
+        _range = new TableRange(scene, _law.DragBound(fastest) + _law.LiftBound, FastestSpin, AboveSlowest * slowest, fastest);
+    }
+
+    /// <inheritdoc cref="IFlightAir.WholeUpTo"/>
+    public double WholeUpTo(in RateBound bound) => 0.5 / ((bound.PerSpeed * TableRange.Fastest) + (bound.PerSpin * FastestSpin) + bound.Constant);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Covers(double speedSquared, double spinRate, double h) =>
+        _range.Holds(speedSquared, spinRate, h) && _range.HoldsSpin(speedSquared, _radiusSquared * spinRate * spinRate, h);
+
+    /// <summary>Returns true if the tables hold at a single point.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool HoldsAt(double speedSquared, double spinSquared)
+    {
+        const double Largest = TableRange.LargestSpinParameter * TableRange.LargestSpinParameter;
+        return speedSquared > _slowestSquared && speedSquared < _fastestSquared && _radiusSquared * spinSquared < Largest * speedSquared;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Factors(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        // A stage may overshoot zero spin: in that case, use S = 0.
+        double spin = spinRate > 0 ? spinRate : 0;
+        double surfaceSquared = _radiusSquared * (spin * spin);
+        double ofSpin;
+        if (_law.NeedsSpinAcross)
+        {
+            // S² = (r|ω|)² |ω̂ × u|²/|u|⁴
+            double perSpeedSquared = 1.0 / speedSquared;
+            ofSpin = ((surfaceSquared * acrossSquared) + (NoSpin * speedSquared)) * perSpeedSquared * perSpeedSquared;
+        }
+        else
+        {
+            // 1/S² = |u|²/(r|ω|)², arranged so that the division does not wait for the speed.
+            ofSpin = speedSquared * (1.0 / (surfaceSquared + NoSpin));
+        }
+
+        _speeds.Evaluate(speedSquared * (_law.SpeedScale * _law.SpeedScale), out LawFactors bySpeed);
+        _spins.Evaluate(ofSpin, out LawFactors bySpin);
+        _law.Combine(region, in bySpeed, in bySpin, Math.Sqrt(speedSquared), spinRate, out drag, out lift, out decay);
+    }
+
+    /// <summary>Computes the factors at any point: from the tables in their range, otherwise from the functions.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FactorsAnywhere(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        if (HoldsAt(speedSquared, spinRate * spinRate))
+        {
+            Factors(speedSquared, spinRate, acrossSquared, region, out drag, out lift, out decay);
+        }
+        else
+        {
+            // Use temporaries, because a variable passed by address is stored in memory and not in a register.
+            ByFunctions(speedSquared, spinRate, acrossSquared, region, out double ofDrag, out double ofLift, out double ofDecay);
+            drag = ofDrag;
+            lift = ofLift;
+            decay = ofDecay;
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool FactorsPerSpin(
+        double speedSquared, double spinSquared, double crossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        bool spins = spinSquared > AirRates.NoSpin;
+        if (_law.NeedsSpinAcross && spins && HoldsAt(speedSquared, spinSquared))
+        {
+            // Lift and decay are proportional to the spin, and S² = r²|ω × u|²/|u|⁴: neither a division by the spin nor a square root is needed.
+            Factors(speedSquared, 1.0, crossSquared, region, out drag, out lift, out decay);
+            return true;
+        }
+
+        // |ω̂ × u|² = |ω × u|²/|ω|², arranged so that the division does not wait for the root.
+        double perSquared = spins ? 1.0 / spinSquared : 0;
+        double rate = spins ? Math.Sqrt(spinSquared) : 0;
+        FactorsAnywhere(speedSquared, rate, perSquared * crossSquared, region, out drag, out lift, out decay);
+        double perRate = spins ? perSquared * rate : 1.0;
+        lift *= perRate;
+        decay *= perRate;
+        return spins;
+    }
+
+    /// <summary>Computes the factors by the functions of the law, at any point.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void ByFunctions(
+        double speedSquared, double spinRate, double acrossSquared, DragBranch region, out double drag, out double lift, out double decay)
+    {
+        // At zero airspeed, there is no force, and the spin decays as at the lowest speed in the table.
+        double speed = Math.Sqrt(speedSquared);
+        bool moves = speed > StillAir;
+        speed = moves ? speed : StillAir;
+        double across = _law.NeedsSpinAcross && moves ? Math.Sqrt(acrossSquared) / speed : 1.0;
+
+        // A stage may overshoot zero spin: the lift is then zero, but the spin continues to decay.
+        double spin = spinRate > 0 ? spinRate : 0;
+        _law.OfSpeed(_law.SpeedScale * speed, out LawFactors bySpeed);
+        _law.OfSpin(_radius * spin * across / speed, out LawFactors bySpin);
+        _law.Combine(region, in bySpeed, in bySpin, speed, spinRate, out drag, out lift, out decay);
+        drag = moves ? drag : 0;
+        lift = moves && spinRate > 0 ? lift : 0;
+    }
+
+    public Vector3d WindAt(double time, double x, double y, double z) => Vector3d.Zero;
+
+    public Vector3d Side(in Vector3d u, in Vector3d spin, double distance) => Vector3d.Zero;
+}
+
+/// <summary>The states and step lengths for which the tables hold at every stage, for any gravity and air.</summary>
+internal readonly struct TableRange
+{
+    /// <summary>The highest speed at which the tables hold, with a margin, in m/s.</summary>
+    public const double Fastest = 120;
+
+    /// <summary>The largest spin parameter at the start of a step of a smooth law.</summary>
+    /// <remarks>At 2, one plate of the empirical spin decay has zero speed.</remarks>
+    public const double LargestSpinParameter = 1.9;
+
+    /// <summary>The share of the velocity that drag, and lift, may each change within a step.</summary>
+    private const double LargestChange = 0.125;
+
+    /// <summary>The change of speed by gravity in a short step, in m/s.</summary>
+    private const double ShortFall = 0.5;
+
+    /// <summary>Drag leaves at least 7/8 of a speed; gravity may reduce the rest to the lowest speed.</summary>
+    private const double Slower = 1.0 / (1.0 - LargestChange);
+
+    private readonly double _slowest;  // m/s
+    private readonly double _fastest;
+    private readonly double _gravity;  // upward or downward, m/s²
+    private readonly double _perSpeed; // bound for drag and lift, 1/m
+    private readonly double _perSpin;
+
+    // Up to this length, in s, drag and lift are small at every speed and spin, and two constant bounds on |u|² are sufficient.
+    private readonly double _short;
+    private readonly double _leastSquare;
+    private readonly double _mostSquare;
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="forces">The bound on the change of velocity by drag and lift.</param>
+    /// <param name="fastestSpin">The highest spin of an evaluation, in rad/s; infinite if there is none.</param>
+    /// <param name="slowest">The lowest speed at which the tables hold, in m/s.</param>
+    /// <param name="fastest">The highest speed at which the tables hold, in m/s.</param>
+    public TableRange(Scene scene, in RateBound forces, double fastestSpin, double slowest, double fastest)
+    {
+        _slowest = slowest;
+        _fastest = fastest;
+        _gravity = Math.Abs(Weight.UpwardAcceleration(scene));
+        _perSpeed = forces.PerSpeed;
+        _perSpin = forces.PerSpin;
+
+        // So short a step changes little at any speed and spin: two bounds on |u|² are sufficient.
+        _short = Math.Min(LargestChange / (_perSpeed * fastest), LargestChange / (_perSpin * fastestSpin));
+        _short = Math.Min(_short, ShortFall / Math.Max(1, _gravity));
+        double fall = _short * _gravity;
+        _leastSquare = Slower * (slowest + fall) * Slower * (slowest + fall);
+        _mostSquare = fastest > fall ? (fastest - fall) * (fastest - fall) : 0;
+    }
+
+    /// <summary>Returns true if the speed stays within the tables.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Holds(double speedSquared, double spinRate, double h)
+    {
+        if (h <= _short)
+        {
+            return speedSquared > _leastSquare && speedSquared < _mostSquare;
+        }
+
+        // For a longer step, bound the changes by gravity, drag and lift at this speed and spin.
+        double fall = h * _gravity;
+        double least = Slower * (_slowest + fall);
+        double most = _fastest - fall;
+        double bySpeed = h * _perSpeed;
+        return speedSquared > least * least && most > 0 && speedSquared < most * most
+            && bySpeed * bySpeed * speedSquared < LargestChange * LargestChange && h * _perSpin * spinRate < LargestChange;
+    }
+
+    /// <summary>Returns true if the spin parameter starts below <see cref="LargestSpinParameter"/> and stays below √8 at every stage.</summary>
+    /// <param name="speedSquared">|u|².</param>
+    /// <param name="surfaceSquared">(r|ω|)².</param>
+    /// <param name="h">The length of the step, in s.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool HoldsSpin(double speedSquared, double surfaceSquared, double h)
+    {
+        // (7/8 |u| − h g)² ≥ 7/8 (7/8 |u|)² − 7 (h g)²
+        double fall = h * _gravity;
+        return surfaceSquared + (56.0 * fall * fall) < LargestSpinParameter * LargestSpinParameter * speedSquared;
+    }
+}
