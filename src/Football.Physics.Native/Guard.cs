@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
+using FootballPhysics.Numerics;
 using FootballPhysics.Scenarios.Input;
 
 namespace FootballPhysics.Native;

@@ -1,5 +1,9 @@
 using System.Buffers.Binary;
 using System.Globalization;
+using FootballPhysics.Contacts;
+using FootballPhysics.Game;
+using FootballPhysics.Numerics;
+using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Native;
 

@@ -209,7 +209,7 @@ internal sealed partial class CHeader
         string text = string.Concat(element.Nodes().Select(node => node is XElement see
             ? see.Attribute("cref") is { } reference ? reference.Value.Split('(')[0].Split('.', ':')[^1] : see.Value
             : ((XText)node).Value));
-        text = White().Replace(text, " ").Trim().Replace("…", "...").Replace("−", "-").Replace("²", "^2").Replace("±", "+-");
+        text = White().Replace(text, " ").Trim().Replace("…", "...").Replace("−", "-").Replace("²", "^2").Replace("±", "+-").Replace("χ", "chi");
         return text.All(char.IsAscii) ? text : throw new InvalidOperationException($"\"{text}\" is not ASCII.");
     }
 

@@ -37,7 +37,7 @@ public sealed unsafe class MatchTests
     private static readonly delegate* unmanaged<byte*> s_error = &Exports.LastError;
 
     /// <summary>Writes the checksum of the library.</summary>
-    private static readonly Sealer s_seal = typeof(Scene).Assembly.GetType("FootballPhysics.Crc32", throwOnError: true)!.GetMethod("Seal")!.CreateDelegate<Sealer>();
+    private static readonly Sealer s_seal = typeof(Scene).Assembly.GetType("FootballPhysics.Game.Crc32", throwOnError: true)!.GetMethod("Seal")!.CreateDelegate<Sealer>();
 
     private delegate void Sealer(Span<byte> bytes);
 

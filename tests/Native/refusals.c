@@ -93,7 +93,7 @@ int main(void)
     if (fp_match_hash(match) != hash || fp_match_tick(match) != 0) { printf("a refused call has changed the match\n"); wrong++; }
     player.speed = 0;
     EXPECT(FP_ARGUMENT, "players[0].speed is 0; allowed: above 0", fp_intercept(scene, &state, 5, &player, 1, &first));
-    EXPECT(FP_SCENE, "goal is 0; allowed: none", fp_goal_chance(scene, "{\"position\": [0,0,0], \"velocity\": [0,5,-20]}", 46, &chance));
+    EXPECT(FP_SCENE, "goal is 0; allowed: none", fp_goal_chance(scene, "{\"position\": [0,0,0], \"velocity\": [0,5,-20]}", 44, &chance));
     EXPECT(FP_ARGUMENT, "times is null", fp_fit(scene, NULL, path, NULL, 2, "{}", 2, &fit));
     EXPECT(FP_ARGUMENT, "n is -1", fp_fit_match(scene, path, path, NULL, -1, "{}", 2, NULL, 0, NULL, NULL, NULL));
     if (fp_match_free(match) != FP_OK) wrong++;

@@ -101,6 +101,72 @@ typedef enum {
     FP_AIM_BLOCKED = 5
 } fp_aim_status;
 
+/* The method that computed a spread. */
+typedef enum {
+    /* The derivatives of one kick: the spread is small enough to be mapped linearly to the plane. */
+    FP_CHANCE_DERIVATIVES = 0,
+    /* The simulation of many random kicks. */
+    FP_CHANCE_FLIGHTS = 1
+} fp_chance_method;
+
+/* The verdicts on a fit. */
+typedef enum {
+    /* chi^2 is consistent with the noise. */
+    FP_FIT_AS_EXPECTED = 0,
+    /* chi^2 is larger than noise produces once in 1000 tracks: the scene or the noise is wrong. */
+    FP_FIT_POOR = 1,
+    /* chi^2 is smaller than noise produces once in 1000 tracks: the actual noise is smaller than stated. */
+    FP_FIT_NOISE_OVERESTIMATED = 2,
+    /* Another launch, which bounces differently, fits about as well. */
+    FP_FIT_AMBIGUOUS = 3,
+    /* One of the other balls fits better. */
+    FP_FIT_OTHER_BALL = 4,
+    /* The search did not end at a minimum. */
+    FP_FIT_NOT_CONVERGED = 5
+} fp_fit_verdict;
+
+/* The kinds of pieces of a match track. */
+typedef enum {
+    /* The ball flies; only the air acts on it. */
+    FP_PIECE_FLIGHT = 0,
+    /* The ball bounces on the ground. */
+    FP_PIECE_IMPACT = 1,
+    /* The ball rolls, slides, or hops lower than the track resolves. */
+    FP_PIECE_GROUND = 2,
+    /* A player or another object touches the ball: a kick, a header, a post. */
+    FP_PIECE_TOUCH = 3,
+    /* A gap, a track error, or a motion that no law of a free ball explains. */
+    FP_PIECE_LOST = 4
+} fp_piece_kind;
+
+/* The parameters that a match fit can estimate. */
+typedef enum {
+    /* The x component of the wind, m/s. */
+    FP_PARAMETER_WIND_X = 0,
+    /* The z component of the wind, m/s. */
+    FP_PARAMETER_WIND_Z = 1,
+    /* A factor of the drag. */
+    FP_PARAMETER_DRAG = 2,
+    /* The critical Reynolds number of the drag crisis. */
+    FP_PARAMETER_CRISIS = 3,
+    /* A factor of the Magnus force. */
+    FP_PARAMETER_LIFT = 4,
+    /* The height of the ground, m. */
+    FP_PARAMETER_GROUND_HEIGHT = 5,
+    /* The normal restitution of the ground. */
+    FP_PARAMETER_RESTITUTION = 6,
+    /* The increase of the restitution at grazing impacts. */
+    FP_PARAMETER_RESTITUTION_RISE = 7,
+    /* The friction of impacts; infinite if an impact always stops the slip. */
+    FP_PARAMETER_FRICTION = 8,
+    /* The friction of slides. */
+    FP_PARAMETER_SLIDING_FRICTION = 9,
+    /* The rolling resistance. */
+    FP_PARAMETER_ROLLING_FRICTION = 10,
+    /* The increase of the rolling resistance with the speed, s/m. */
+    FP_PARAMETER_ROLLING_FRICTION_BY_SPEED = 11
+} fp_fit_parameter;
+
 /* A scene, checked and compiled; nothing changes it, and any number of threads may use it at once, also while one of them frees it. The
    pointer is a handle, not an address. */
 typedef struct fp_scene fp_scene;
@@ -207,6 +273,192 @@ typedef struct {
     double added_energy;
 } fp_match_event;
 
+/* A model of a player who runs to the ball. fp_player_default sets the numbers of a fit adult. */
+typedef struct {
+    /* Position, m; components within +-1e6. Its height is ignored. */
+    double position[3];
+    /* Velocity, m/s; speed at most 1000. Its vertical part is ignored. */
+    double velocity[3];
+    /* The reaction time, s; 0 or more. Until then, he keeps his velocity. */
+    double reaction;
+    /* The acceleration, m/s^2; above 0. */
+    double acceleration;
+    /* The top speed, m/s; above 0, at most 1000. */
+    double speed;
+    /* The maximum horizontal distance at which he can play the ball, m; 0 or more. */
+    double reach;
+    /* The minimum height of the ball's centre that he can play, m. */
+    double minimum_height;
+    /* The maximum height of the ball's centre that he can play, m: about 0.6 with the foot, 2.3 with the head, 2.7 with a keeper's hands. */
+    double maximum_height;
+} fp_player;
+
+/* The player who reaches the ball first. */
+typedef struct {
+    /* The index of the player; -1 if nobody reaches the ball, and the other numbers are then 0. */
+    int32_t player;
+    /* 0. */
+    int32_t reserved;
+    /* The time at which he reaches the ball, s since its launch. */
+    double time;
+    /* His lead over the second player, s; infinite if no other player reaches the ball. */
+    double margin;
+    /* The position of the ball's centre then, m. */
+    double position[3];
+    /* The velocity of the ball then, m/s. */
+    double velocity[3];
+} fp_interception;
+
+/* A time interval in which a player can reach the ball. */
+typedef struct {
+    /* The index of the player. */
+    int32_t player;
+    /* 0. */
+    int32_t reserved;
+    /* The start, s since the launch of the ball. */
+    double from;
+    /* The end, s since the launch of the ball. */
+    double to;
+    /* The position of the ball's centre at the start, m. */
+    double position[3];
+    /* The velocity of the ball at the start, m/s. */
+    double velocity[3];
+} fp_window;
+
+/* How a player's kicks spread on the plane of a goal, and the probability that they score. */
+typedef struct {
+    /* The probability of a ball on target that the goalkeeper cannot reach, 0 ... 1. */
+    double scores;
+    /* The probability of a goal if nobody stops the ball, 0 ... 1, including goals in off the frame. */
+    double on_target;
+    /* The probability of a ball on target that the goalkeeper can reach in time, 0 ... 1; 0 without a goalkeeper. */
+    double covered;
+    /* The standard error of scores from the finite number of kicks; 0 if derivatives were used. */
+    double standard_error;
+    /* The share of the kicks that cross the plane of the goal, 0 ... 1; the following numbers refer to these kicks. */
+    double crosses;
+    /* The mean offset to the right of the goal's centre, m, as the goalkeeper sees it. */
+    double aside;
+    /* The mean height of the ball's centre above the goal line, m. */
+    double height;
+    /* The mean time of the crossing, s since the kick. */
+    double time;
+    /* The standard deviation of the offset, m. */
+    double aside_deviation;
+    /* The standard deviation of the height, m. */
+    double height_deviation;
+    /* The correlation of offset and height, -1 ... 1. */
+    double correlation;
+    /* The method, one of fp_chance_method. */
+    int32_t method;
+    /* The number of simulated kicks: the random kicks, or the test kicks if derivatives were used. */
+    int32_t kicks;
+} fp_goal_chance_result;
+
+/* The launch estimated from a track, with its uncertainty. */
+typedef struct {
+    /* The time of the launch, s: that of the first point. */
+    double time;
+    /* The position at the launch, m. */
+    double position[3];
+    /* The velocity at the launch, m/s. */
+    double velocity[3];
+    /* The spin at the launch, rad/s. */
+    double spin[3];
+    /* The factors of drag, lift, restitution and friction relative to the scene; 1 if a factor was not estimated. */
+    double factors[4];
+    /* The standard error of each component of the position, m. */
+    double position_deviation[3];
+    /* The standard error of each component of the velocity, m/s. */
+    double velocity_deviation[3];
+    /* The standard error of each component of the spin, rad/s. */
+    double spin_deviation[3];
+    /* The standard errors of the factors; 0 if a factor was not estimated. */
+    double factor_deviations[4];
+    /* The spin of another launch that fits about as well, rad/s; zero unless has_other_spin is 1. */
+    double other_spin[3];
+    /* The sum of (observed - fitted)^2/noise^2 over all coordinates. */
+    double chi_squared;
+    /* The probability of an equal or larger chi_squared if the scene and the noise are correct. */
+    double probability;
+    /* The number of observed coordinates minus the number of parameters. */
+    int32_t degrees_of_freedom;
+    /* The number of search steps. */
+    int32_t iterations;
+    /* The verdict, one of fp_fit_verdict. */
+    int32_t verdict;
+    /* 1 if the search ended at a minimum; otherwise 0. */
+    int32_t converged;
+    /* Bit i is set if the track determines parameter i better than the prior: 0-2 position, 3-5 velocity, 6-8 spin, 9-12 factors. */
+    int32_t identified;
+    /* 1 if there is another spin; otherwise 0. */
+    int32_t has_other_spin;
+} fp_fit_result;
+
+/* A piece of a match track. The axes are those of the library: y is up. */
+typedef struct {
+    /* The kind, one of fp_piece_kind. */
+    int32_t kind;
+    /* The number of track points; 0 for an impact, a touch or a gap. */
+    int32_t points;
+    /* The start time, s; for an impact or a touch, its instant. */
+    double start_time;
+    /* The end time, s. */
+    double end_time;
+    /* The root mean square distance of the points from the fitted path, m; 0 without points. */
+    double rms;
+    /* The largest distance of a point from the fitted path, m. */
+    double maximum_residual;
+    /* The position of the ball's centre at the start, m. */
+    double position[3];
+    /* The velocity at the start, m/s; for an impact or a touch, just after it. */
+    double velocity[3];
+    /* The spin at the start, rad/s; for an impact or a touch, just after it. Zero if it is unknown. */
+    double spin[3];
+    /* The velocity just before an impact or a touch, m/s. */
+    double velocity_before[3];
+    /* The spin just before an impact or a touch, rad/s. */
+    double spin_before[3];
+    /* The standard deviation of each component of the velocity, m/s. */
+    double velocity_deviation[3];
+    /* The standard deviation of each component of the spin, rad/s. */
+    double spin_deviation[3];
+    /* The restitution of an impact; 0 unless has_restitution is 1. */
+    double restitution;
+    /* The ratio of the horizontal speeds after and before an impact; 0 for other pieces. */
+    double speed_retained;
+    /* 1 if the restitution is known; otherwise 0. */
+    int32_t has_restitution;
+    /* 0. */
+    int32_t reserved;
+} fp_piece;
+
+/* What all pieces of a match track have in common. */
+typedef struct {
+    /* The parameters, in the order of fp_fit_parameter; one that was not estimated has its value in the scene, and a factor is then 1. */
+    double values[12];
+    /* The standard errors of the parameters; 0 if a parameter was not estimated. */
+    double deviations[12];
+    /* The root mean square of the residuals in flights of 0.3 s or longer, m. */
+    double rms;
+    /* The share of the points above 0.5 m that belong to such flights, 0 ... 1. */
+    double covered;
+    /* The standard deviation of the track's coordinates from one point to the next, m. */
+    double noise;
+    /* The mean speed of the rolls, m/s; 0 if the ball never rolls untouched. */
+    double rolling_speed;
+    /* The standard deviation of the rolling resistance at that speed. */
+    double rolling_deviation;
+    /* Bit i is set if parameter i was estimated. */
+    int32_t estimated;
+    /* The number of flights of 0.3 s or longer. */
+    int32_t flights;
+    /* The number of impacts from which the surface was estimated. */
+    int32_t impacts;
+    /* The number of intervals in which the ball slid or rolled untouched. */
+    int32_t windows;
+} fp_fit_match_result;
+
 /* Checks that header and library belong together. Call it once, as FP_CHECK_ABI().
    version: FP_ABI_VERSION.
    state_bytes: sizeof(fp_state).
@@ -214,6 +466,19 @@ typedef struct {
    event_bytes: sizeof(fp_event).
    Returns FP_OK, or FP_ABI. */
 FP_API fp_status fp_check_abi(int32_t version, int32_t state_bytes, int32_t ball_bytes, int32_t event_bytes);
+
+/* Checks the sizes of the structures that fp_check_abi does not check. FP_CHECK_ABI() calls both.
+   body_bytes: sizeof(fp_body).
+   match_event_bytes: sizeof(fp_match_event).
+   player_bytes: sizeof(fp_player).
+   interception_bytes: sizeof(fp_interception).
+   window_bytes: sizeof(fp_window).
+   goal_chance_bytes: sizeof(fp_goal_chance_result).
+   fit_bytes: sizeof(fp_fit_result).
+   piece_bytes: sizeof(fp_piece).
+   fit_match_bytes: sizeof(fp_fit_match_result).
+   Returns FP_OK, or FP_ABI. */
+FP_API fp_status fp_check_structs(int32_t body_bytes, int32_t match_event_bytes, int32_t player_bytes, int32_t interception_bytes, int32_t window_bytes, int32_t goal_chance_bytes, int32_t fit_bytes, int32_t piece_bytes, int32_t fit_match_bytes);
 
 /* The version of the library, like "0.1.0".
    Returns a text in UTF-8, for as long as the library is loaded. */
@@ -254,6 +519,74 @@ FP_API double fp_added_energy(const fp_scene* scene, const fp_event* event);
    state: The state.
    Returns the hash; 0 where the state is null. */
 FP_API uint64_t fp_hash(const fp_state* state);
+
+/* Estimates the launch of a ball, and on request factors of the scene, from its tracked positions.
+   scene: The scene.
+   times: n times, s, in order.
+   positions: n rows x, y, z of the ball's centre, m; y is up.
+   noise: n standard deviations of the coordinates, m; above 0; null for 0.02 m.
+   n: The number of points, 4 ... 1 000 000.
+   request_json: An object in UTF-8 with the members of a scenario's fit, except noise: also, spin, spinDeviation, factorDeviation,
+     timeStep; {} for none.
+   bytes: Its length in bytes; at most 1 048 576.
+   out: Receives the result.
+   Returns FP_OK, whatever the verdict; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_fit(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_fit_result* out);
+
+/* Divides the track of a match into flights, impacts, touches and ground contact, and estimates the wind, the ball and the surface.
+   scene: The scene, as known before.
+   times: n times, s, in order.
+   positions: n rows x, y, z of the ball's centre, m; y is up.
+   noise: n minimum standard deviations of the coordinates, m; null for 0.02 m.
+   n: The number of points, 8 ... 1 000 000.
+   request_json: An object in UTF-8: free, a list of the quantities to estimate (wind, drag, crisis, lift, surface, height; default wind,
+     drag, surface, height); windDeviation, factorDeviation, crisisDeviation, spinDeviation; {} for the default.
+   bytes: Its length in bytes; at most 1 048 576.
+   pieces: Receives the pieces, in order of time; null if capacity is 0.
+   capacity: The number of pieces that fit, 0 or more.
+   count: Receives the number of pieces, including those that do not fit; null if it is not wanted.
+   out: Receives the parameters; null if they are not wanted.
+   fitted: Receives the handle of a new scene with the parameters, to be freed with fp_scene_free; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if there are more pieces than capacity, and all else is there; FP_SCENE if the text is rejected, FP_ARGUMENT or
+   FP_HANDLE. */
+FP_API fp_status fp_fit_match(const fp_scene* scene, const double* times, const double* positions, const double* noise, int64_t n, const char* request_json, int64_t bytes, fp_piece* pieces, int32_t capacity, int32_t* count, fp_fit_match_result* out, fp_scene** fitted);
+
+/* Sets a player to a fit adult at the origin: reaction 0.2 s, acceleration 6 m/s^2, speed 8 m/s, reach 0.6 m, heights 0 ... 2.3 m.
+   player: Receives the player.
+   Returns FP_OK or FP_ARGUMENT. */
+FP_API fp_status fp_player_default(fp_player* player);
+
+/* Finds the player who reaches the ball first. If two arrive within a nanosecond, it is the one with the lower index.
+   scene: The scene.
+   state: The ball; unchanged. Its path is predicted until it rests, and it then stays there.
+   seconds: How far to look, s; above 0, at most 3600.
+   players: The players now.
+   n: The number of players; 0 ... 10 000.
+   out: Receives the first player.
+   Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_intercept(const fp_scene* scene, const fp_state* state, double seconds, const fp_player* players, int32_t n, fp_interception* out);
+
+/* Finds all time intervals in which each player can reach the ball.
+   scene: The scene.
+   state: The ball, as for fp_intercept.
+   seconds: How far to look, s; above 0, at most 3600.
+   players: The players now.
+   n: The number of players; 0 ... 10 000.
+   windows: Receives the intervals, sorted by player, then by time; null if capacity is 0.
+   capacity: The number of intervals that fit, 0 or more.
+   count: Receives the number of intervals, including those that do not fit; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if there are more intervals than capacity, and the first ones are there; FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_intercept_windows(const fp_scene* scene, const fp_state* state, double seconds, const fp_player* players, int32_t n, fp_window* windows, int32_t capacity, int32_t* count);
+
+/* Computes the probability that a player's kick scores: by derivatives if they are accurate, otherwise by simulating random kicks.
+   scene: The scene. Its solver settings are not used.
+   request_json: An object in UTF-8: position, velocity, spin; spread with speedPercent, elevationDegrees, azimuthDegrees, spinPercent and
+     their correlations; goal, the index of a goal of the scene; keeper, a player; kicks, the number of kicks to simulate, 2 ... 100 000
+     000, 2 to 6 microseconds each; seed; alwaysSimulate. Only position and velocity are required.
+   bytes: Its length in bytes; at most 1 048 576.
+   out: Receives the result.
+   Returns FP_OK; FP_SCENE if the text is rejected, FP_ARGUMENT or FP_HANDLE. */
+FP_API fp_status fp_goal_chance(const fp_scene* scene, const char* request_json, int64_t bytes, fp_goal_chance_result* out);
 
 /* Creates a match at time 0, with its balls at rest on the ground, side by side along x from the origin.
    json: An object in UTF-8 with the members of a scene, as for fp_scene_create, and bodies. Obstacles and bodies can have a mass.
@@ -553,7 +886,7 @@ FP_API fp_status fp_match_verify(fp_match* match, int64_t* tick);
    Returns FP_OK; FP_ARGUMENT or FP_HANDLE, and nothing has been written. */
 FP_API fp_status fp_air_many(const fp_scene* scene, int64_t n, const double* position, const double* velocity, const double* spin, double time, const double* air_distance, double* force, double* torque);
 
-#define FP_CHECK_ABI() fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event))
+#define FP_CHECK_ABI() (fp_check_abi(FP_ABI_VERSION, (int32_t)sizeof(fp_state), (int32_t)sizeof(fp_ball), (int32_t)sizeof(fp_event)) != FP_OK ? FP_ABI : fp_check_structs((int32_t)sizeof(fp_body), (int32_t)sizeof(fp_match_event), (int32_t)sizeof(fp_player), (int32_t)sizeof(fp_interception), (int32_t)sizeof(fp_window), (int32_t)sizeof(fp_goal_chance_result), (int32_t)sizeof(fp_fit_result), (int32_t)sizeof(fp_piece), (int32_t)sizeof(fp_fit_match_result)))
 
 #ifdef __cplusplus
 }
