@@ -7,7 +7,7 @@ namespace FootballPhysics.Tests.Properties;
 /// <summary>A ball between stationary colliders, which it touches or nearly touches: it stays outside, it gains no energy, and a mirror shows the mirrored motion.</summary>
 public sealed class ContactPropertyTests
 {
-    private const int Scenes = 150;
+    private const int Scenes = 100;
     private const int Steps = 25;
     private const double Step = 1 / 60.0;
     private const double Radius = 0.11;
@@ -25,8 +25,9 @@ public sealed class ContactPropertyTests
         Gen.Int[0, 2], Drawn.Direction, Gen.Select(Gen.Int[0, 1], Gen.Double[0, 0.2]), Gen.Double[0.02, 2], Drawn.Surface,
         (shape, normal, gap, size, surface) => new Neighbour(shape, normal, gap.Item1 * gap.Item2, size, surface with { NormalRestitution = 0.9 * surface.NormalRestitution }));
 
+    /// <summary>Without balls that touch two surfaces on one line: opposite ones clamp the ball with loads that are not determined, and of flush ones rounding chooses the material.</summary>
     private static readonly Gen<(Neighbour[] Neighbours, Vector3d Velocity, Vector3d Spin)> s_scene =
-        Gen.Select(s_neighbour.Array[1, 4], Drawn.Vector(12), Drawn.Vector(80));
+        Gen.Select(s_neighbour.Array[1, 4].Where(neighbours => !neighbours.Any(one => neighbours.Any(other => one.IsInLineWith(other)))), Drawn.Vector(12), Drawn.Vector(80));
 
     [Fact]
     public void A_ball_between_colliders_stays_outside_all_of_them() =>
@@ -112,6 +113,9 @@ public sealed class ContactPropertyTests
             : new Vector3d(0, 0, Math.Sign(Normal.Z));
 
         private Vector3d Center => Nearest - (Size * Facing);
+
+        /// <summary>True if the ball touches both, and their normals are about parallel.</summary>
+        public bool IsInLineWith(Neighbour other) => !ReferenceEquals(this, other) && Distance + other.Distance < 1e-3 && Math.Abs(Vector3d.Dot(Facing, other.Facing)) > 0.7;
 
         public IShape Shape(Mirror? mirror)
         {
