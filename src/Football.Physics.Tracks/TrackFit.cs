@@ -1,5 +1,4 @@
 using FootballPhysics.Numerics;
-using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Tracks;
 

@@ -1,5 +1,4 @@
 using CsCheck;
-using FootballPhysics.Prediction;
 
 namespace FootballPhysics.Tests.Properties;
 
