@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Labs.Zones;
 
 /// <summary>Plays random kicks with and without zones, and compares the events with the path, sampled densely.</summary>
