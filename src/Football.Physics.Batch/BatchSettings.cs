@@ -41,7 +41,7 @@ public sealed record BatchSettings
 
     /// <summary>Throws if a setting is out of range.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A setting is out of range; the message names field, value and range.</exception>
-    public void Validate()
+    internal void Validate()
     {
         if (Integrator is not (Integrator.Rk2 or Integrator.Rk4))
         {

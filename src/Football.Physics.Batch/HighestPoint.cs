@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Finds the greatest height of the centre, located within the step.</summary>

@@ -7,7 +7,7 @@ namespace FootballPhysics.Engines;
 /// negates x and y. Each conversion is its own inverse and exact, except that a negated component is never −0. A 0 from the engine therefore gives the same
 /// kick as a 0 in the library.
 /// </remarks>
-public readonly struct EngineFrame : IEquatable<EngineFrame>
+public readonly struct EngineFrame
 {
     private readonly bool _mirrored;
 
@@ -19,16 +19,6 @@ public readonly struct EngineFrame : IEquatable<EngineFrame>
 
     /// <summary>The left-handed frame with y up and z forward, used by Unity.</summary>
     public static EngineFrame LeftHanded => new(true);
-
-    /// <summary>True if two frames are equal.</summary>
-    /// <param name="a">The first frame.</param>
-    /// <param name="b">The second frame.</param>
-    public static bool operator ==(EngineFrame a, EngineFrame b) => a.Equals(b);
-
-    /// <summary>True if two frames differ.</summary>
-    /// <param name="a">The first frame.</param>
-    /// <param name="b">The second frame.</param>
-    public static bool operator !=(EngineFrame a, EngineFrame b) => !a.Equals(b);
 
     /// <summary>Converts a position, velocity, direction or force (a polar vector) in either direction.</summary>
     /// <param name="vector">The vector in one frame.</param>
@@ -46,13 +36,4 @@ public readonly struct EngineFrame : IEquatable<EngineFrame>
     public Quaterniond Rotation(Quaterniond rotation) => _mirrored
         ? new Quaterniond(0.0 - rotation.X, 0.0 - rotation.Y, rotation.Z, rotation.W)
         : rotation;
-
-    /// <inheritdoc/>
-    public bool Equals(EngineFrame other) => _mirrored == other._mirrored;
-
-    /// <inheritdoc/>
-    public override bool Equals(object? obj) => obj is EngineFrame other && Equals(other);
-
-    /// <inheritdoc/>
-    public override int GetHashCode() => _mirrored ? 1 : 0;
 }

@@ -421,7 +421,6 @@ internal sealed class MatchPieces
     /// <summary>Returns an impact if the velocities allow one; otherwise a touch.</summary>
     private MatchPiece ImpactOr(double time, Vector3d place, Vector3d before, Vector3d spinBefore, Vector3d after, Vector3d spin, FlightPath? flight)
     {
-        MatchPiece touch = Touch(time, place, before, spinBefore, after, spin);
         var along = new Vector3d(before.X, 0, before.Z);
         var left = new Vector3d(after.X, 0, after.Z);
         double speed = along.Length;
@@ -430,9 +429,16 @@ internal sealed class MatchPieces
         double impulse = after.Y - before.Y;
         bool isImpact = Math.Abs(place.Y - _contact) < Near && restitution < MostRestitution
             && (left - along).Length < (MostFriction * impulse) + UnsureTurn && after.Length < before.Length + MostGain;
-        return !isImpact ? touch : touch with
+        return !isImpact ? Touch(time, place, before, spinBefore, after, spin) : new MatchPiece
         {
             Kind = MatchPieceKind.Impact,
+            StartTime = time,
+            EndTime = time,
+            Position = place,
+            VelocityBefore = before,
+            SpinBefore = spinBefore,
+            Velocity = after,
+            Spin = spin,
             Restitution = flight is null ? null : restitution,
             SpeedRetained = kept,
             VelocityDeviation = flight is null ? Vector3d.Zero : Deviations(flight, 3),

@@ -268,8 +268,25 @@ public enum TrackVerdict
 }
 
 /// <summary>A fit with another ball.</summary>
-/// <param name="Ball">The ball.</param>
-/// <param name="Values">The parameters, in the order of <see cref="TrackFitResult.Names"/>.</param>
-/// <param name="ChiSquared">The χ² of the fit.</param>
-/// <param name="DeltaChiSquared">The increase of χ², including the prior, over the main fit; negative if this ball fits better.</param>
-public sealed record TrackFitByBall(BallProperties Ball, IReadOnlyList<double> Values, double ChiSquared, double DeltaChiSquared);
+public sealed class TrackFitByBall
+{
+    internal TrackFitByBall(BallProperties ball, IReadOnlyList<double> values, double chiSquared, double deltaChiSquared)
+    {
+        Ball = ball;
+        Values = values;
+        ChiSquared = chiSquared;
+        DeltaChiSquared = deltaChiSquared;
+    }
+
+    /// <summary>The ball.</summary>
+    public BallProperties Ball { get; }
+
+    /// <summary>The parameters, in the order of <see cref="TrackFitResult.Names"/>.</summary>
+    public IReadOnlyList<double> Values { get; }
+
+    /// <summary>The χ² of the fit.</summary>
+    public double ChiSquared { get; }
+
+    /// <summary>The increase of χ², including the prior, over the main fit; negative if this ball fits better.</summary>
+    public double DeltaChiSquared { get; }
+}

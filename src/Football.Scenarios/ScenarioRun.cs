@@ -1,4 +1,5 @@
 using FootballPhysics.Scenarios.Input;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Scenarios;
 

@@ -15,12 +15,12 @@ internal static class HostileForces
 
     private sealed record Spring(double Stiffness, double Damping, Vector3d Origin) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce((Stiffness * (Origin - ball.Position)) - (Damping * ball.Velocity));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce((Stiffness * (Origin - ball.Position)) - (Damping * ball.Velocity));
     }
 
     private sealed record Twister(double Strength, double Rate) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             sum.AddForce(new Vector3d(Strength * Math.Sin(Rate * ball.Time), Strength * Math.Cos(Rate * ball.Time), 0));
             sum.AddTorque(new Vector3d(0, 0.001 * Strength, 0));
@@ -29,12 +29,12 @@ internal static class HostileForces
 
     private sealed record Thrust(double Strength) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce(new Vector3d(0, Strength, 0));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(new Vector3d(0, Strength, 0));
     }
 
     private sealed record Damper(double OfVelocity, double OfSpin) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             sum.AddForce(-OfVelocity * ball.Velocity);
             sum.AddTorque(-OfSpin * ball.Spin);

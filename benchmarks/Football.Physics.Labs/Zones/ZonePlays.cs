@@ -1,3 +1,4 @@
+using FootballPhysics.Simulation;
 using FootballPhysics.Yardsticks;
 
 namespace FootballPhysics.Labs.Zones;

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Batch;
 
 /// <summary>Observes a simulation, and updates the derivatives by the launch segment by segment and event by event.</summary>

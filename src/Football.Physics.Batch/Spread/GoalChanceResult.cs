@@ -3,45 +3,45 @@ using FootballPhysics.Numerics;
 namespace FootballPhysics.Batch;
 
 /// <summary>The spread of a player's kicks on the plane of a goal.</summary>
-public readonly record struct GoalChanceResult
+public readonly struct GoalChanceResult
 {
     /// <summary>The method that computed the result.</summary>
-    public GoalChanceMethod Method { get; init; }
+    public GoalChanceMethod Method { get; internal init; }
 
     /// <summary>The number of simulated kicks: the random kicks, or the test kicks if derivatives were used.</summary>
-    public int Kicks { get; init; }
+    public int Kicks { get; internal init; }
 
     /// <summary>The standard error of <see cref="Scores"/> from the finite number of kicks, 0 … 1; 0 if derivatives were used.</summary>
     /// <remarks>The error of derivatives is not random; it is at most about 0.005.</remarks>
-    public double StandardError { get; init; }
+    public double StandardError { get; internal init; }
 
     /// <summary>The share of the kicks that cross the plane, 0 … 1; the following statistics refer to these kicks.</summary>
-    public double Crosses { get; init; }
+    public double Crosses { get; internal init; }
 
     /// <summary>The mean offset to the right of the goal's centre, in m, as the goalkeeper sees it.</summary>
-    public double Aside { get; init; }
+    public double Aside { get; internal init; }
 
     /// <summary>The mean height of the ball's centre above the goal line, in m.</summary>
-    public double Height { get; init; }
+    public double Height { get; internal init; }
 
     /// <summary>The mean time of the crossing, in s since the kick.</summary>
-    public double Time { get; init; }
+    public double Time { get; internal init; }
 
     /// <summary>The standard deviation of the offset, in m.</summary>
-    public double AsideDeviation { get; init; }
+    public double AsideDeviation { get; internal init; }
 
     /// <summary>The standard deviation of the height, in m.</summary>
-    public double HeightDeviation { get; init; }
+    public double HeightDeviation { get; internal init; }
 
     /// <summary>The correlation of offset and height, −1 … 1.</summary>
-    public double Correlation { get; init; }
+    public double Correlation { get; internal init; }
 
     /// <summary>The probability of a goal if nobody stops the ball, 0 … 1, including goals in off the frame.</summary>
     /// <remarks><see cref="BallEventKind.Goal"/> defines a goal.</remarks>
-    public double OnTarget { get; init; }
+    public double OnTarget { get; internal init; }
 
     /// <summary>The probability of a ball on target that the goalkeeper can reach in time, 0 … 1.</summary>
-    public double Covered { get; init; }
+    public double Covered { get; internal init; }
 
     /// <summary>The probability of a ball on target that the goalkeeper cannot reach, 0 … 1.</summary>
     public double Scores => OnTarget - Covered;

@@ -41,7 +41,7 @@ public sealed record KickSpread
     /// <summary>Throws if a number is out of range, or if the correlations contradict each other.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or the correlations contradict each other; the message names field, value and
     /// range.</exception>
-    public void Validate() => Factor(new double[Count * Count]);
+    internal void Validate() => Factor(new double[Count * Count]);
 
     /// <summary>Draws one kick: the intended one with random errors of speed, direction and spin.</summary>
     /// <param name="random">The source of the errors. Seed it to repeat them.</param>

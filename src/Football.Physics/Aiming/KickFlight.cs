@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Aiming;
 
 /// <summary>Simulates a kick step by step until its observer ends the flight.</summary>

@@ -11,7 +11,7 @@ namespace FootballPhysics;
 public sealed class EventBuffer
 {
     /// <summary>The default of <see cref="MaximumCount"/>.</summary>
-    public const int DefaultMost = 1_024;
+    internal const int DefaultMost = 1_024;
 
     /// <summary>The number of most recent events that a full buffer keeps.</summary>
     public const int TailCount = 16;

@@ -4,7 +4,7 @@ using FootballPhysics.Numerics;
 
 namespace FootballPhysics;
 
-/// <content>Kicks, drawing poses and compact states, for use between steps.</content>
+/// <content>Kicks and drawing poses, for use between steps.</content>
 public sealed partial class FixedStepRunner
 {
     /// <summary>Queues a kick for the start of this tick's step, as player 0.</summary>
@@ -84,31 +84,5 @@ public sealed partial class FixedStepRunner
         double part = t1 > t0 ? (time - t0) / (t1 - t0) : 1;
         Quaterniond orientation = Slerp.Between(previous.Orientation, state.Orientation, fraction);
         return new BallPose(p0 + (part * (p1 - p0)), in orientation);
-    }
-
-    /// <summary>Writes a state in <see cref="Snapshot.QuantizedSize"/> bytes, if these bytes can represent the state exactly.</summary>
-    /// <remarks>The method succeeds at the ticks at which <see cref="QuantizationInterval"/> rounds the state.</remarks>
-    /// <param name="state">The state: <see cref="State"/>, or one stored by a <see cref="Rollback"/>.</param>
-    /// <param name="destination">The destination; at least <see cref="Snapshot.QuantizedSize"/> bytes.</param>
-    /// <param name="ball">The index of the ball; default 0.</param>
-    /// <returns>False if the state needs the full size of <see cref="Snapshot.Write"/>; the destination is then unspecified.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
-    public bool TryWriteQuantized(in BallState state, Span<byte> destination, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        return WireForm.TryWrite(SimulatorOf(ball), TimeStep, in state, destination);
-    }
-
-    /// <summary>Reads a state written by <see cref="TryWriteQuantized"/>; the result is bit-identical.</summary>
-    /// <param name="source">At least <see cref="Snapshot.QuantizedSize"/> bytes; more are ignored.</param>
-    /// <param name="ball">The index of the ball; default 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
-    /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
-    /// <exception cref="FormatException">The bytes are not a valid state.</exception>
-    public BallState ReadQuantized(ReadOnlySpan<byte> source, int ball = 0)
-    {
-        Check.Index(nameof(ball), ball, _states.Length);
-        return WireForm.Read(SimulatorOf(ball), TimeStep, source);
     }
 }

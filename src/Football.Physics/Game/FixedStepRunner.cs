@@ -19,6 +19,8 @@ public sealed partial class FixedStepRunner
     /// <summary>The maximum number of steps in a frame.</summary>
     internal const double MostSteps = 1e6;
 
+    private readonly FrameClock _clock;
+    private readonly MatchRecorder _recorder = new();
     private readonly StepLog _log = new();
     private readonly BallGroup? _group;
     private readonly BallState[] _states;
@@ -28,7 +30,6 @@ public sealed partial class FixedStepRunner
     private Simulator _simulator;
     private long _kickTicks = 36_000;
     private int _wireTicks;
-    private double _left;
 
     /// <summary>Creates a runner at tick 0 with a ball at rest on the ground at the origin.</summary>
     /// <remarks>The scene is <see cref="Scene.Default"/> and the settings are <see cref="SolverSettings.Default"/>.</remarks>
@@ -66,8 +67,7 @@ public sealed partial class FixedStepRunner
     {
         Check.Within(nameof(maximumFrameTime), maximumFrameTime, 0, Limits.Time, exclusiveLow: true);
         Check.Within(nameof(timeStep), timeStep, maximumFrameTime / MostSteps, maximumFrameTime);
-        TimeStep = timeStep;
-        MaximumFrameTime = maximumFrameTime;
+        _clock = new FrameClock(timeStep, maximumFrameTime);
         _simulator = simulator;
         _group = group;
         _states = new BallState[group?.Count ?? 1];
@@ -125,7 +125,7 @@ public sealed partial class FixedStepRunner
     public BallGroup? Group => _group;
 
     /// <summary>The number of balls.</summary>
-    public int Balls => _states.Length;
+    internal int Balls => _states.Length;
 
     /// <summary>Gets or sets the callback that positions the bodies and engine colliders for a given time.</summary>
     /// <remarks>The callback is called at the start of every step, including resimulated steps, with the ball's clock time in s. It moves the bodies
@@ -146,7 +146,7 @@ public sealed partial class FixedStepRunner
     }
 
     /// <summary>Gets or sets the interval, in ticks, at which the state is quantised. 0 … 1e6; default 0: never.</summary>
-    /// <remarks>The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="TryWriteQuantized"/> is
+    /// <remarks>The state is rounded to a value that <see cref="Snapshot.QuantizedSize"/> bytes represent exactly, so <see cref="Snapshot.TryWriteQuantized"/> is
     /// lossless at these ticks. Every machine in the match rounds in the same way, even in rollbacks and replays. Position changes by at most 0.5 mm
     /// per component (just above the ground by 1 mm, upwards), velocity by 1 mm/s. Spin changes by less than 0.125 rad/s and rotation by at most
     /// 2.5°. Spin is rounded up or down at random, so that a slow decay is not lost. A ball that the format cannot represent is not rounded: a ball
@@ -174,10 +174,7 @@ public sealed partial class FixedStepRunner
     public ulong SessionHash => Recording.MatchHash(this);
 
     /// <summary>The length of a step, in s.</summary>
-    public double TimeStep { get; }
-
-    /// <summary>The maximum simulated time per frame, in s.</summary>
-    public double MaximumFrameTime { get; }
+    public double TimeStep => _clock.TimeStep;
 
     /// <summary>The number of completed steps; the current state is the state at the start of this tick.</summary>
     public long Tick { get; private set; }
@@ -205,13 +202,13 @@ public sealed partial class FixedStepRunner
     public EventBuffer Events { get; } = new();
 
     /// <summary>The time dropped from the last frame, in s; 0 unless the frame was too long.</summary>
-    public double DroppedTime { get; private set; }
+    public double DroppedTime => _clock.DroppedTime;
 
     /// <summary>The total time dropped from all frames so far, in s.</summary>
-    public double TotalDroppedTime { get; private set; }
+    public double TotalDroppedTime => _clock.TotalDroppedTime;
 
     /// <summary>The interpolation fraction between the start of the last step and its end, 0 … 1.</summary>
-    public double Fraction => _left / TimeStep;
+    public double Fraction => _clock.Fraction;
 
     /// <summary>The pose in which to draw the ball after <see cref="Advance"/>; at most one step behind the state.</summary>
     public BallPose Pose => PoseAt(Fraction);
@@ -223,7 +220,7 @@ public sealed partial class FixedStepRunner
     public Quaterniond Orientation => Pose.Orientation;
 
     /// <summary>The current recording; null if nothing is recorded.</summary>
-    public Recording? Recording { get; private set; }
+    public Recording? Recording => _recorder.Recording;
 
     /// <summary>The rollback that stores the last states; null if there is none.</summary>
     internal Rollback? History { get; set; }
@@ -232,7 +229,7 @@ public sealed partial class FixedStepRunner
     internal PlacementLog? Script { get; set; }
 
     /// <summary>The last tick in which an engine's colliders moved; −1 if none have moved.</summary>
-    internal long EngineMoved { get; private set; } = -1;
+    internal long EngineMoved => _recorder.EngineMoved;
 
     /// <summary>The states of all balls at the start of this tick.</summary>
     internal BallState[] States => _states;
@@ -289,16 +286,13 @@ public sealed partial class FixedStepRunner
     public int Advance(double frameTime)
     {
         Check.NotNegative(nameof(frameTime), frameTime);
-        double counted = frameTime < MaximumFrameTime ? frameTime : MaximumFrameTime;
-        DroppedTime = frameTime - counted;
-        TotalDroppedTime += DroppedTime;
+        _clock.Add(frameTime);
         Events.Clear();
         int steps = 0;
-        _left += counted;
         try
         {
             // Subtract the time only after the step, so that the time of a failed step can still be dropped.
-            for (; _left >= TimeStep; _left -= TimeStep)
+            for (; _clock.HasStep; _clock.Subtract())
             {
                 StepOnce();
                 steps++;
@@ -307,7 +301,7 @@ public sealed partial class FixedStepRunner
         catch
         {
             // Drop the remaining steps: otherwise, the next frame would repeat the failed step and the steps after it.
-            DropWholeSteps();
+            _clock.DropSteps();
             throw;
         }
 
@@ -376,31 +370,15 @@ public sealed partial class FixedStepRunner
         _log.Clear();
         Events.Clear();
         History?.Begin(tick);
-        if (Recording is { } recording && !recording.TryRewind(tick, Snapshot.Hash(_states)))
-        {
-            Recording = null;
-        }
+        _recorder.GoTo(tick, _states);
     }
 
     /// <summary>Starts a recording at this tick.</summary>
     /// <remarks>Each step adds a state hash; the kicks are in <see cref="Kicks"/>. A rollback rewinds the recording; setting an unrecorded state ends it.</remarks>
-    public Recording Record()
-    {
-        Recording = new Recording(this);
-        return Recording;
-    }
+    public Recording Record() => _recorder.Start(this);
 
     /// <summary>Ends the recording, if there is one.</summary>
-    public void StopRecording() => Recording = null;
-
-    /// <summary>Drops the whole steps from the remaining time.</summary>
-    private void DropWholeSteps()
-    {
-        double dropped = Math.Floor(_left / TimeStep) * TimeStep;
-        _left = Math.Max(0, _left - dropped);
-        DroppedTime += dropped;
-        TotalDroppedTime += dropped;
-    }
+    public void StopRecording() => _recorder.Stop();
 
     /// <summary>Makes one step: positions the bodies, applies the kicks, and steps; a failed step changes nothing.</summary>
     private void StepOnce()
@@ -481,14 +459,9 @@ public sealed partial class FixedStepRunner
         if (world.Bodies is { } moved)
         {
             History?.KeepBodies(Tick, moved);
-            Recording?.Bodies.Record(Tick, moved);
         }
 
-        if (world.Engine is { GreatestSpeed: > 0 })
-        {
-            EngineMoved = Tick;
-            Recording?.MovesEngine();
-        }
+        _recorder.AddBodies(Tick, world);
     }
 
     /// <summary>Removes kicks that can no longer be resimulated.</summary>

@@ -9,7 +9,7 @@ namespace FootballPhysics.Aiming;
 /// = (1 + 1/α)/m + 1/M, c = v − U and the slip s = c_t + r n × ω of the ball on the foot, the impulse on the ball is J = J_n n − J_t ŝ with J_n = −(1
 /// + e) m_n (c·n), J_t = min(μ J_n, (1 + e_t) m_t |s|).
 /// </remarks>
-public sealed record Foot
+public sealed class Foot
 {
     /// <summary>The number of fractions of a kick to try if the full kick needs too fast a foot.</summary>
     private const int Shares = 16;

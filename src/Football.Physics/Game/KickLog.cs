@@ -68,7 +68,7 @@ public sealed class KickLog
 
     /// <summary>Removes the kicks before a tick, for instance those too old for a rollback.</summary>
     /// <param name="tick">The first tick to keep.</param>
-    public void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
+    internal void RemoveBefore(long tick) => _kicks.RemoveFirst(FirstAt(tick));
 
     /// <summary>Removes the kicks at or after a tick, for instance when the ball is moved.</summary>
     /// <param name="tick">The first tick to remove.</param>

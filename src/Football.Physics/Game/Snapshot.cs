@@ -12,7 +12,7 @@ public static class Snapshot
     /// <summary>The number of bytes that <see cref="Write"/> writes: the fields and a 4-byte checksum.</summary>
     public const int Size = Fields + Crc32.Size;
 
-    /// <summary>The number of bytes that <see cref="FixedStepRunner.TryWriteQuantized"/> writes.</summary>
+    /// <summary>The number of bytes that <see cref="TryWriteQuantized"/> writes.</summary>
     public const int QuantizedSize = WireForm.Size;
 
     private const int Fields = StateFields.Count * sizeof(ulong);
@@ -144,6 +144,38 @@ public static class Snapshot
         }
 
         return state;
+    }
+
+    /// <summary>Writes a state in <see cref="QuantizedSize"/> bytes, if these bytes can represent the state exactly.</summary>
+    /// <remarks>The method succeeds at the ticks at which <see cref="FixedStepRunner.QuantizationInterval"/> rounds the state.</remarks>
+    /// <param name="runner">The match to which the state belongs.</param>
+    /// <param name="state">The state: <see cref="FixedStepRunner.State"/>, or one stored by a <see cref="Rollback"/>.</param>
+    /// <param name="destination">The destination; at least <see cref="QuantizedSize"/> bytes.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <returns>False if the state needs the full size of <see cref="Write"/>; the destination is then unspecified.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    /// <exception cref="ArgumentException"><paramref name="destination"/> is too short.</exception>
+    public static bool TryWriteQuantized(this FixedStepRunner runner, in BallState state, Span<byte> destination, int ball = 0)
+    {
+        Check.Given(nameof(runner), runner);
+        Check.Index(nameof(ball), ball, runner.Balls);
+        return WireForm.TryWrite(runner.SimulatorOf(ball), runner.TimeStep, in state, destination);
+    }
+
+    /// <summary>Reads a state written by <see cref="TryWriteQuantized"/>; the result is bit-identical.</summary>
+    /// <param name="runner">The match to which the state belongs.</param>
+    /// <param name="source">At least <see cref="QuantizedSize"/> bytes; more are ignored.</param>
+    /// <param name="ball">The index of the ball; default 0.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="runner"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such ball.</exception>
+    /// <exception cref="ArgumentException"><paramref name="source"/> is too short.</exception>
+    /// <exception cref="FormatException">The bytes are not a valid state.</exception>
+    public static BallState ReadQuantized(this FixedStepRunner runner, ReadOnlySpan<byte> source, int ball = 0)
+    {
+        Check.Given(nameof(runner), runner);
+        Check.Index(nameof(ball), ball, runner.Balls);
+        return WireForm.Read(runner.SimulatorOf(ball), runner.TimeStep, source);
     }
 
     /// <summary>Combines the fields into one hash.</summary>

@@ -147,22 +147,22 @@ public readonly struct PathSegment
     public double EndTime => Time + Length;
 
     /// <summary>The position at the start, in m.</summary>
-    public Vector3d StartPosition => _startPosition;
+    internal Vector3d StartPosition => _startPosition;
 
     /// <summary>The velocity at the start, in m/s.</summary>
-    public Vector3d StartVelocity => _startVelocity;
+    internal Vector3d StartVelocity => _startVelocity;
 
     /// <summary>The acceleration at the start, in m/s².</summary>
-    public Vector3d StartAcceleration => _startAcceleration;
+    internal Vector3d StartAcceleration => _startAcceleration;
 
     /// <summary>The position at the end, in m.</summary>
-    public Vector3d EndPosition => _endPosition;
+    internal Vector3d EndPosition => _endPosition;
 
     /// <summary>The velocity at the end, in m/s; if the segment ends with an impact, the velocity before it.</summary>
-    public Vector3d EndVelocity => _endVelocity;
+    internal Vector3d EndVelocity => _endVelocity;
 
     /// <summary>The acceleration at the end, in m/s².</summary>
-    public Vector3d EndAcceleration => _endAcceleration;
+    internal Vector3d EndAcceleration => _endAcceleration;
 
     /// <summary>The motion of the ball: in flight, sliding, rolling, at rest or pinned.</summary>
     public MotionState Motion => _motion;

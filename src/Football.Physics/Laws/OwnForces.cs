@@ -32,7 +32,7 @@ internal sealed class OwnForces
     public void AddTo(in ForceContext ball, ref AirFactors factors)
     {
         // Pass the air-relative velocity, with the local wind, to the forces.
-        ForceAccumulator sum = default;
+        ForceAndTorque sum = default;
         ForceContext seen = ball.In(in factors.AirVelocity);
         for (int i = 0; i < _forces.Length; i++)
         {
@@ -48,6 +48,6 @@ internal sealed class OwnForces
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Refuse(int index, in ForceContext ball, in ForceAccumulator sum) => throw new InvalidOperationException(FormattableString.Invariant(
+    private void Refuse(int index, in ForceContext ball, in ForceAndTorque sum) => throw new InvalidOperationException(FormattableString.Invariant(
         $"forces.customForces[{index}] ({_forces[index].GetType().Name}) is {sum.Force} N, {sum.Torque} N m at {ball.Time} s; allowed: finite components."));
 }

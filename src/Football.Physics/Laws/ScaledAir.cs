@@ -39,7 +39,7 @@ public sealed class ScaledAir : IForce
     internal AirLaws Laws { get; }
 
     /// <inheritdoc/>
-    public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+    public void Apply(in ForceContext ball, ref ForceAndTorque sum)
     {
         Vector3d u = ball.AirVelocity;
 

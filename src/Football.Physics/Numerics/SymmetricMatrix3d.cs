@@ -24,22 +24,22 @@ public readonly struct SymmetricMatrix3d
     public static SymmetricMatrix3d Zero => default;
 
     /// <summary>The entry in row x, column x.</summary>
-    public double XX { get; }
+    internal double XX { get; }
 
     /// <summary>The entry in row x, column y.</summary>
-    public double XY { get; }
+    internal double XY { get; }
 
     /// <summary>The entry in row x, column z.</summary>
-    public double XZ { get; }
+    internal double XZ { get; }
 
     /// <summary>The entry in row y, column y.</summary>
-    public double YY { get; }
+    internal double YY { get; }
 
     /// <summary>The entry in row y, column z.</summary>
-    public double YZ { get; }
+    internal double YZ { get; }
 
     /// <summary>The entry in row z, column z.</summary>
-    public double ZZ { get; }
+    internal double ZZ { get; }
 
     /// <summary>Returns the Hessian of the distance from a point: (1 − nnᵀ)/l.</summary>
     /// <param name="normal">n, the unit vector from the point.</param>

@@ -1,7 +1,7 @@
 namespace FootballPhysics.Prediction;
 
 /// <summary>The direction in which a plane is crossed.</summary>
-public enum CrossingDirection
+internal enum CrossingDirection
 {
     /// <summary>Either direction.</summary>
     Any = 0,

@@ -35,7 +35,7 @@ public sealed partial class Trajectory
     /// <returns>False if there are fewer crossings.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="plane"/> is the default value, <paramref name="index"/> is negative, or
     /// <paramref name="direction"/> is not a value of the enumeration.</exception>
-    public bool TryGetCrossing(in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
+    internal bool TryGetCrossing(in Plane3d plane, int index, CrossingDirection direction, out PathPoint crossing)
     {
         plane.Validate(nameof(plane));
         Check.AtLeast(nameof(index), index, 0);

@@ -30,7 +30,7 @@ public sealed record BallProperties
     public double Bounce { get; init; } = 1;
 
     /// <summary>The drag curve without spin; only <see cref="AerodynamicModel.Measured"/> uses it.</summary>
-    /// <remarks>Default <see cref="DragCurve.Modern"/>.</remarks>
+    /// <remarks>Default: the curve of <see cref="Modern"/>.</remarks>
     public DragCurve DragCurve { get; init; } = DragCurve.Modern with { };
 
     /// <summary>K, the standard deviation of the lateral knuckle force at 30 m/s without spin, in N.</summary>
@@ -51,7 +51,7 @@ public sealed record BallProperties
     /// </remarks>
     public static BallProperties Modern { get; } = new();
 
-    /// <summary>A match football in the still air of a wind tunnel: the mean of three balls, <see cref="DragCurve.Generic"/>.</summary>
+    /// <summary>A match football in the still air of a wind tunnel: the mean of three balls.</summary>
     /// <remarks>The name in JSON is "generic".</remarks>
     public static BallProperties Tunnel { get; } = new() { DragCurve = DragCurve.Generic };
 

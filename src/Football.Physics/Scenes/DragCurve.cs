@@ -49,26 +49,26 @@ public sealed record DragCurve
     /// <summary>A generic ball: the mean of Tango 12, Teamgeist and Brazuca, rounded.</summary>
     /// <remarks>The values are derived. The rounding was chosen to reproduce Hong and Asai's four drag coefficients and the flight reported by Mencke
     /// et al.</remarks>
-    public static DragCurve Generic { get; } = new();
+    internal static DragCurve Generic { get; } = new();
 
     /// <summary>Tango 12: crisis at 12.86 m/s (measured: Kiratidis and Leinweber).</summary>
-    public static DragCurve Tango12 { get; } = OfTunnelSpeeds(0.5452, 12.86, 1.304, 0.1657, 0.1953, 16.22);
+    internal static DragCurve Tango12 { get; } = OfTunnelSpeeds(0.5452, 12.86, 1.304, 0.1657, 0.1953, 16.22);
 
     /// <summary>Teamgeist: crisis at 12.58 m/s (measured: Kiratidis and Leinweber).</summary>
-    public static DragCurve Teamgeist { get; } = OfTunnelSpeeds(0.4927, 12.58, 1.071, 0.1440, 0.1540, 23.17);
+    internal static DragCurve Teamgeist { get; } = OfTunnelSpeeds(0.4927, 12.58, 1.071, 0.1440, 0.1540, 23.17);
 
     /// <summary>Jabulani: crisis at 18.69 m/s (measured: Kiratidis and Leinweber).</summary>
-    public static DragCurve Jabulani { get; } = OfTunnelSpeeds(0.4839, 18.69, 1.377, 0.1413, 0.1780, 23.29);
+    internal static DragCurve Jabulani { get; } = OfTunnelSpeeds(0.4839, 18.69, 1.377, 0.1413, 0.1780, 23.29);
 
     /// <summary>Brazuca: crisis at 12.92 m/s (measured: Kiratidis and Leinweber).</summary>
-    public static DragCurve Brazuca { get; } = OfTunnelSpeeds(0.4740, 12.92, 1.000, 0.1657, 0.2112, 14.61);
+    internal static DragCurve Brazuca { get; } = OfTunnelSpeeds(0.4740, 12.92, 1.000, 0.1657, 0.2112, 14.61);
 
     /// <summary>A present-day ball in match play: roughness 0.86, crisis at Re 95 000 (6.5 m/s at sea level).</summary>
     /// <remarks>
     /// The curve was measured on the flights in one minute of a match in 2024, at 2 600 m. A second minute gives 85 000 … 110 000. The measurement cannot
     /// separate the effects of the ball, its spin and the air in the stadium.
     /// </remarks>
-    public static DragCurve Modern { get; } = OfRoughness(0.86);
+    internal static DragCurve Modern { get; } = OfRoughness(0.86);
 
     /// <summary>The Reynolds number of the crisis of the smoothest match ball.</summary>
     private const double SmoothCrisis = 272_000;

@@ -12,7 +12,7 @@ public interface IForce
     /// <summary>Adds the force (N) and the torque (N m) on the ball.</summary>
     /// <param name="ball">The ball at one instant.</param>
     /// <param name="sum">The sum to add to.</param>
-    void Apply(in ForceContext ball, ref ForceAccumulator sum);
+    void Apply(in ForceContext ball, ref ForceAndTorque sum);
 
     /// <summary>Creates a force from a function, for example <c>IForce.From(ball => new Vector3d(0.4, 0, 0))</c>.</summary>
     /// <param name="force">A function that returns the force on the ball at one instant, in N.</param>
@@ -25,24 +25,6 @@ public interface IForce
 
         public FunctionForce(Func<ForceContext, Vector3d> force) => _force = force;
 
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce(_force(ball));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(_force(ball));
     }
-}
-
-/// <summary>The running sum of forces and torques.</summary>
-public struct ForceAccumulator
-{
-    /// <summary>The sum of the forces, in N.</summary>
-    public Vector3d Force { get; private set; }
-
-    /// <summary>The sum of the torques, in N m.</summary>
-    public Vector3d Torque { get; private set; }
-
-    /// <summary>Adds a force.</summary>
-    /// <param name="force">The force, in N.</param>
-    public void AddForce(in Vector3d force) => Force += force;
-
-    /// <summary>Adds a torque.</summary>
-    /// <param name="torque">The torque, in N m.</param>
-    public void AddTorque(in Vector3d torque) => Torque += torque;
 }

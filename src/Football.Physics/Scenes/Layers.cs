@@ -7,7 +7,7 @@ namespace FootballPhysics;
 public static class Layers
 {
     /// <summary>The highest layer.</summary>
-    public const int Highest = 31;
+    internal const int Highest = 31;
 
     /// <summary>Returns a set of layers: bit k represents layer k.</summary>
     /// <param name="layers">The layers, 0 … 31.</param>

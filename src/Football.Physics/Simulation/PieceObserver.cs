@@ -1,10 +1,8 @@
-using FootballPhysics.Simulation;
-
-namespace FootballPhysics.Prediction;
+namespace FootballPhysics.Simulation;
 
 /// <summary>Observes a simulation piece by piece: for exact apexes, lengths, crossings and dense paths.</summary>
 /// <remarks>Set it as <see cref="StepLog.Observer"/>.</remarks>
-public abstract class PieceObserver
+internal abstract class PieceObserver
 {
     /// <summary>True if pieces must include the acceleration at their end. Default false.</summary>
     /// <remarks>This costs one force evaluation per piece. Without it, the pieces are cubic.</remarks>

@@ -289,29 +289,14 @@ public sealed class Simulator
     /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run.</param>
     /// <param name="log">Receives events and counts.</param>
+    /// <param name="afterStep">Called with the ball after every step; default none.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
     /// <exception cref="ArgumentOutOfRangeException">
     /// A value is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The message names the field, the
     /// value and the range.
     /// </exception>
     /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
-    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log) =>
-        Run(ref state, timeStep, duration, stopAt, log, null);
-
-    /// <summary>Advances a ball until an event or the end of the duration, and calls back after every step.</summary>
-    /// <param name="state">The ball, as in the other overload.</param>
-    /// <param name="timeStep">The length of a step, in s, as in the other overload.</param>
-    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
-    /// <param name="stopAt">The event that ends the run.</param>
-    /// <param name="log">Receives events and counts.</param>
-    /// <param name="afterStep">Called with the ball after every step; null for no callback.</param>
-    /// <returns>True if the event ended the run; false if the time ran out.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">
-    /// A value is out of range, or a body was moved for a time more than 0.25 s from the ball's time. The message names the field, the
-    /// value and the range.
-    /// </exception>
-    /// <exception cref="ArgumentNullException"><paramref name="log"/> is null.</exception>
-    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, Action<BallState>? afterStep)
+    public bool Run(ref BallState state, double timeStep, double duration, StopAt stopAt, StepLog log, Action<BallState>? afterStep = null)
     {
         CheckRun(in state, timeStep, duration, stopAt);
         if (log is null)

@@ -43,7 +43,7 @@ public sealed record SolverSettings
     /// <summary>Throws if a setting is out of range.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A setting is out of range. The message names the field, the value and the
     /// range.</exception>
-    public void Validate()
+    internal void Validate()
     {
         Check.Defined("solver.integrator", Integrator, (int)Integrator, 4);
         Check.Defined("solver.collisionTiming", CollisionTiming, (int)CollisionTiming, 2);

@@ -68,7 +68,7 @@ public sealed partial class StepLog
 
     /// <summary>The observer that receives every piece of motion. Default null, which costs nothing.</summary>
     /// <remarks>A step is one piece, or several if it contains events.</remarks>
-    public PieceObserver? Observer
+    internal PieceObserver? Observer
     {
         get => _observer;
         set

@@ -1,4 +1,5 @@
 using System.Reflection;
+using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
 using FootballPhysics.Tests.Support;
 
@@ -45,7 +46,7 @@ public sealed class RenamedTests
         Type? type = s_types.SingleOrDefault(type => type.Name == chain[0]);
         foreach (string name in chain[1..])
         {
-            MemberInfo? member = type?.GetMember(name).FirstOrDefault();
+            MemberInfo? member = type?.GetMember(name).FirstOrDefault() ?? Extension(type, name);
             type = member switch
             {
                 PropertyInfo property => property.PropertyType,
@@ -57,4 +58,10 @@ public sealed class RenamedTests
 
         return type is not null;
     }
+
+    /// <summary>Returns an extension method of a type; null if there is none of this name.</summary>
+    private static MethodInfo? Extension(Type? type, string name) => s_types
+        .Where(home => home.IsDefined(typeof(ExtensionAttribute)))
+        .SelectMany(home => home.GetMethods())
+        .FirstOrDefault(method => method.Name == name && method.IsDefined(typeof(ExtensionAttribute)) && method.GetParameters()[0].ParameterType == type);
 }

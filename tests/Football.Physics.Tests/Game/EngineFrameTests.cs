@@ -59,13 +59,4 @@ public sealed class EngineFrameTests
         Assert.Equal(0, BitConverter.DoubleToInt64Bits(v.Z));
         Assert.Equal(0, BitConverter.DoubleToInt64Bits(w.X) | BitConverter.DoubleToInt64Bits(w.Y));
     }
-
-    [Fact]
-    public void Frames_compare_by_value()
-    {
-        Assert.True(EngineFrame.LeftHanded == s_unity);
-        Assert.True(EngineFrame.LeftHanded != EngineFrame.RightHanded);
-        Assert.False(EngineFrame.LeftHanded.Equals("no frame"));
-        Assert.NotEqual(EngineFrame.LeftHanded.GetHashCode(), EngineFrame.RightHanded.GetHashCode());
-    }
 }

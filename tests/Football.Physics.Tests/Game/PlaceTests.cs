@@ -64,6 +64,6 @@ public sealed class PlaceTests
 
     private sealed class Broken : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddForce(new Vector3d(0, Math.Sqrt(-ball.Position.Y), 0));
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddForce(new Vector3d(0, Math.Sqrt(-ball.Position.Y), 0));
     }
 }

@@ -12,18 +12,18 @@ public sealed class MeasuredLawTests
 
     public static TheoryData<string, double[]> Balls => new()
     {
-        { nameof(DragCurve.Tango12), [.545180, .544922, .541354, .497671, .291744, .179855, .173414, .183522, .194366] },
-        { nameof(DragCurve.Teamgeist), [.492697, .492631, .491003, .454930, .230783, .148570, .144003, .147621, .153499] },
-        { nameof(DragCurve.Jabulani), [.483900, .483895, .483835, .483112, .474562, .396778, .206964, .154549, .176136] },
-        { nameof(DragCurve.Brazuca), [.473999, .473976, .473259, .452510, .257900, .175279, .179270, .194522, .209878] },
-        { nameof(DragCurve.Generic), [.489994, .489887, .487879, .453946, .256710, .164225, .162789, .173215, .183929] },
+        { nameof(BallProperties.Tango12), [.545180, .544922, .541354, .497671, .291744, .179855, .173414, .183522, .194366] },
+        { nameof(BallProperties.Teamgeist), [.492697, .492631, .491003, .454930, .230783, .148570, .144003, .147621, .153499] },
+        { nameof(BallProperties.Jabulani), [.483900, .483895, .483835, .483112, .474562, .396778, .206964, .154549, .176136] },
+        { nameof(BallProperties.Brazuca), [.473999, .473976, .473259, .452510, .257900, .175279, .179270, .194522, .209878] },
+        { nameof(BallProperties.Tunnel), [.489994, .489887, .487879, .453946, .256710, .164225, .162789, .173215, .183929] },
     };
 
     [Theory]
     [MemberData(nameof(Balls))]
     public void Without_spin_every_ball_has_its_drag_coefficient(string ball, double[] expected)
     {
-        var drag = new ReynoldsDrag((DragCurve)typeof(DragCurve).GetProperty(ball)!.GetValue(null)!);
+        var drag = new ReynoldsDrag(((BallProperties)typeof(BallProperties).GetProperty(ball)!.GetValue(null)!).DragCurve);
         Assert.All(s_reynolds.Zip(expected), pair => Assert.Equal(pair.Second, drag.Coefficient(pair.First), 1.1e-6));
     }
 

@@ -163,7 +163,7 @@ public sealed class CustomForceTests
 
         public Torque(Vector3d torque) => _torque = torque;
 
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum) => sum.AddTorque(_torque);
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum) => sum.AddTorque(_torque);
     }
 
     private sealed class Recorder : IForce
@@ -172,7 +172,7 @@ public sealed class CustomForceTests
 
         public HashSet<MotionState> Motions { get; } = [];
 
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             Last = ball;
             Motions.Add(ball.Motion);

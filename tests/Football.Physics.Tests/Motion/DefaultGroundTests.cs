@@ -126,7 +126,7 @@ public sealed class DefaultGroundTests
 
     private sealed class Steady(Vector3d force, Vector3d torque) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             sum.AddForce(in force);
             sum.AddTorque(in torque);

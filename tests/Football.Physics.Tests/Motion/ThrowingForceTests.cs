@@ -261,7 +261,7 @@ public sealed class ThrowingForceTests
 
         public void Begin(int calls) => Left = calls;
 
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             if (Left-- <= 0)
             {
@@ -275,7 +275,7 @@ public sealed class ThrowingForceTests
     /// <summary>Throws for balls that were launched at some places.</summary>
     private sealed class FailingAt(params int[] places) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             double x = ball.Position.X;
             int failing = Array.FindIndex(places, place => Math.Abs(x - place) < 0.3);
@@ -288,7 +288,7 @@ public sealed class ThrowingForceTests
 
     private sealed class Poison(double value, bool torque, double from) : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
             var poison = new Vector3d(0, ball.Time < from ? 0 : value, 0);
             if (torque)

@@ -49,7 +49,7 @@ public sealed class WholeStepTests
 
     private sealed class Nothing : IForce
     {
-        public void Apply(in ForceContext ball, ref ForceAccumulator sum)
+        public void Apply(in ForceContext ball, ref ForceAndTorque sum)
         {
         }
     }

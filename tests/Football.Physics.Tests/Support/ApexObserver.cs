@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Support;
 
 /// <summary>The greatest height of the centre over a run, launch included.</summary>

@@ -1,3 +1,5 @@
+using FootballPhysics.Simulation;
+
 namespace FootballPhysics.Tests.Support;
 
 /// <summary>Ends a step that would never end: after too many pieces of motion it asks for a halt, and says so.</summary>

@@ -1,4 +1,5 @@
 using FootballPhysics.Contacts;
+using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Labs.Stability.Things;
 

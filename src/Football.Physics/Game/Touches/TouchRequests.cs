@@ -110,7 +110,7 @@ public sealed record FirstTimeRequest
 
 /// <summary>The errors of a player's foot in velocity and point of contact: independent and normally distributed.</summary>
 /// <remarks>The default values are guesses.</remarks>
-public sealed record TouchSpread
+public sealed class TouchSpread
 {
     /// <summary>The standard deviation of the foot's speed, in %. 0 … 100; default 4.</summary>
     public double SpeedPercent { get; init; } = 4;

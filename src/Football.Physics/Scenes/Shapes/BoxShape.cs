@@ -48,7 +48,7 @@ public sealed class BoxShape : IShape
     public Quaterniond Rotation { get; }
 
     /// <inheritdoc/>
-    public double MaximumConcaveCurvature => 0;
+    double IShape.MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Around(

@@ -43,7 +43,7 @@ public sealed class CapsuleShape : IShape
     public double Radius { get; }
 
     /// <inheritdoc/>
-    public double MaximumConcaveCurvature => 0;
+    double IShape.MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Around(From, Radius, Radius, Radius).Union(Bounds3d.Around(To, Radius, Radius, Radius));

@@ -85,25 +85,25 @@ public sealed class HeightField : IShape
     }
 
     /// <summary>The x coordinate of the first value, in m.</summary>
-    public double OriginX { get; }
+    internal double OriginX { get; }
 
     /// <summary>The z coordinate of the first value, in m.</summary>
-    public double OriginZ { get; }
+    internal double OriginZ { get; }
 
     /// <summary>The distance δ between neighbours, in m.</summary>
     public double Spacing { get; }
 
     /// <summary>The steepest slope, from samples in every cell.</summary>
-    public double SteepestSlope { get; }
+    internal double SteepestSlope { get; }
 
     /// <summary>The strongest curvature, from samples in every cell, in 1/m.</summary>
-    public double StrongestCurvature { get; }
+    internal double StrongestCurvature { get; }
 
     /// <summary>The heights passed to the constructor, row by row.</summary>
     internal IEnumerable<IEnumerable<double>> Rows => Enumerable.Range(0, _rows).Select(i => _values.Skip(i * _columns).Take(_columns));
 
     /// <inheritdoc/>
-    public double MaximumConcaveCurvature => StrongestCurvature;
+    double IShape.MaximumConcaveCurvature => StrongestCurvature;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => new(

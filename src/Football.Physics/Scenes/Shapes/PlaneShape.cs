@@ -26,7 +26,7 @@ public sealed class PlaneShape : IShape
     public Vector3d Normal { get; }
 
     /// <inheritdoc/>
-    public double MaximumConcaveCurvature => 0;
+    double IShape.MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Normal == Vector3d.Up

@@ -24,7 +24,7 @@ public sealed class SphereShape : IShape
     public double Radius { get; }
 
     /// <inheritdoc/>
-    public double MaximumConcaveCurvature => 0;
+    double IShape.MaximumConcaveCurvature => 0;
 
     /// <inheritdoc/>
     public Bounds3d Bounds => Bounds3d.Around(Center, Radius, Radius, Radius);

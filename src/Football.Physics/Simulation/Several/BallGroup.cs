@@ -123,28 +123,14 @@ public sealed partial class BallGroup
     /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
     /// <param name="stopAt">The event that ends the run: the first impact of any ball, or rest of all balls at the end of a step.</param>
     /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
+    /// <param name="afterStep">Called after every step, when the states are those at its end; default none.</param>
     /// <returns>True if the event ended the run; false if the time ran out.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
     /// observer.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
     /// range.</exception>
-    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log) => Run(states, timeStep, duration, stopAt, log, null);
-
-    /// <summary>Advances all balls until an event or the end of the duration, and calls back after every step.</summary>
-    /// <param name="states">The balls, as in the other overload.</param>
-    /// <param name="timeStep">The length of a step, in s, as in the other overload.</param>
-    /// <param name="duration">The maximum time to simulate, in s; above 0, at most 1e12.</param>
-    /// <param name="stopAt">The event that ends the run, as in the other overload.</param>
-    /// <param name="log">Receives the events of all balls, ordered by time and then by ball, and the counts.</param>
-    /// <param name="afterStep">Called after every step, when the states are those at its end; null for no callback.</param>
-    /// <returns>True if the event ended the run; false if the time ran out.</returns>
-    /// <exception cref="ArgumentNullException">The states or the log are null.</exception>
-    /// <exception cref="ArgumentException">The number of states is wrong, their times differ, a state was never launched, or the log has an
-    /// observer.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A value is out of range. The message names the field, the value and the
-    /// range.</exception>
-    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log, Action? afterStep)
+    public bool Run(BallState[] states, double timeStep, double duration, StopAt stopAt, StepLog log, Action? afterStep = null)
     {
         Check.Given(nameof(states), states);
         Check.Given(nameof(log), log);

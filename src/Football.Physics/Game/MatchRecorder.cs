@@ -1,0 +1,47 @@
+using FootballPhysics.Contacts;
+
+namespace FootballPhysics.Game;
+
+/// <summary>The recorder of a runner: adds every step to the current recording, and ends a recording that no longer applies.</summary>
+internal sealed class MatchRecorder
+{
+    /// <summary>The current recording; null if nothing is recorded.</summary>
+    public Recording? Recording { get; private set; }
+
+    /// <summary>The last tick in which an engine's colliders moved; −1 if none have moved.</summary>
+    public long EngineMoved { get; private set; } = -1;
+
+    /// <summary>Starts a recording at a runner's current tick.</summary>
+    public Recording Start(FixedStepRunner runner)
+    {
+        Recording = new Recording(runner);
+        return Recording;
+    }
+
+    /// <summary>Ends the recording, if there is one.</summary>
+    public void Stop() => Recording = null;
+
+    /// <summary>Rewinds the recording to a tick; ends it if it does not contain these states.</summary>
+    public void GoTo(long tick, BallState[] states)
+    {
+        if (Recording is { } recording && !recording.TryRewind(tick, Snapshot.Hash(states)))
+        {
+            Recording = null;
+        }
+    }
+
+    /// <summary>Adds the positions of the bodies for a tick, and notes whether engine colliders move.</summary>
+    public void AddBodies(long tick, World world)
+    {
+        if (world.Bodies is { } bodies)
+        {
+            Recording?.Bodies.Record(tick, bodies);
+        }
+
+        if (world.Engine is { GreatestSpeed: > 0 })
+        {
+            EngineMoved = tick;
+            Recording?.MovesEngine();
+        }
+    }
+}
