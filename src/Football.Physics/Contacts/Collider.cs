@@ -1,4 +1,4 @@
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Contacts;
@@ -263,7 +263,7 @@ internal sealed class Collider
         // Transform the path to the frame of the moving shape, in which the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
-        return motion.IsTurned ? seen.InAxes(in motion) : seen;
+        return motion.IsTurned ? seen.Rotated(motion.ToOwnAxes) : seen;
     }
 
     /// <summary>Returns its bounding box at a time.</summary>

@@ -1,4 +1,4 @@
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 
@@ -210,7 +210,7 @@ internal readonly struct ContactSearch
         var span = new SearchSpan(in _path, until);
         if (collider.StandingPlane is { } plane)
         {
-            var distance = new PlaneGap(_path.DistanceTo(plane, r), in span);
+            var distance = new PlaneGap(_path.DistanceTo(plane.Normal, plane.DistanceTo(_path.Start) - r), in span);
             return TimeOfImpact.First(ref distance);
         }
 

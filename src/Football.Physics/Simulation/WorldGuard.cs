@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -116,7 +117,7 @@ internal sealed class WorldGuard
         {
             // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has a different
             // cubic, so repeat.
-            var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
+            var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
             var search = new ContactSearch(_world, in path, s.Time);
             double at = search.First(in s, carrier, held, out Separation found);
 
