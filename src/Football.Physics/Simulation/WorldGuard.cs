@@ -87,15 +87,6 @@ internal sealed class WorldGuard
         return Vector3d.Dot(s.Velocity - surface, in n) < -ContactTolerances.Approaching;
     }
 
-    /// <summary>Ends a piece at its first contact.</summary>
-    /// <param name="sweep">The piece.</param>
-    /// <param name="s">The ball at its start.</param>
-    /// <param name="order">Order of the integrator.</param>
-    /// <param name="met">The contact.</param>
-    /// <returns>True if there is a contact.</returns>
-    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
-        where TSweep : struct, ISweep => EndAtFirst(ref sweep, in s, order, default, out met);
-
     /// <summary>Ends a piece at its first contact, except for the contacts that the ball keeps.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
