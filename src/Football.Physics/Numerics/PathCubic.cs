@@ -140,9 +140,10 @@ internal readonly struct PathDistance(double c0, double c1, double c2, double c3
     /// <summary>The greatest downward second derivative, in m/s². It is linear in time, so it is greatest at an end.</summary>
     public double GreatestFall => Math.Max(0, -2.0 * Math.Min(c2, c2 + (3.0 * length * c3)));
 
-    /// <summary>Returns the distance at a time, in m.</summary>
-    public double At(double t) => c0 + (t * (c1 + (t * (c2 + (t * c3)))));
-
-    /// <summary>Returns the rate at a time, in m/s.</summary>
-    public double RateAt(double t) => c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
+    /// <summary>Returns the distance at a time, in m, and its rate, in m/s.</summary>
+    public double At(double t, out double rate)
+    {
+        rate = c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
+        return c0 + (t * (c1 + (t * (c2 + (t * c3)))));
+    }
 }

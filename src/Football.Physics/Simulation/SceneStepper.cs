@@ -124,7 +124,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     public override void Settle(ref BallState s)
     {
         World.Enter(ref s);
-        _contact.Raise(ref s);
+        s.Position = GroundPlace.Raised(World, s.Position);
         _contact.Settle(ref s);
         World.Exit(ref s);
     }
@@ -338,7 +338,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     private void Separate(ref BallState s, ref StepRun run)
     {
         s.ClearUntil = 0;
-        _contact.Raise(ref s);
+        s.Position = GroundPlace.Raised(World, s.Position);
         _bodies?.Apply(ref s, ref run);
         if (World.Moves)
         {

@@ -278,9 +278,6 @@ internal sealed partial class WorldContact
         s.Motion = MotionState.Rest;
     }
 
-    /// <summary>Raises a ball that is below the surface of the ground vertically.</summary>
-    public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
-
     /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it; otherwise in the
     /// air.</summary>
     public void Settle(ref BallState s)

@@ -110,7 +110,7 @@ internal sealed class WorldGuard
             // cubic, so repeat.
             var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
             var search = new ContactSearch(_world, in path, s.Time);
-            double at = search.First(in s, carrier, held, out Separation found);
+            double at = search.First(in s, carrier, out Separation found, held);
 
             // No earlier contact was found, or the contact is the same one and earlier only by rounding.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - ContactTolerances.StepRounding) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))
