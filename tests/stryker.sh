@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Mutates every line of a room of the library and plays the tests of behaviour that concern it: which mutants does none see?
 #
-#   tests/stryker.sh ROOM [FILE...]      ROOM: Contact, Air, Simulation or another folder of src/Football.Physics; FILE: files of it alone (CoulombImpact.cs)
+#   tests/stryker.sh ROOM [FILE...]      ROOM: Contact, Air, Simulation or another folder of src/Football.Physics; FILE: files of it alone (ImpactLaw.cs)
 #
 # It takes six minutes to build and some seconds a mutant, which for a whole room is hours, and is no part of CI. The report is in artifacts/stryker/ROOM.
 # FILTER chooses other tests (as dotnet test --filter does).
@@ -13,7 +13,7 @@ shift
 
 # Quick tests, whose numbers are closed forms, reference cases or symmetries.
 case $room in
-    Contact) tests="Things.CoulombImpactTests Things.SurfaceNumbersTests Things.BoundsTreeTests Things.EdgeTests Things.GoalTests Things.BodyTests Things.EngineColliderTests
+    Contact) tests="Things.ImpactLawTests Things.SurfaceNumbersTests Things.BoundsTreeTests Things.EdgeTests Things.GoalTests Things.BodyTests Things.EngineColliderTests
         Things.SurfacePatternTests Motion.DefaultGroundTests Motion.WholeStepTests Motion.MeasuredImpactTests Motion.SlipDecayTests Reference.AmongReferenceTests Things.WorldReferenceTests" ;;
     Air) tests="Tests.Laws Motion.WindFieldTests Scenes.WindTests Motion.SpinDecayTests Motion.CustomForceTests Reference.MeasuredReferenceTests Reference.ReferenceTests" ;;
     Simulation) tests="Tests.Motion Things.EdgeTests Things.BodyTests Things.SurfacePatternTests Things.GoalTests Things.WorldOrderTests Reference.AmongReferenceTests

@@ -190,7 +190,7 @@ internal sealed class BatchWorker
         Vector3d spinAfter = spin;
         if (end == BatchEnd.Impact)
         {
-            CoulombImpact.Apply(_scene.Ball, in _ground, Vector3d.Up, Vector3d.Zero, in velocity, in spin, out after, out spinAfter);
+            ImpactLaw.Apply(_scene.Ball, in _ground, Vector3d.Up, Vector3d.Zero, in velocity, in spin, out after, out spinAfter);
         }
 
         flights.End[index] = end;

@@ -181,7 +181,7 @@ internal sealed class SurfaceFit
     private void Shares(in ContactMaterial material, MatchPiece impact, out double bounce, out double kept)
     {
         Vector3d before = impact.VelocityBefore;
-        CoulombImpact.Apply(_ball, in material, Vector3d.Up, Vector3d.Zero, in before, impact.SpinBefore, out Vector3d after, out _);
+        ImpactLaw.Apply(_ball, in material, Vector3d.Up, Vector3d.Zero, in before, impact.SpinBefore, out Vector3d after, out _);
         Vector3d along = before.Horizontal;
         bounce = after.Y / -before.Y;
         kept = along.LengthSquared > 0 ? Vector3d.Dot(along, after.Horizontal) / along.LengthSquared : 1;

@@ -28,7 +28,7 @@ if (!Directory.Exists(room) && !File.Exists(room))
 string[] things = ["Things.EdgeTests", "Things.BodyTests", "Things.SurfacePatternTests", "Things.GoalTests", "Reference.AmongReferenceTests", "Things.WorldReferenceTests"];
 string[] tests = args[0].Split('/')[0] switch
 {
-    "Contacts" => ["Things.CoulombImpactTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Things.ContactSolverTests", "Things.ContactNewtonTests", "Things.ContactSearchTests",
+    "Contacts" => ["Things.ImpactLawTests", "Things.SurfaceNumbersTests", "Things.BoundsTreeTests", "Things.EngineColliderTests", "Things.ContactSetTests", "Things.ContactSolverTests", "Things.ContactNewtonTests", "Things.ContactSearchTests",
         "Things.NearContactTests", "Things.NetSheetTests", "Motion.DefaultGroundTests",
         "Motion.MeasuredImpactTests", "Motion.SlipDecayTests", "Motion.RollTests", "Motion.SlideTests", .. things],
     "Laws" => ["Laws.AirContractTests", "Laws.AirLawTests", "Laws.AirRatesTests", "Laws.DragJumpTests", "Laws.KnuckleForceTests", "Laws.MeasuredLawTests", "Laws.ScaledAirTests", "Laws.TableLawTests", "Laws.TableRangeTests",

@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Simulation;
 using FootballPhysics.Tool.Commands;
 using FootballPhysics.Yardsticks;
 
@@ -57,7 +56,7 @@ internal static class ImpactBalances
                 BallProperties second = Ball(random);
                 Vector3d w2 = random.Uniform(0, 100) * random.Direction();
                 BallState its = State(v2, w2, Vector3d.Zero);
-                BallContact.Impact(ball, second, in material, in n, in first, in its, out Motion a, out Motion b);
+                ImpactLaw.Apply(ball, second, in material, in n, in first, in its, out Motion a, out Motion b);
                 momentum = (ball.Mass * (a.Velocity - v)) + (second.Mass * (b.Velocity - v2));
                 scale = (ball.Mass * v.Length) + (second.Mass * v2.Length);
 
@@ -72,7 +71,7 @@ internal static class ImpactBalances
             else
             {
                 double mass = random.Log(0.05, 500);
-                CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, mass), in n, in v2, in v, in w, out Vector3d after, out Vector3d spin);
+                ImpactLaw.Apply(ball, in material, in n, in v2, in v, in w, out Vector3d after, out Vector3d spin, ball.Mass / mass);
                 Vector3d impulse = ball.Mass * (after - v);
                 Vector3d thing = v2 - (impulse / mass);
                 momentum = impulse + (mass * (thing - v2));
@@ -80,8 +79,8 @@ internal static class ImpactBalances
                 angular = ((ball.MomentOfInertia * (spin - w)) + Vector3d.Cross(ball.Radius * n, impulse)).Length / ((ball.Radius * ball.Mass * (v.Length + v2.Length)) + (ball.MomentOfInertia * w.Length));
                 double before = Energy(ball, v, w) + (0.5 * mass * v2.LengthSquared);
                 gain = (Energy(ball, after, spin) + (0.5 * mass * thing.LengthSquared) - before) / before;
-                CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, double.PositiveInfinity), in n, in v2, in v, in w, out Vector3d fixedV, out Vector3d fixedW);
-                CoulombImpact.Apply(ball, in material, in n, in v2, in v, in w, out Vector3d oldV, out Vector3d oldW);
+                ImpactLaw.Apply(ball, in material, in n, in v2, in v, in w, out Vector3d fixedV, out Vector3d fixedW, ball.Mass / double.PositiveInfinity);
+                ImpactLaw.Apply(ball, in material, in n, in v2, in v, in w, out Vector3d oldV, out Vector3d oldW);
                 other += fixedV == oldV && fixedW == oldW ? 0 : 1;
             }
 

@@ -1,4 +1,4 @@
-using FootballPhysics.Scenes;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 

@@ -1,4 +1,4 @@
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.Scenes;
 
 namespace FootballPhysics.Contacts;
@@ -11,7 +11,6 @@ internal sealed class Collider
     private readonly KinematicBody? _body;
     private readonly EnginePushes? _enginePushes;
     private IShape _shape;
-    private PlaneShape? _plane;
     private Bounds3d _bounds;
     private ContactMaterial _material;
     private Placement? _placement;
@@ -25,9 +24,9 @@ internal sealed class Collider
     {
         Name = name;
         _shape = shape;
-        _plane = shape as PlaneShape;
         _bounds = shape.Bounds;
         _material = material;
+        Classify();
     }
 
     public Collider(Ground ground, IShape shape, BallProperties ball)
@@ -49,6 +48,7 @@ internal sealed class Collider
         _motion.Velocity = obstacle.Velocity;
         _motion.Spin = obstacle.Spin;
         _motion.Pivot = obstacle.Pivot;
+        Classify();
     }
 
     public Collider(KinematicBody body, BallProperties ball)
@@ -59,6 +59,7 @@ internal sealed class Collider
         Layer = body.Layer;
         _body = body;
         _placement = body.Placement;
+        Classify();
     }
 
     /// <summary>Creates an empty slot for an engine collider.</summary>
@@ -70,6 +71,7 @@ internal sealed class Collider
         _shape = new TangentShape();
         _bounds = _shape.Bounds;
         _placement = none;
+        Classify();
     }
 
     /// <summary>Its name.</summary>
@@ -145,7 +147,7 @@ internal sealed class Collider
     public double Mass { get; private set; } = double.PositiveInfinity;
 
     /// <summary>True if the ball can move it.</summary>
-    public bool GivesWay => Mass < double.PositiveInfinity;
+    public bool GivesWay { get; private set; }
 
     /// <summary>The motion that the scene defines for it; default for objects that the game or an engine moves.</summary>
     public ref readonly RigidMotion Given => ref _motion;
@@ -157,11 +159,11 @@ internal sealed class Collider
     public bool IsWithdrawn => _body is { IsWithdrawn: true };
 
     /// <summary>True if its position may change.</summary>
-    public bool Moves => _placement is not null || _motion.Velocity != Vector3d.Zero;
+    public bool Moves { get; private set; }
 
     /// <summary>Its plane if it is a stationary plane; otherwise null.</summary>
     /// <remarks>The distance of a path from the plane is a single cubic.</remarks>
-    public PlaneShape? StandingPlane => Moves ? null : _plane;
+    public PlaneShape? StandingPlane { get; private set; }
 
     /// <summary>Its largest concave curvature, 1/m; 0 if it is convex.</summary>
     public double HollowCurvature => _shape.MaximumConcaveCurvature;
@@ -188,11 +190,19 @@ internal sealed class Collider
         Engine = collider;
         Name = collider.Name;
         _shape = collider.Shape;
-        _plane = _shape as PlaneShape;
         _bounds = _shape.Bounds;
         _material = new ContactMaterial(collider.Surface, _bounce);
         _placement = collider.Placement;
         Mass = collider.Mass;
+        Classify();
+    }
+
+    /// <summary>Sets the properties that follow from its shape, its mass and its motion.</summary>
+    private void Classify()
+    {
+        GivesWay = Mass < double.PositiveInfinity;
+        Moves = _placement is not null || _motion.Velocity != Vector3d.Zero;
+        StandingPlane = Moves ? null : _shape as PlaneShape;
     }
 
     /// <summary>Applies the impulse of an impact, N s: its velocity becomes V + J/M.</summary>
@@ -263,7 +273,7 @@ internal sealed class Collider
         // Transform the path to the frame of the moving shape, in which the shape is stationary.
         ref readonly RigidMotion motion = ref Motion;
         PathCubic seen = path.SeenFrom(motion.GoneBy(time), motion.Velocity);
-        return motion.IsTurned ? seen.InAxes(in motion) : seen;
+        return motion.IsTurned ? seen.Rotated(motion.ToOwnAxes) : seen;
     }
 
     /// <summary>Returns its bounding box at a time.</summary>

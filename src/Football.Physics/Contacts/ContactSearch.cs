@@ -1,4 +1,4 @@
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 
@@ -28,19 +28,12 @@ internal readonly struct ContactSearch
     /// <param name="s">The ball at the start of the path.</param>
     /// <param name="carrier">The carrier; −1 if there is none.</param>
     /// <param name="first">The contact or passage.</param>
-    /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
-    public double First(in BallState s, int carrier, out Separation first) => First(in s, carrier, default, out first);
-
-    /// <summary>Finds the first contact or passage on the path.</summary>
-    /// <param name="s">The ball at the start of the path.</param>
-    /// <param name="carrier">The carrier; −1 if there is none.</param>
     /// <param name="held">Contacts that the ball keeps; they are skipped.</param>
-    /// <param name="first">The contact or passage.</param>
     /// <returns>Time from the start of the path, s; infinite if there is none.</returns>
-    public double First(in BallState s, int carrier, Span<Contact> held, out Separation first)
+    public double First(in BallState s, int carrier, out Separation first, Span<Contact> held = default)
     {
         double at = FirstContact(in s, carrier, held, out first);
-        return carrier >= 0 && _world.IsPlaneAlone ? at : FirstPassage(in s, at, ref first);
+        return _world.HasPassages ? FirstPassage(in s, at, ref first) : at;
     }
 
     /// <summary>Finds the first contact on the path, without nets and goals.</summary>
@@ -53,10 +46,6 @@ internal readonly struct ContactSearch
     {
         first = default;
         double best = double.PositiveInfinity;
-        if (carrier >= 0 && _world.IsPlaneAlone)
-        {
-            return best;
-        }
 
         // Broad phase: the engine's cast and the bounding box of the path. Narrow phase: conservative advancement along each collider's gap.
         _world.Engine?.LookAlong(in _path, _time);
@@ -96,16 +85,11 @@ internal readonly struct ContactSearch
     public double FirstPassage(in BallState s, out Separation first)
     {
         first = default;
-        return FirstPassage(in s, double.PositiveInfinity, ref first);
+        return _world.HasPassages ? FirstPassage(in s, double.PositiveInfinity, ref first) : double.PositiveInfinity;
     }
 
     private double FirstPassage(in BallState s, double best, ref Separation first)
     {
-        if (_world.Nets.Length + _world.Goals.Length == 0)
-        {
-            return best;
-        }
-
         int bestThing = first.What == SeparationKind.None ? -1 : first.Index;
         int nets = _world.FirstPassage;
         int goals = nets + _world.Nets.Length;
@@ -210,7 +194,7 @@ internal readonly struct ContactSearch
         var span = new SearchSpan(in _path, until);
         if (collider.StandingPlane is { } plane)
         {
-            var distance = new PlaneGap(_path.DistanceTo(plane, r), in span);
+            var distance = new PlaneGap(_path.DistanceTo(plane.Normal, plane.DistanceTo(_path.Start) - r), in span);
             return TimeOfImpact.First(ref distance);
         }
 

@@ -7,9 +7,7 @@ namespace FootballPhysics.Contacts;
 internal readonly struct Separation
 {
     private readonly World _world;
-    private readonly int _index;
     private readonly int _axis;
-    private readonly double _side;
     private readonly int _deepest;
     private readonly double _deepestSide;
 
@@ -17,9 +15,9 @@ internal readonly struct Separation
     {
         _world = world;
         What = what;
-        _index = index;
+        Index = index;
         _axis = axis;
-        _side = side;
+        Side = side;
         _deepest = deepest;
         _deepestSide = deepestSide;
     }
@@ -28,10 +26,10 @@ internal readonly struct Separation
     public SeparationKind What { get; }
 
     /// <summary>Index of the collider, the net or the goal.</summary>
-    public int Index => _index;
+    public int Index { get; }
 
     /// <summary>σ of the net that the ball enters.</summary>
-    public double Side => _side;
+    public double Side { get; }
 
     /// <summary>Second derivative of the gap for unit acceleration: at the edge of a net, position and depth both contribute.</summary>
     public double Bends => _deepest >= 0 ? 2.0 : 1.0;
@@ -83,7 +81,7 @@ internal readonly struct Separation
         switch (What)
         {
             case SeparationKind.Contact:
-                Collider collider = _world.Colliders[_index];
+                Collider collider = _world.Colliders[Index];
 
                 // A stationary plane has the gap (p − c)·n − r, and no curvature.
                 if (collider.StandingPlane is { } plane)
@@ -101,15 +99,15 @@ internal readonly struct Separation
                 break;
             case SeparationKind.NetMet when (_axis & 3) == 2:
                 double from = _axis >= 4 ? -1.0 : 1.0;
-                value = (from * _world.Nets[_index].PlaceInFrame(in position).Z) - _world.Ball.Radius;
-                rate = from * _world.Nets[_index].InFrame(in velocity).Z;
+                value = (from * _world.Nets[Index].PlaceInFrame(in position).Z) - _world.Ball.Radius;
+                rate = from * _world.Nets[Index].InFrame(in velocity).Z;
                 break;
             case SeparationKind.NetMet:
                 Beside(in position, in velocity, out value, out rate);
                 break;
             case SeparationKind.NetLeft when (_axis & 3) == 2:
-                value = _world.Nets[_index].Depth(in position, _side);
-                rate = _world.Nets[_index].DepthRate(in velocity, _side);
+                value = _world.Nets[Index].Depth(in position, Side);
+                rate = _world.Nets[Index].DepthRate(in velocity, Side);
                 break;
             case SeparationKind.NetLeft:
                 Beside(in position, in velocity, out value, out rate);
@@ -117,7 +115,7 @@ internal readonly struct Separation
                 rate = -rate;
                 break;
             default:
-                ref readonly GoalMouth goal = ref _world.Goals[_index];
+                ref readonly GoalMouth goal = ref _world.Goals[Index];
                 double direction = What == SeparationKind.MouthLeft ? -1.0 : 1.0;
                 value = direction * (What == SeparationKind.GoalLine ? goal.BeforeLine(in position, _world.Ball.Radius) : goal.BeforeMouth(in position));
                 rate = direction * Vector3d.Dot(in velocity, goal.Out);
@@ -128,7 +126,7 @@ internal readonly struct Separation
     /// <summary>Returns the distance of the ball beyond an edge of a net, minus its depth in its deepest net.</summary>
     private void Beside(in Vector3d position, in Vector3d velocity, out double value, out double rate)
     {
-        NetSheet net = _world.Nets[_index];
+        NetSheet net = _world.Nets[Index];
         double sign = _axis >= 4 ? -1.0 : 1.0;
         Vector3d place = sign * net.PlaceInFrame(in position);
         Vector3d speed = sign * net.InFrame(in velocity);

@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 
@@ -15,8 +15,7 @@ internal readonly struct PlaneGap(in PathDistance distance, in SearchSpan span) 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsClosed(double t, out double step)
     {
-        double gap = _distance.At(t);
-        double rate = _distance.RateAt(t);
+        double gap = _distance.At(t, out double rate);
         bool closes = TimeOfImpact.Closes(gap, rate);
         step = closes ? 0 : TimeOfImpact.Step(gap, rate, _bend);
         return closes;

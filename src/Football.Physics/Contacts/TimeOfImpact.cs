@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Contacts;
 

@@ -51,6 +51,7 @@ internal sealed partial class World
             AddThings(scene, Obstacles, colliders);
             Nets = NetsOf(scene);
             Goals = GoalsOf(scene);
+            HasPassages = Nets.Length + Goals.Length > 0;
             Engine = scene.EngineColliders is null ? null : new EngineThings(this, scene.EngineColliders, colliders.Count, Nets.Length + Goals.Length + scene.Zones.Count);
             colliders.AddRange(Engine?.Colliders ?? []);
         }
@@ -101,6 +102,7 @@ internal sealed partial class World
         }
 
         Moving = moving.ToArray();
+        Moves = Moving.Length > 0 || Engine is not null;
         Unbounded = unbounded.ToArray();
         Leaves = leaves.ToArray();
 
@@ -149,6 +151,9 @@ internal sealed partial class World
     /// <summary>Goals.</summary>
     public GoalMouth[] Goals { get; } = [];
 
+    /// <summary>True if there are nets or goals.</summary>
+    public bool HasPassages { get; }
+
     /// <summary>Index of the first collider among the objects of the scene; the ground is always 0.</summary>
     public int FirstCollider { get; }
 
@@ -156,7 +161,7 @@ internal sealed partial class World
     public bool Ignores(Collider collider) => collider.Layer >= 0 && Layers.Contains(Ball.Ignores, collider.Layer);
 
     /// <summary>True if any object can move.</summary>
-    public bool Moves => Moving.Length > 0 || Engine is not null;
+    public bool Moves { get; }
 
     /// <summary>The speed of the fastest moving object, m/s.</summary>
     public double FastestMover

@@ -52,7 +52,7 @@ public sealed class Foot
 
         // Treat the strike as a collision with a movable mass, under the impact law of all contacts.
         Vector3d n = Direction(normal);
-        CoulombImpact.Apply(ball, Material, GivingWay.Of(ball, Mass), in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter);
+        ImpactLaw.Apply(ball, Material, in n, in footVelocity, in velocity, in spin, out Vector3d after, out Vector3d spinAfter, ball.Mass / Mass);
 
         // The foot's velocity after the strike: U' = U − J/M.
         return new FootStrike(

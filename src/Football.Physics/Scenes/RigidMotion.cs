@@ -82,7 +82,10 @@ internal struct RigidMotion
 
     /// <summary>Rotates a vector from the world to the axes of the shape.</summary>
     public readonly Vector3d ToOwn(in Vector3d vector) =>
-        IsTurned ? new Quaterniond(-Orientation.X, -Orientation.Y, -Orientation.Z, Orientation.W).Rotate(in vector) : vector;
+        IsTurned ? ToOwnAxes.Rotate(in vector) : vector;
+
+    /// <summary>The rotation from the world to the axes of the shape.</summary>
+    public readonly Quaterniond ToOwnAxes => new(-Orientation.X, -Orientation.Y, -Orientation.Z, Orientation.W);
 
     /// <summary>Rotates a vector from the axes of the shape to the world.</summary>
     public readonly Vector3d ToWorld(in Vector3d vector) => IsTurned ? Orientation.Rotate(in vector) : vector;

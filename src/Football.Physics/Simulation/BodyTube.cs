@@ -1,5 +1,5 @@
 using System.Runtime.CompilerServices;
-using FootballPhysics.Scenes;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;
@@ -124,7 +124,7 @@ internal sealed partial class ContactSetParts
             // Search the path up to the end of the part or the first contact.
             Vector3d mean = 0.5 * (from.Velocity + v);
             var path = PathCubic.Line(s.Position, in mean, h);
-            double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, set, out Separation met);
+            double at = new ContactSearch(_world, in path, s.Time).First(in s, -1, out Separation met, set);
             bool meets = at <= h;
             double length = meets ? at : h;
 

@@ -78,31 +78,67 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             return _parts.Take(ref s, ref run);
         }
 
-        // Determine the contact modes at the start.
         SetContact* contacts = stackalloc SetContact[ContactSystem.Most];
+        var piece = new SetPiece { System = new ContactSystem { Around = _around, World = _world, Contacts = contacts, Count = set.Length } };
+        switch (Propose(ref s, ref run, set, ref piece))
+        {
+            case SetMotion.One:
+                return false;
+            case SetMotion.Unsolved:
+                return _parts.Take(ref s, ref run);
+            case SetMotion.Changed:
+                return true;
+        }
+
+        if (s.Nets != 0)
+        {
+            Take<Substeps>(ref s, ref run, set, ref piece);
+        }
+        else if (run.Spirals)
+        {
+            Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece);
+        }
+        else
+        {
+            Take<TIntegrator>(ref s, ref run, set, ref piece);
+        }
+
+        return true;
+    }
+
+    [SkipLocalsInit]
+    private void Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
+        where TMethod : struct, IIntegrator
+    {
+        double* starts = stackalloc double[SetMargin<TMethod>.Most];
+        Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
+        Move(ref s, ref run, ref sweep, set, in piece);
+        Respond(ref s, ref run, set, in piece);
+    }
+
+    /// <summary>Finds the modes of the contacts, and the length of the piece.</summary>
+    private SetMotion Propose(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
+    {
+        // Determine the contact modes at the start.
+        ref ContactSystem system = ref piece.System;
+        SetContact* contacts = system.Contacts;
         for (int i = 0; i < set.Length; i++)
         {
             contacts[i].Prepare(in set[i], _world.Colliders[set[i].Collider], _world.Ball);
         }
 
-        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        var system = new ContactSystem
-        {
-            Around = _around,
-            World = _world,
-            Contacts = contacts,
-            Count = set.Length,
-            Nets = s.Nets,
-            NetSides = s.NetSides,
-            Branch = _jump.OnSurface(s.Branch, in from),
-        };
+        piece.From = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        system.Branch = _jump.OnSurface(s.Branch, in piece.From);
         int evaluations = 0;
         double sticking = run.SetPieces < ManyPieces ? ContactTolerances.Sticking : ContactTolerances.StickingAfterMany;
-        bool found = ContactModes.Find(ref system, s.Time, in from, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
+        bool found = ContactModes.Find(ref system, s.Time, in piece.From, sticking, (int)s.Carrier - _world.FirstCollider, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (!found)
         {
-            return _parts.Take(ref s, ref run);
+            return SetMotion.Unsolved;
         }
 
         // At most one contact has a load: leave the ball to the single-surface phase.
@@ -116,24 +152,24 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         if (bearing < 2)
         {
-            if (last >= 0 && contacts[last].Collider + _world.FirstCollider != s.Carrier)
+            if (last < 0 || contacts[last].Collider + _world.FirstCollider == s.Carrier)
             {
-                _contact.TakeUp(ref s, contacts[last].Collider, ref run);
-                return true;
+                return SetMotion.One;
             }
 
-            return false;
+            _contact.TakeUp(ref s, contacts[last].Collider, ref run);
+            return SetMotion.Changed;
         }
 
-        if (Rests(ref s, in system, in from, ref run))
+        if (Rests(ref s, in system, in piece.From, ref run))
         {
             _contact.Rest(ref s, ref run);
-            return true;
+            return SetMotion.Changed;
         }
 
         Stick(in system, ref s);
         var stuck = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        if (!((stuck.Velocity - from.Velocity).Length + (_around.Radius * (stuck.Spin - from.Spin).Length) <= ContactTolerances.Unmoved))
+        if (!((stuck.Velocity - piece.From.Velocity).Length + (_around.Radius * (stuck.Spin - piece.From.Spin).Length) <= ContactTolerances.Unmoved))
         {
             system.Rates(s.Time, in stuck, out MotionRates rates);
             run.Log.Evaluations++;
@@ -141,8 +177,81 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             system.SpinAcceleration = rates.SpinAcceleration;
         }
 
-        TakePiece(ref s, ref run, ref system, set, in stuck);
-        return true;
+        piece.From = stuck;
+        piece.Length = LongestPiece(in s, in stuck, in system, ref run);
+        return SetMotion.Several;
+    }
+
+    private static void Integrate<TMethod>(in BallState s, in SetPiece piece, double* starts, out MotionSweep<ContactSystem, TMethod> sweep)
+        where TMethod : struct, IIntegrator
+    {
+        ref readonly ContactSystem system = ref piece.System;
+        var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
+        sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in piece.From, in start, system.Around.Wind, system.Around.Radius);
+        SetMargin<TMethod>.Start(ref sweep, in s, in piece.From, starts);
+        sweep.Step(piece.Length);
+    }
+
+    /// <summary>Ends a piece at the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction limit, slip, rest), a
+    /// border between two materials, a net that goes slack, or a new contact.</summary>
+    private void Shorten<TMethod>(
+        ref MotionSweep<ContactSystem, TMethod> sweep, ref BallState s, ref StepRun run, Span<Contact> set, double* starts, ref SetPiece piece)
+        where TMethod : struct, IIntegrator
+    {
+        ref ContactSystem system = ref piece.System;
+        double whole = sweep.Length;
+        for (int i = 0; i < system.Count; i++)
+        {
+            Collider collider = _world.Colliders[system.Contacts[i].Collider];
+            if (system.Contacts[i].IsFixed && collider.HasFaces)
+            {
+                FaceBorder.EndBeyond(ref sweep, in s, collider);
+            }
+        }
+
+        if (_jump.Acts)
+        {
+            s.Branch = system.Branch;
+            _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
+        }
+
+        double crossing = sweep.Length;
+        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s, starts);
+        SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
+        _nets.EndWhereSlack(ref sweep, in s);
+        piece.Meets = _guard.EndAtFirst(ref sweep, in s, default(TMethod).Order, set, out piece.Met);
+        s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
+        run.Log.Evaluations += sweep.Evaluations;
+        run.SetPieces++;
+        run.SetChanges += (changes || piece.Meets) && sweep.Length < whole ? 1 : 0;
+    }
+
+    /// <summary>Moves the ball to the end of a piece, then projects it onto its contacts, because it drifts off curved surfaces.</summary>
+    private void Move<TMethod>(ref BallState s, ref StepRun run, ref MotionSweep<ContactSystem, TMethod> sweep, Span<Contact> set, in SetPiece piece)
+        where TMethod : struct, IIntegrator
+    {
+        BallState before = s;
+        before.Branch = piece.System.Branch;
+        sweep.MoveTo(ref s);
+        run.Advance(ref s, sweep.Length);
+        for (int i = 0; i < set.Length; i++)
+        {
+            set[i].Load = piece.System.Contacts[i].Load;
+        }
+
+        s.ClearIn = BallState.TouchesSeveral;
+        _parts.Hold(ref s, set);
+        run.Show(in before, in s, ref sweep, default(TMethod).Order);
+    }
+
+    /// <summary>Updates the carrier, and handles the contact at the end of a piece.</summary>
+    private void Respond(ref BallState s, ref StepRun run, Span<Contact> set, in SetPiece piece)
+    {
+        Name(ref s, set, in piece.System, ref run);
+        if (piece.Meets && !run.Log.Halted)
+        {
+            _guard.Meet(ref s, in piece.Met, ref run);
+        }
     }
 
     /// <summary>True if a ball below the rest energy is held by contacts that are stationary or move together.</summary>
@@ -215,7 +324,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
                     change = Math.Max(change, slip.Length);
                 }
             }
-
         }
 
         // With moving objects, no velocity may satisfy all contacts. If so, only keep the ball out of stationary objects.
@@ -243,83 +351,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             double about = Vector3d.Dot(s.SpinAxis, bearer.Normal);
             s.Velocity = material;
             s.SpinAxis = Slip.RollingSpin(material - bearer.Surface, about, bearer.Normal, r);
-        }
-    }
-
-    private void TakePiece(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from)
-    {
-        double h = LongestPiece(in s, in from, in system, ref run);
-        if (s.Nets != 0)
-        {
-            TakePiece<Substeps>(ref s, ref run, ref system, set, in from, h);
-        }
-        else if (run.Spirals)
-        {
-            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, set, in from, h);
-        }
-        else
-        {
-            TakePiece<TIntegrator>(ref s, ref run, ref system, set, in from, h);
-        }
-    }
-
-    /// <summary>Takes a piece, ends it at the first event within it, and moves the ball.</summary>
-    [SkipLocalsInit]
-    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
-        where TMethod : struct, IIntegrator
-    {
-        int order = default(TMethod).Order;
-        double* starts = stackalloc double[SetMargin<TMethod>.Most];
-        var start = new MotionRates(in system.Acceleration, in system.SpinAcceleration, system.AirSpeed);
-        var sweep = new MotionSweep<ContactSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
-        SetMargin<TMethod>.Start(ref sweep, in s, in from, starts);
-        sweep.Step(h);
-        double whole = sweep.Length;
-
-        // Shorten the piece to the first event: a face's edge, the jump in the drag law, a change in a contact (load, friction
-        // limit, slip, rest), a border between two materials, a net that goes slack, or a new contact.
-        for (int i = 0; i < system.Count; i++)
-        {
-            Collider collider = _world.Colliders[system.Contacts[i].Collider];
-            if (system.Contacts[i].IsFixed && collider.HasFaces)
-            {
-                FaceBorder.EndBeyond(ref sweep, in s, collider);
-            }
-        }
-
-        if (_jump.Acts)
-        {
-            s.Branch = system.Branch;
-            _jump.EndAtCrossingOnGround(ref sweep, ref s.Branch, ref run);
-        }
-
-        double crossing = sweep.Length;
-        bool changes = SetMargin<TMethod>.EndPiece(ref sweep, in s, starts);
-        SurfaceBorder.EndBeyond(ref sweep, in s, _world.CarrierOf(in s));
-        _nets.EndWhereSlack(ref sweep, in s);
-        bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
-        s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
-        run.Log.Evaluations += sweep.Evaluations;
-        run.SetPieces++;
-        run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
-
-        // Move the ball, then project it onto its contacts, because it drifts off curved surfaces.
-        BallState before = s;
-        before.Branch = system.Branch;
-        sweep.MoveTo(ref s);
-        run.Advance(ref s, sweep.Length);
-        for (int i = 0; i < set.Length; i++)
-        {
-            set[i].Load = system.Contacts[i].Load;
-        }
-
-        s.ClearIn = BallState.TouchesSeveral;
-        _parts.Hold(ref s, set);
-        run.Show(in before, in s, ref sweep, order);
-        Name(ref s, set, in system, ref run);
-        if (meets && !run.Log.Halted)
-        {
-            _guard.Meet(ref s, in met, ref run);
         }
     }
 
@@ -394,4 +425,39 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             _contact.StartSliding(ref s, ref run);
         }
     }
+}
+
+/// <summary>A piece on several surfaces.</summary>
+internal struct SetPiece
+{
+    /// <summary>The equations, with contacts and modes locked for the piece.</summary>
+    public ContactSystem System;
+
+    /// <summary>The motion at the start.</summary>
+    public Motion From;
+
+    /// <summary>The proposed length, s.</summary>
+    public double Length;
+
+    /// <summary>True if the piece ends at a contact.</summary>
+    public bool Meets;
+
+    /// <summary>That contact.</summary>
+    public Separation Met;
+}
+
+/// <summary>What a ball does that touches several surfaces.</summary>
+internal enum SetMotion
+{
+    /// <summary>At most its carrier has a load.</summary>
+    One,
+
+    /// <summary>Several contacts have a load.</summary>
+    Several,
+
+    /// <summary>It changed its carrier, or rests.</summary>
+    Changed,
+
+    /// <summary>No modes are consistent.</summary>
+    Unsolved,
 }

@@ -1,5 +1,5 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 

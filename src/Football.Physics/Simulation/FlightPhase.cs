@@ -51,31 +51,17 @@ internal sealed class FlightPhase<TIntegrator>
     /// <summary>Takes the next piece of a flight.</summary>
     public void Take(ref BallState s, ref StepRun run)
     {
-        // First handle contacts at the current position: an immediate impact, or a ball at rest in a net.
-        if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
+        if (!Propose(ref s, ref run, out double h, out bool hasAxis))
         {
             return;
         }
 
-        Vector3d u = s.Velocity - _around.Wind;
-
-        // Lock this piece to one branch of the drag law.
-        s.Branch = DragJump.Choose(_around.Air.Jumps, _jump.Acts, s.Branch, u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate);
-
-        // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
-        // full vector.
-        bool hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
-
-        // Take the longest stable piece. If it is shorter than requested, use this length for later parts too.
-        double asked = run.Next;
-        double h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
-        run.Keep(h, asked);
         if (s.Nets != 0)
         {
             // A net reacts within less than a step: use RK4 substeps.
-            TakeWithoutAxis<Substeps>(ref s, ref run, h);
+            Take<Substeps>(ref s, ref run, h, null);
         }
-        else if (run.Spirals)
+        else if (run.Spirals && run.Whole != WholeStep.Ends)
         {
             // RK4 does not speed up a velocity that turns by up to 2.8 rad.
             Take<ClassicalRungeKutta>(ref s, ref run, h, hasAxis ? _classical : null);
@@ -86,18 +72,211 @@ internal sealed class FlightPhase<TIntegrator>
         }
     }
 
-    /// <summary>Finishes the first piece of a step that was already integrated as a whole step and contains an event.</summary>
-    public void Finish(ref BallState s, ref StepRun run, in FlightStep taken, double h)
+    /// <summary>Takes a piece with one integrator: along a constant spin axis if a flight for that is given, otherwise with the full spin
+    /// vector.</summary>
+    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
+        where TMethod : struct, IIntegrator
     {
-        if (IsHeld(in s))
+        int order = default(TMethod).Order;
+        if (flight is null)
         {
-            // The ball touches the ground: the next piece handles this contact first.
-            return;
+            Integrate(in s, ref run, h, out MotionSweep<FlightSystem, TMethod> sweep);
+            if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
+            {
+                Move(ref s, ref run, ref sweep, order, in end);
+                Respond(ref s, ref run, in end);
+            }
+        }
+        else
+        {
+            Integrate(in s, ref run, h, flight, out FlightSweep<TMethod> sweep);
+            if (Shorten(ref sweep, ref s, ref run, order, out FlightEnd end))
+            {
+                Move(ref s, ref run, ref sweep, order, in end);
+                Respond(ref s, ref run, in end);
+            }
+        }
+    }
+
+    /// <summary>Chooses the branch of the drag law, and the longest piece that stability allows.</summary>
+    /// <param name="s">The ball.</param>
+    /// <param name="run">The step.</param>
+    /// <param name="h">The length of the piece, s.</param>
+    /// <param name="hasAxis">Whether the spin axis is constant.</param>
+    /// <returns>False if there was an event at the current position.</returns>
+    private bool Propose(ref BallState s, ref StepRun run, out double h, out bool hasAxis)
+    {
+        // The rest of the step was already integrated, and contains an event.
+        h = run.Left;
+        hasAxis = true;
+        if (run.Whole == WholeStep.Ends)
+        {
+            return true;
         }
 
-        var sweep = new FlightSweep<TIntegrator>(_around, _flight, in s);
-        sweep.Take(in taken, h);
-        Finish(ref s, ref run, ref sweep);
+        // First handle contacts at the current position: an immediate impact, or a ball at rest in a net.
+        if (_guard.HitsAtOnce(ref s, ref run) || (s.Nets != 0 && RestsInNet(ref s, ref run)))
+        {
+            return false;
+        }
+
+        Vector3d u = s.Velocity - _around.Wind;
+
+        // Lock this piece to one branch of the drag law.
+        s.Branch = DragJump.Choose(_around.Air.Jumps, _jump.Acts, s.Branch, u.LengthSquared, _around.RadiusSquared * s.SpinRate * s.SpinRate);
+
+        // If the spin axis is constant, integrate the spin as a scalar. Custom forces, a sliding mode of the drag law and nets need the
+        // full vector.
+        hasAxis = !_around.Air.TurnsAxis && s.Branch < DragBranch.AlongCriticalSpeed && s.Nets == 0;
+
+        // Take the longest stable piece. If it is shorter than requested, use this length for later parts too.
+        double asked = run.Next;
+        h = Longest(in s, in u, asked, hasAxis && !_around.Air.Varies, ref run.Spirals);
+        run.Keep(h, asked);
+        return true;
+    }
+
+    /// <summary>Integrates a piece with a constant spin axis, unless the step already holds it.</summary>
+    private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, IFlight flight, out FlightSweep<TMethod> sweep)
+        where TMethod : struct, IIntegrator
+    {
+        sweep = new FlightSweep<TMethod>(_around, flight, in s);
+        if (run.Whole == WholeStep.Ends)
+        {
+            sweep.Take(in run.Taken, h);
+        }
+        else
+        {
+            sweep.Step(h);
+        }
+    }
+
+    /// <summary>Integrates a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
+    private void Integrate<TMethod>(in BallState s, ref StepRun run, double h, out MotionSweep<FlightSystem, TMethod> sweep)
+        where TMethod : struct, IIntegrator
+    {
+        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
+        FlightSystem system = _system;
+        system.Branch = s.Branch;
+        system.Nets = s.Nets;
+        system.NetSides = s.NetSides;
+        system.Rates(s.Time, in from, out MotionRates start);
+        run.Log.Evaluations++;
+        sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
+        sweep.Step(h);
+    }
+
+    /// <summary>Ends a piece with a constant spin axis at the first event within it.</summary>
+    /// <returns>False if the piece must be repeated on another branch of the drag law.</returns>
+    private bool Shorten<TMethod>(ref FlightSweep<TMethod> sweep, ref BallState s, ref StepRun run, int order, out FlightEnd end)
+        where TMethod : struct, IIntegrator
+    {
+        end = new FlightEnd { Branch = s.Branch };
+        bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out end.Branch);
+
+        // If the spin ends before the jump, end the piece there and keep the branch.
+        if (goes && sweep.Taken.SpinRate < 0 && _around.Air.SpinDecays)
+        {
+            EndSpin(ref sweep, s.SpinRate);
+            end.Branch = s.Branch;
+        }
+
+        return ShortenToContact(ref sweep, ref s, ref run, order, goes, ref end);
+    }
+
+    /// <summary>Ends a piece with the full spin vector at the first event within it.</summary>
+    /// <returns>False if the piece must be repeated on another branch of the drag law.</returns>
+    private bool Shorten<TMethod>(ref MotionSweep<FlightSystem, TMethod> sweep, ref BallState s, ref StepRun run, int order, out FlightEnd end)
+        where TMethod : struct, IIntegrator
+    {
+        end = new FlightEnd { Branch = s.Branch };
+        bool goes = true;
+
+        // At the jump in the drag law, slide along its surface until the sliding mode ends, or stop at the first crossing.
+        if (_jump.Acts && s.Branch >= DragBranch.AlongCriticalSpeed)
+        {
+            end.Branch = _jump.EndAlongSurface(ref sweep, s.Time, new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance), ref run);
+            goes = sweep.Length > 0;
+        }
+        else if (_jump.Acts)
+        {
+            goes = _jump.EndAtCrossing(ref sweep, in s, ref run, out end.Branch);
+        }
+
+        // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
+        if (goes && s.Nets != 0)
+        {
+            double length = sweep.Length;
+            _nets.EndWhereSlack(ref sweep, in s);
+            _nets.EndWhereBent(ref sweep, in s, -1);
+            end.Branch = sweep.Length < length ? s.Branch : end.Branch;
+        }
+
+        return ShortenToContact(ref sweep, ref s, ref run, order, goes, ref end);
+    }
+
+    /// <summary>Ends a piece at the first contact.</summary>
+    private bool ShortenToContact<TSweep>(ref TSweep sweep, ref BallState s, ref StepRun run, int order, bool goes, ref FlightEnd end)
+        where TSweep : struct, IFlightSweep
+    {
+        if (!goes)
+        {
+            // To within rounding, the ball is on the jump: repeat the piece on the branch that leads away from it.
+            run.Log.Evaluations += sweep.Evaluations;
+            s.Branch = end.Branch;
+            return false;
+        }
+
+        double length = sweep.Length;
+        end.Meets = _guard.EndAtFirst(ref sweep, in s, order, default, out end.Met);
+        if (!end.Meets)
+        {
+            // Forces turn the ball back, so the search halved the piece: keep this length for the rest of the step.
+            run.Keep(sweep.Length, length);
+        }
+
+        // If the piece ends before the jump, keep the branch.
+        end.Branch = sweep.Length < length ? s.Branch : end.Branch;
+        run.Log.Evaluations += sweep.Evaluations;
+        return true;
+    }
+
+    /// <summary>Moves the ball to the end of a piece, and reports the piece.</summary>
+    private void Move<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, in FlightEnd end)
+        where TSweep : struct, IFlightSweep
+    {
+        Unsafe.SkipInit(out BallState before);
+        if (run.Log.IsWatched)
+        {
+            before = s;
+        }
+
+        sweep.MoveTo(ref s);
+        s.Branch = end.Branch;
+        run.Advance(ref s, sweep.Length);
+        if (end.Meets)
+        {
+            _guard.PutOnto(ref s, in end.Met);
+        }
+        else
+        {
+            // The ball may have entered a surface that it touched without load at the start.
+            ContactSet.Separate(_world, ref s);
+        }
+
+        if (run.Log.IsWatched)
+        {
+            run.Show(in before, in s, ref sweep, order);
+        }
+    }
+
+    /// <summary>Handles the contact at the end of a piece.</summary>
+    private void Respond(ref BallState s, ref StepRun run, in FlightEnd end)
+    {
+        if (end.Meets && !run.Log.Halted)
+        {
+            _guard.Meet(ref s, in end.Met, ref run);
+        }
     }
 
     /// <summary>True if the ball touches level ground and does not leave it.</summary>
@@ -123,135 +302,6 @@ internal sealed class FlightPhase<TIntegrator>
         }
 
         return rests;
-    }
-
-    /// <summary>Takes a piece with one integrator: along a constant spin axis if a flight for that is given, otherwise with the full spin
-    /// vector.</summary>
-    private void Take<TMethod>(ref BallState s, ref StepRun run, double h, IFlight? flight)
-        where TMethod : struct, IIntegrator
-    {
-        if (flight is null)
-        {
-            TakeWithoutAxis<TMethod>(ref s, ref run, h);
-            return;
-        }
-
-        var sweep = new FlightSweep<TMethod>(_around, flight, in s);
-        sweep.Step(h);
-        Finish(ref s, ref run, ref sweep);
-    }
-
-    /// <summary>Ends a piece with a constant spin axis at the first event within it, and moves the ball there.</summary>
-    private void Finish<TMethod>(ref BallState s, ref StepRun run, ref FlightSweep<TMethod> sweep)
-        where TMethod : struct, IIntegrator
-    {
-        DragBranch next = s.Branch;
-        bool goes = !_jump.Acts || _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
-
-        // If the spin ends before the jump, end the piece there and keep the branch.
-        if (goes && sweep.Taken.SpinRate < 0 && _around.Air.SpinDecays)
-        {
-            EndSpin(ref sweep, s.SpinRate);
-            next = s.Branch;
-        }
-
-        Finish(ref s, ref run, ref sweep, default(TMethod).Order, next, goes);
-    }
-
-    /// <summary>Takes a piece with the full spin vector: with custom forces, along the jump in the drag law, or in a net.</summary>
-    private void TakeWithoutAxis<TMethod>(ref BallState s, ref StepRun run, double h)
-        where TMethod : struct, IIntegrator
-    {
-        int order = default(TMethod).Order;
-        var from = new Motion(s.Position, s.Velocity, s.Spin, s.AirDistance);
-        FlightSystem system = _system;
-        system.Branch = s.Branch;
-        system.Nets = s.Nets;
-        system.NetSides = s.NetSides;
-        system.Rates(s.Time, in from, out MotionRates start);
-        run.Log.Evaluations++;
-        var sweep = new MotionSweep<FlightSystem, TMethod>(in system, s.Time, in from, in start, _around.Wind, _around.Radius);
-        sweep.Step(h);
-        DragBranch next = s.Branch;
-        bool goes = true;
-
-        // At the jump in the drag law, slide along its surface until the sliding mode ends, or stop at the first crossing.
-        if (_jump.Acts)
-        {
-            if (s.Branch >= DragBranch.AlongCriticalSpeed)
-            {
-                next = _jump.EndAlongSurface(ref sweep, s.Time, in from, ref run);
-                goes = sweep.Length > 0;
-            }
-            else
-            {
-                goes = _jump.EndAtCrossing(ref sweep, in s, ref run, out next);
-            }
-        }
-
-        // Stop at the kink in a net's force, where the integrator would lose its order. Before the jump, keep the branch.
-        if (goes && s.Nets != 0)
-        {
-            double length = sweep.Length;
-            _nets.EndWhereSlack(ref sweep, in s);
-            _nets.EndWhereBent(ref sweep, in s, -1);
-            next = sweep.Length < length ? s.Branch : next;
-        }
-
-        Finish(ref s, ref run, ref sweep, order, next, goes);
-    }
-
-    /// <summary>Ends a piece at the first contact, and moves the ball to the end of the piece.</summary>
-    private void Finish<TSweep>(ref BallState s, ref StepRun run, ref TSweep sweep, int order, DragBranch next, bool goes)
-        where TSweep : struct, IFlightSweep
-    {
-        if (!goes)
-        {
-            // To within rounding, the ball is on the jump: repeat the piece on the branch that leads away from it.
-            run.Log.Evaluations += sweep.Evaluations;
-            s.Branch = next;
-            return;
-        }
-
-        // If the ball touches an object, end the piece at the first contact.
-        double length = sweep.Length;
-        bool meets = _guard.EndAtFirst(ref sweep, in s, order, out Separation met);
-        if (!meets)
-        {
-            // Forces turn the ball back, so the search halved the piece: keep this length for the rest of the step.
-            run.Keep(sweep.Length, length);
-        }
-
-        run.Log.Evaluations += sweep.Evaluations;
-        Unsafe.SkipInit(out BallState before);
-        if (run.Log.IsWatched)
-        {
-            before = s;
-        }
-
-        // Move the ball to the end. If the piece ends before the jump, keep the branch.
-        sweep.MoveTo(ref s);
-        s.Branch = sweep.Length < length ? s.Branch : next;
-        run.Advance(ref s, sweep.Length);
-        if (meets)
-        {
-            _guard.PutOnto(ref s, in met);
-        }
-        else
-        {
-            // The ball may have entered a surface that it touched without load at the start.
-            ContactSet.Separate(_world, ref s);
-        }
-
-        if (run.Log.IsWatched)
-        {
-            run.Show(in before, in s, ref sweep, order);
-        }
-
-        if (meets && !run.Log.Halted)
-        {
-            _guard.Meet(ref s, in met, ref run);
-        }
     }
 
     /// <summary>Ends a piece at the time when the spin reaches zero: decay never reverses a spin.</summary>
@@ -295,6 +345,19 @@ internal sealed class FlightPhase<TIntegrator>
         _around.Air.Evaluate(new ForceContext(s.Time, s.Position, s.Velocity, in u, s.Spin, s.Motion, s.AirDistance), s.Branch, out AirFactors air);
         return air.AirVelocity.Length;
     }
+}
+
+/// <summary>The end of a piece of flight: the branch of the drag law from there, and the contact.</summary>
+internal struct FlightEnd
+{
+    /// <summary>The branch of the drag law from the end on.</summary>
+    public DragBranch Branch;
+
+    /// <summary>True if the piece ends at a contact.</summary>
+    public bool Meets;
+
+    /// <summary>That contact.</summary>
+    public Separation Met;
 }
 
 /// <summary>The spin left at the end of a flight with a constant axis.</summary>

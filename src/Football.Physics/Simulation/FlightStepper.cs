@@ -49,17 +49,17 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             return;
         }
 
-        WholeFlight whole = Whole(ref s, dt, s.Time + dt, log, out FlightStep step);
-        if (whole != WholeFlight.Done)
+        WholeStep whole = Whole(ref s, dt, s.Time + dt, log, out FlightStep step);
+        if (whole != WholeStep.Done)
         {
             TakePieces(ref s, dt, log, whole, in step);
         }
     }
 
-    protected override WholeFlight TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step) => Whole(ref s, dt, end, log, out step);
+    protected override WholeStep TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step) => Whole(ref s, dt, end, log, out step);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private WholeFlight Whole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
+    private WholeStep Whole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
     {
         Unsafe.SkipInit(out step);
         double vx = s.Flight.Velocity.X;
@@ -73,7 +73,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         // Leave a slide along the jump, and a descent at contact height, to the piecewise method.
         if (branch >= DragBranch.AlongCriticalSpeed || (y <= _contactHeight && vy < 0))
         {
-            return WholeFlight.NotTaken;
+            return WholeStep.NotTaken;
         }
 
         // Choose the branch of the drag law, and check that the step is short enough for these forces.
@@ -102,7 +102,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             || (_integrator.GainsByHops && _limit.WithinHop(dt, y - _contactHeight, vy) < dt)
             || !IsClear(ref s, dt, mostSquared))
         {
-            return WholeFlight.NotTaken;
+            return WholeStep.NotTaken;
         }
 
         if (!_air.Acts)
@@ -131,7 +131,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         {
             s.Flight.Velocity = new Vector3d(vx, vy, vz);
             s.Flight.SpinRate = spin;
-            return WholeFlight.Ends;
+            return WholeStep.Ends;
         }
 
         // There is no event: move the ball.
@@ -150,7 +150,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
             Show(log, in s, time, in position, new Vector3d(vx, vy, vz), spin, in step);
         }
 
-        return WholeFlight.Done;
+        return WholeStep.Done;
     }
 
     public override void Fly(in BallState start, ref FlightMotion motion, in Vector3d wind, DragBranch branch, double upward, double h, out FlightStep step)
@@ -197,7 +197,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
 
     /// <summary>Takes a step in a vacuum: the integrator's result for a constant acceleration, p + h (v + c h g), v + h g.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private WholeFlight Fall(ref BallState s, double h, double end, StepLog log)
+    private WholeStep Fall(ref BallState s, double h, double end, StepLog log)
     {
         double vy = s.Velocity.Y;
         double gained = h * _upward;
@@ -207,13 +207,13 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         // The same conservative checks as with air.
         if (height < _contactHeight || (vy < 0 && climb > 0))
         {
-            return WholeFlight.NotTaken;
+            return WholeStep.NotTaken;
         }
 
         if (log.IsWatched)
         {
             ShowFall(log, ref s, h, end, climb, height);
-            return WholeFlight.Done;
+            return WholeStep.Done;
         }
 
         s.Position = new Vector3d(s.Position.X + (h * s.Velocity.X), height, s.Position.Z + (h * s.Velocity.Z));
@@ -222,7 +222,7 @@ internal sealed class FlightStepper<TAir, TIntegrator> : SceneStepper<TIntegrato
         s.Time = end;
         log.Steps++;
         log.Evaluations += _integrator.Stages;
-        return WholeFlight.Done;
+        return WholeStep.Done;
     }
 
     /// <summary>Takes the same step in a vacuum, and reports it to the observers.</summary>

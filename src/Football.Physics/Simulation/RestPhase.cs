@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;

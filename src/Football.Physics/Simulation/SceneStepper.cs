@@ -106,7 +106,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         if (!(s.Motion is MotionState.Rolling or MotionState.Sliding
             && ((_flat is not null && _flat.TryWhole(ref s, dt, s.Time + dt, log)) || (_line is not null && World.Engine is null && _line.TryWhole(ref s, dt, s.Time + dt, log)))))
         {
-            TakePieces(ref s, dt, log, WholeFlight.NotTaken, default);
+            TakePieces(ref s, dt, log, WholeStep.NotTaken, default);
         }
     }
 
@@ -124,7 +124,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     public override void Settle(ref BallState s)
     {
         World.Enter(ref s);
-        _contact.Raise(ref s);
+        s.Position = GroundPlace.Raised(World, s.Position);
         _contact.Settle(ref s);
         World.Exit(ref s);
     }
@@ -199,10 +199,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <param name="end">End time, s.</param>
     /// <param name="log">Receives the counts.</param>
     /// <param name="step">The step taken, if it contains an event.</param>
-    protected virtual WholeFlight TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
+    protected virtual WholeStep TryWhole(ref BallState s, double dt, double end, StepLog log, out FlightStep step)
     {
         step = default;
-        return WholeFlight.NotTaken;
+        return WholeStep.NotTaken;
     }
 
     /// <summary>Takes a step piece by piece.</summary>
@@ -212,10 +212,10 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     /// <param name="s">The ball.</param>
     /// <param name="dt">Length of the step, s.</param>
     /// <param name="log">Receives events and counts.</param>
-    /// <param name="whole">Whether the whole step was already taken as flight and contains an event.</param>
-    /// <param name="taken">That step.</param>
+    /// <param name="whole">The result of the whole step that was already tried.</param>
+    /// <param name="taken">That step, if it contains an event.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    protected void TakePieces(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
+    protected void TakePieces(ref BallState s, double dt, StepLog log, WholeStep whole, in FlightStep taken)
     {
         if (!_air.Varies)
         {
@@ -235,7 +235,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         StepLogMark mark = log.Mark();
         try
         {
-            TakeAll(ref s, dt, log, WholeFlight.NotTaken, in taken);
+            TakeAll(ref s, dt, log, WholeStep.NotTaken, in taken);
             OwnForces.CheckOutcome(in s);
         }
         catch
@@ -260,7 +260,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
         BallState before = s;
         long reported = Reported(log);
-        TakeAll(ref s, dt, log, WholeFlight.NotTaken, default);
+        TakeAll(ref s, dt, log, WholeStep.NotTaken, default);
         if (dt > 0 && Reported(log) == reported)
         {
             _rests.Learn(in before, in s);
@@ -269,33 +269,23 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
 
     private static long Reported(StepLog log) => log.Events.Count + log.Events.Dropped + log.UnreportedImpacts + log.StalledSteps;
 
-    private void TakeAll(ref BallState s, double dt, StepLog log, WholeFlight whole, in FlightStep taken)
+    private void TakeAll(ref BallState s, double dt, StepLog log, WholeStep whole, in FlightStep taken)
     {
         World.Enter(ref s);
-        var run = new StepRun(dt, s.Time, log);
-
-        // The step was already taken as flight: shorten it to the first event.
-        if (whole == WholeFlight.Ends)
-        {
-            _flight.Finish(ref s, ref run, in taken, dt);
-        }
-
-        // Depenetration: move the ball out of the ground, and out of bodies that the game has moved into it.
+        var run = new StepRun(dt, s.Time, log) { Whole = whole };
+        Vector3d from = s.Position;
         if (!log.Halted)
         {
-            s.ClearUntil = 0;
-            _contact.Raise(ref s);
-            _bodies?.Apply(ref s, ref run);
-            if (World.Moves)
-            {
-                _contact.TakeJump(ref s, ref run);
-            }
-
-            log.Zones?.Moved(log, in s);
+            Separate(ref s, ref run);
         }
 
-        // The whole step has already been tried without success: do not try it again as the first piece.
-        bool isTried = whole == WholeFlight.NotTaken;
+        // A step that was already integrated is the first piece, unless the ball has just been moved.
+        if (whole == WholeStep.Ends)
+        {
+            run.Whole = s.Position == from ? whole : WholeStep.NotTaken;
+            run.Taken = taken;
+        }
+
         while (!log.Halted && run.Left > 0 && (s.Motion != MotionState.Rest || _rest.MayWake))
         {
             if (!run.Begin())
@@ -310,7 +300,7 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
             switch (s.Motion)
             {
                 case MotionState.Airborne:
-                    TakeFlight(ref s, ref run, isTried);
+                    TakeFlight(ref s, ref run);
                     break;
                 case MotionState.Rest:
                     _rest.Take(ref s, ref run);
@@ -319,11 +309,11 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
                     _parts.TakeSqueezed(ref s, ref run);
                     break;
                 default:
-                    TakeSurface(ref s, ref run, isTried);
+                    TakeSurface(ref s, ref run);
                     break;
             }
 
-            isTried = false;
+            run.Whole = WholeStep.Untried;
         }
 
         // Set the exact end time, because the sum of the pieces equals it only to within rounding.
@@ -344,6 +334,20 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
         Exit(ref s, log.Events, log.Events.Dropped > 0 ? 0 : run.FirstEvent);
     }
 
+    /// <summary>Moves the ball out of the ground, and out of bodies that the game has moved into it.</summary>
+    private void Separate(ref BallState s, ref StepRun run)
+    {
+        s.ClearUntil = 0;
+        s.Position = GroundPlace.Raised(World, s.Position);
+        _bodies?.Apply(ref s, ref run);
+        if (World.Moves)
+        {
+            _contact.TakeJump(ref s, ref run);
+        }
+
+        run.Log.Zones?.Moved(run.Log, in s);
+    }
+
     /// <summary>Ends a step: the state and the events then identify an engine collider by its own number.</summary>
     private void Exit(ref BallState s, EventBuffer events, int firstEvent)
     {
@@ -359,33 +363,35 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 
     /// <summary>Takes the next piece of a flight. The rest of the step is tried as a whole step first.</summary>
-    private void TakeFlight(ref BallState s, ref StepRun run, bool isTried)
+    private void TakeFlight(ref BallState s, ref StepRun run)
     {
-        FlightStep taken = default;
-
-        // Do not try this in a divided step, or while the ball stays on level ground.
-        WholeFlight whole = isTried || run.Part > 0 || _flight.IsHeld(in s) ? WholeFlight.NotTaken : TryWhole(ref s, run.Left, run.End, run.Log, out taken);
-        switch (whole)
+        if (run.Part > 0 || _flight.IsHeld(in s))
         {
-            case WholeFlight.Done:
-                run.Left = 0;
-                break;
-            case WholeFlight.Ends:
-                _flight.Finish(ref s, ref run, in taken, run.Left);
-                break;
-            default:
-                _flight.Take(ref s, ref run);
-                break;
+            // The step is divided, or the ball touches the ground: the next piece handles this contact first.
+            run.Whole = WholeStep.NotTaken;
+        }
+        else if (run.Whole == WholeStep.Untried)
+        {
+            run.Whole = TryWhole(ref s, run.Left, run.End, run.Log, out run.Taken);
+        }
+
+        if (run.Whole == WholeStep.Done)
+        {
+            run.Left = 0;
+        }
+        else
+        {
+            _flight.Take(ref s, ref run);
         }
     }
 
     /// <summary>Takes the next piece of a slide or a roll.</summary>
     /// <remarks>On flat ground the rest of the step is tried as a whole step first.</remarks>
-    private void TakeSurface(ref BallState s, ref StepRun run, bool isTried)
+    private void TakeSurface(ref BallState s, ref StepRun run)
     {
-        bool mayBeWhole = !(run.Part > 0);
-        if (mayBeWhole && ((!isTried && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
-            || (_line is not null && !run.Jumped && (!isTried || World.Engine is not null) && _line.TryWhole(ref s, run.Left, run.End, run.Log))))
+        bool isUntried = run.Whole == WholeStep.Untried;
+        if (!(run.Part > 0) && ((isUntried && _flat is not null && _flat.TryWhole(ref s, run.Left, run.End, run.Log))
+            || (_line is not null && !run.Jumped && (isUntried || World.Engine is not null) && _line.TryWhole(ref s, run.Left, run.End, run.Log))))
         {
             run.Left = 0;
         }
@@ -396,13 +402,16 @@ internal class SceneStepper<TIntegrator> : Stepper, IFlight
     }
 }
 
-/// <summary>Result of trying a whole step of flight.</summary>
-internal enum WholeFlight
+/// <summary>What is known of the rest of a step as a single piece.</summary>
+internal enum WholeStep
 {
+    /// <summary>Not tried yet.</summary>
+    Untried,
+
     /// <summary>Not taken, because the step may have to be divided, or an object is near.</summary>
     NotTaken,
 
-    /// <summary>Taken, but the step contains an event. The ball has not moved.</summary>
+    /// <summary>Integrated, but it contains an event. The ball has not moved.</summary>
     Ends,
 
     /// <summary>Taken without an event. The ball has moved.</summary>

@@ -52,6 +52,12 @@ internal ref struct StepRun
     /// length.</summary>
     public bool Spirals;
 
+    /// <summary>What is known of the rest of the step as a single piece.</summary>
+    public WholeStep Whole;
+
+    /// <summary>The rest of the step in flight, if it was already integrated and contains an event.</summary>
+    public FlightStep Taken;
+
     /// <summary>Pieces so far.</summary>
     public int Pieces;
 

@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -34,7 +35,7 @@ internal static class SurfacePath
         for (int i = 0; i < MostTries; i++)
         {
             // The deviation of the path from its surface, at the middle and at the end.
-            var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
+            var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
             double half = 0.5 * path.Length;
             double off = Math.Max(
                 Math.Abs(carrier.At(path.At(half), s.Time + half).Distance - radius),

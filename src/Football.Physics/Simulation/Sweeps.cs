@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;
@@ -9,11 +10,12 @@ namespace FootballPhysics.Simulation;
 internal struct FlightSweep<TIntegrator> : IFlightSweep
     where TIntegrator : struct, IIntegrator
 {
+    /// <summary>The result of the step.</summary>
+    public FlightStep Taken;
     private readonly Surroundings _around;
     private readonly IFlight _flight;
     private readonly BallState _from;
     private readonly Vector3d _fromAirVelocity;
-    private FlightStep _taken;
     private TIntegrator _integrator;
 
     /// <summary>Starts at a state of the ball.</summary>
@@ -23,38 +25,35 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         _flight = flight;
         _from = from;
         _fromAirVelocity = from.Velocity - around.Wind;
-        _taken = default;
+        Taken = default;
         _integrator = default;
         Length = 0;
         Evaluations = 0;
     }
 
-    /// <summary>The result of the step.</summary>
-    public readonly FlightStep Taken => _taken;
-
     public double Length { get; private set; }
 
     public int Evaluations { get; set; }
 
-    public readonly Vector3d Position => _from.Position + (_taken.Path + (Length * _around.Wind));
+    public readonly Vector3d Position => _from.Position + (Taken.Path + (Length * _around.Wind));
 
-    public readonly Vector3d Velocity => _taken.AirVelocity + _around.Wind;
+    public readonly Vector3d Velocity => Taken.AirVelocity + _around.Wind;
 
-    public readonly Vector3d StartAcceleration => _taken.StartAcceleration;
+    public readonly Vector3d StartAcceleration => Taken.StartAcceleration;
 
     public readonly DragJump StartJump => JumpAt(in _fromAirVelocity, _from.SpinRate);
 
     public readonly DragJump StartJumpRate =>
-        JumpRate(in _fromAirVelocity, _from.SpinRate, in _taken.StartAcceleration, _taken.StartSpinAcceleration);
+        JumpRate(in _fromAirVelocity, _from.SpinRate, in Taken.StartAcceleration, Taken.StartSpinAcceleration);
 
-    public readonly DragJump EndJump => JumpAt(in _taken.AirVelocity, _taken.SpinRate);
+    public readonly DragJump EndJump => JumpAt(in Taken.AirVelocity, Taken.SpinRate);
 
-    public readonly Motion EndMotion => new(Position, Velocity, _from.SpinAxis * _taken.SpinRate, _from.AirDistance + _taken.AirDistance);
+    public readonly Motion EndMotion => new(Position, Velocity, _from.SpinAxis * Taken.SpinRate, _from.AirDistance + Taken.AirDistance);
 
     public void Step(double h)
     {
         FlightMotion motion = _from.Flight;
-        _flight.Fly(in _from, ref motion, in _around.Wind, _from.Branch, _around.Upward, h, out _taken);
+        _flight.Fly(in _from, ref motion, in _around.Wind, _from.Branch, _around.Upward, h, out Taken);
         Evaluations += _integrator.Stages;
         Length = h;
     }
@@ -62,20 +61,20 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     /// <summary>Adopts a step that was taken and counted elsewhere.</summary>
     public void Take(in FlightStep taken, double length)
     {
-        _taken = taken;
+        Taken = taken;
         Length = length;
     }
 
     public void Nudge(double dt)
     {
         // Extrapolate by dt with the rates at the end, which follow from the rates at the start and the mean of the step.
-        Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in _taken.AirVelocity, in _taken.StartAcceleration, Length);
-        double b = Extrapolate.Rate(_from.SpinRate, _taken.SpinRate, _taken.StartSpinAcceleration, Length);
-        _taken.Path += dt * (_taken.AirVelocity + ((0.5 * dt) * a));
-        _taken.Turn += dt * _taken.SpinRate;
-        _taken.AirDistance += Length > 0 ? dt * _taken.AirDistance / Length : 0;
-        _taken.AirVelocity += dt * a;
-        _taken.SpinRate += dt * b;
+        Vector3d a = Extrapolate.Rate(in _fromAirVelocity, in Taken.AirVelocity, in Taken.StartAcceleration, Length);
+        double b = Extrapolate.Rate(_from.SpinRate, Taken.SpinRate, Taken.StartSpinAcceleration, Length);
+        Taken.Path += dt * (Taken.AirVelocity + ((0.5 * dt) * a));
+        Taken.Turn += dt * Taken.SpinRate;
+        Taken.AirDistance += Length > 0 ? dt * Taken.AirDistance / Length : 0;
+        Taken.AirVelocity += dt * a;
+        Taken.SpinRate += dt * b;
         Length += dt;
     }
 
@@ -83,18 +82,18 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
     {
         s.Position = Position;
         s.Velocity = Velocity;
-        s.SpinRate = Math.Max(0, _taken.SpinRate);
-        s.Angle += _taken.Turn;
-        s.AirDistance += _taken.AirDistance;
+        s.SpinRate = Math.Max(0, Taken.SpinRate);
+        s.Angle += Taken.Turn;
+        s.AirDistance += Taken.AirDistance;
     }
 
     /// <summary>Sets the spin at the end of the step to zero.</summary>
-    public void EndSpin() => _taken.SpinRate = 0;
+    public void EndSpin() => Taken.SpinRate = 0;
 
     public DragJump EndJumpRate()
     {
         EndRates(out Vector3d a, out double b);
-        return JumpRate(in _taken.AirVelocity, _taken.SpinRate, in a, b);
+        return JumpRate(in Taken.AirVelocity, Taken.SpinRate, in a, b);
     }
 
     public Vector3d EndAcceleration()
@@ -108,7 +107,7 @@ internal struct FlightSweep<TIntegrator> : IFlightSweep
         BallState end = _from;
         MoveTo(ref end);
         end.Time += Length;
-        FlightRates.Of(ref _around.Air, in end, _around.Upward, in _taken.AirVelocity, _taken.SpinRate, out acceleration, out spinAcceleration);
+        FlightRates.Of(ref _around.Air, in end, _around.Upward, in Taken.AirVelocity, Taken.SpinRate, out acceleration, out spinAcceleration);
         Evaluations++;
     }
 

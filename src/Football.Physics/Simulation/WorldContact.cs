@@ -5,16 +5,12 @@ using FootballPhysics.State;
 namespace FootballPhysics.Simulation;
 
 /// <summary>Resolves contacts with the world: an impact, and the motion state of the ball after it.</summary>
-internal sealed class WorldContact
+internal sealed partial class WorldContact
 {
     /// <summary>Maximum number of impacts at one instant: two contacts plus eight. After that, all contacts are resolved together without
     /// restitution.</summary>
     private const int MostAtOnce = 10;
 
-    /// <summary>If a step resolves all contacts together more often than this, the ball has no room.</summary>
-    private const int MostUntold = 3;
-
-    private readonly Surroundings _around;
     private readonly World _world;
     private readonly ContactLoad _load;
     private readonly bool _gainsByHops;
@@ -23,7 +19,6 @@ internal sealed class WorldContact
     /// <param name="gainsByHops">Whether the integrator returns from a hop faster than it left.</param>
     public WorldContact(Surroundings around, bool gainsByHops)
     {
-        _around = around;
         _world = around.World;
         _load = new ContactLoad(around);
         _gainsByHops = gainsByHops;
@@ -52,77 +47,9 @@ internal sealed class WorldContact
             s.Velocity = new Vector3d(s.Velocity.X, Math.Min(s.Velocity.Y, 0), s.Velocity.Z);
         }
 
-        // Apply the impulse by Coulomb's law, relative to the surface velocity at the contact point.
-        ShapePoint at = hit.At(s.Position, s.Time);
-        Vector3d n = at.Normal;
-        Vector3d v = s.Velocity;
-        Vector3d w = s.Spin;
-        int thing = collider + _world.FirstCollider;
-        Vector3d contact = s.Position - (_world.Ball.Radius * n);
-        Vector3d surface = hit.SurfaceVelocity(in contact, s.Time);
-        Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
-        GivingWay way = hit.GivesWay ? GivingWay.Of(_world.Ball, hit.Mass) : default;
-        ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
-        CoulombImpact.Apply(_world.Ball, in material, in way, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin);
-
-        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
-        if (hit.Moves)
-        {
-            double restitution = hit.MaterialAt(s.Position).LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
-            bool again = Touches(ref s, ((1.0 + restitution) * surface.Length) + material.MinimumExitSpeed);
-            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
-            if (again && velocity.Length > fastest)
-            {
-                CoulombImpact.ApplySoftened(_world.Ball, in hit.MaterialAt(s.Position), in way, in n, in surface, in v, in w, fastest, out velocity, out spin);
-            }
-        }
-
-        // The separation speed w = (v' − V')·n determines the motion state. An object with a mass recoils to V' = V − (m/M)(v' − v).
-        bool may = run.Hit();
-        double off = Vector3d.Dot(velocity - shape + (way.Ratio * (velocity - v)), in n);
-        if (_gainsByHops && off > 0 && !hit.IsLevelGround)
-        {
-            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough to prevent this gain.
-            double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
-            off -= gain;
-            velocity -= gain / (1.0 + way.Ratio) * n;
-        }
-
-        bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
-        if (!bounces && hit.GivesWay)
-        {
-            // A ball that stays on an object with a mass has an impact with e = 0, which conserves momentum.
-            ContactMaterial dead = material.WithoutRestitution();
-            CoulombImpact.Apply(_world.Ball, in dead, in way, in n, in surface, in v, in w, out velocity, out spin);
-            off = 0;
-        }
-
-        double added = bounces ? CoulombImpact.Added(_world.Ball, in material, in way, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (way.Ratio * (velocity - v)), in n)) : 0;
-
-        // The event reports the velocity due to the impulse. A ball that stays then loses its remaining separation speed.
-        Vector3d reported = velocity;
-        velocity = bounces && off > 0 ? velocity : velocity - (off * n);
-
-        // Apply the opposite impulse, m (v − v'), to an object with a mass.
-        if (hit.GivesWay && run.Log.Pushes)
-        {
-            run.Log.Motions?.Read();
-            hit.Push(_world.Ball.Mass * (v - velocity), s.Time);
-            run.Log.Pushed = true;
-            run.Log.Halted |= run.Log.HaltsAtPush;
-        }
-
-        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would raise many events.
-        if (run.IsCrowded && Vector3d.Dot(surface - v, in n) < _world.MinimumBounceSpeed)
-        {
-            run.Log.UnreportedImpacts++;
-        }
-        else
-        {
-            run.Report(new BallEvent(BallEventKind.Impact, thing, in n, s.Time, s.Position, in v, in w, in reported, in spin) { AddedEnergy = added });
-        }
-
-        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
+        // The separation speed determines the motion state.
+        Outcome end = Strike(ref s, hit, ref run);
+        Tell(ref s, hit, collider + _world.FirstCollider, in end, ref run);
 
         // The velocity has jumped, so choose the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
@@ -130,123 +57,110 @@ internal sealed class WorldContact
         // Movers hit the ball too often in a short time, so it has no room.
         if (hit.Moves && run.IsCrowdedAt(s.Time))
         {
-            s.Velocity = velocity;
-            s.SetGroundSpin(in spin);
+            s.Velocity = end.Velocity;
+            s.SetGroundSpin(in end.Spin);
             BeginSqueeze(ref s, collider, ref run);
             return;
         }
 
         // A ball supported by another surface keeps its carrier unless the impulse lifts it.
-        if (carried && s.Carrier != thing)
+        if (carried && s.Carrier != collider + _world.FirstCollider)
         {
-            KeepCarrier(ref s, in velocity, in spin, hit.ShapeVelocity(in contact, s.Time), in n, bounces ? -1 : collider, ref run);
-            return;
+            Vector3d shape = hit.ShapeVelocity(s.Position - (_world.Ball.Radius * end.Normal), s.Time);
+            KeepCarrier(ref s, in end.Velocity, in end.Spin, in shape, in end.Normal, end.Bounces ? -1 : collider, ref run);
         }
-
-        if (bounces)
+        else if (end.Bounces)
         {
-            Fly(ref s, in velocity, in spin);
+            Fly(ref s, in end.Velocity, in end.Spin);
         }
         else
         {
-            Stay(ref s, thing, in velocity, in spin, ref run);
+            Stay(ref s, collider + _world.FirstCollider, in end.Velocity, in end.Spin, ref run);
         }
     }
 
-    /// <summary>Resolves all contacts at once without restitution.</summary>
-    /// <remarks>The ball then closes on no stationary object. Moving objects may squeeze it.</remarks>
-    [SkipLocalsInit]
-    private void ImpactAtOnce(ref BallState s, int collider, ref StepRun run)
+    /// <summary>Computes the impulse of an impact, relative to the surface velocity at the contact point, and whether the ball bounces.</summary>
+    private Outcome Strike(ref BallState s, Collider hit, ref StepRun run)
     {
-        run.Log.UnreportedImpacts++;
-
-        // Solve all contacts as one set, over zero time and without restitution.
-        Span<Contact> room = stackalloc Contact[ContactSet.Room];
-        Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
+        ShapePoint at = hit.At(s.Position, s.Time);
+        Vector3d n = at.Normal;
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        double most = v.Length;
-        bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Untold++ < MostUntold;
+        Vector3d contact = s.Position - (_world.Ball.Radius * n);
+        Vector3d surface = hit.SurfaceVelocity(in contact, s.Time);
+        Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
+        double recoil = hit.GivesWay ? _world.Ball.Mass / hit.Mass : 0;
+        ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
+        ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
 
-        // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
-        if (ContactSet.HasMover(set) && (!solved || IsTooFast(ref s, set, in v)))
+        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
+        if (hit.Moves)
         {
-            BeginSqueeze(ref s, collider, ref run);
-            return;
+            double restitution = material.LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
+            bool again = Touches(ref s, ((1.0 + restitution) * surface.Length) + material.MinimumExitSpeed);
+            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
+            if (again && velocity.Length > fastest)
+            {
+                ImpactLaw.ApplySoftened(_world.Ball, in material, in n, in surface, in v, in w, recoil, fastest, out velocity, out spin);
+            }
         }
 
-        if (!solved)
+        // The separation speed is w = (v' − V')·n. An object with a mass recoils to V' = V − (m/M)(v' − v).
+        bool may = run.Hit();
+        double off = Vector3d.Dot(velocity - shape + (recoil * (velocity - v)), in n);
+        if (_gainsByHops && off > 0 && !hit.IsLevelGround)
         {
-            ContactSetParts.Settle(set, 0, most, ref v);
+            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough to prevent this gain.
+            double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
+            off -= gain;
+            velocity -= gain / (1.0 + recoil) * n;
         }
 
-        s.Velocity = v;
-        s.SetGroundSpin(in w);
-
-        // The contact with the greatest load becomes the carrier if the forces press the ball onto it. Otherwise, the ball flies.
-        int bearer = ContactSet.Heaviest(set);
-        if (bearer >= 0 && _load.IsPressed(in s, set[bearer].Collider))
+        bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
+        if (!bounces && hit.GivesWay)
         {
-            Stay(ref s, set[bearer].Collider + _world.FirstCollider, in v, in w, ref run);
+            // A ball that stays on an object with a mass has an impact with e = 0, which conserves momentum.
+            ContactMaterial dead = material.WithoutRestitution();
+            ImpactLaw.Apply(_world.Ball, in dead, in n, in surface, in v, in w, out velocity, out spin, recoil);
+            off = 0;
+        }
+
+        double added = bounces ? ImpactLaw.Added(_world.Ball, in material, recoil, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (recoil * (velocity - v)), in n)) : 0;
+        return new Outcome
+        {
+            Normal = n,
+            Closing = Vector3d.Dot(surface - v, in n),
+            Struck = velocity,
+            Velocity = bounces && off > 0 ? velocity : velocity - (off * n),
+            Spin = spin,
+            Added = added,
+            Bounces = bounces,
+        };
+    }
+
+    /// <summary>Pushes the object, and reports the impact.</summary>
+    private void Tell(ref BallState s, Collider hit, int thing, in Outcome end, ref StepRun run)
+    {
+        // Apply the opposite impulse, m (v − v'), to an object with a mass.
+        if (hit.GivesWay && run.Log.Pushes)
+        {
+            run.Log.Motions?.Read();
+            hit.Push(_world.Ball.Mass * (s.Velocity - end.Velocity), s.Time);
+            run.Log.Pushed = true;
+            run.Log.Halted |= run.Log.HaltsAtPush;
+        }
+
+        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would raise many events.
+        if (run.IsCrowded && end.Closing < _world.MinimumBounceSpeed)
+        {
+            run.Log.UnreportedImpacts++;
         }
         else
         {
-            Fly(ref s, in v, in w);
-        }
-    }
-
-    /// <summary>Starts a squeeze: moving objects leave the ball no room.</summary>
-    public void BeginSqueeze(ref BallState s, int collider, ref StepRun run)
-    {
-        run.Squeezes++;
-        Vector3d spin = s.Spin;
-        Vector3d normal = _world.Colliders[collider].At(s.Position, s.Time).Normal;
-        s.Carrier = collider + _world.FirstCollider;
-        s.SetGroundSpin(in spin);
-        s.Motion = MotionState.Pinned;
-        s.Branch = DragBranch.Unknown;
-        run.Report(new BallEvent(BallEventKind.Pinned, (int)s.Carrier, in normal, s.Time, s.Position, s.Velocity, in spin, s.Velocity, in spin));
-    }
-
-    /// <summary>Ends a squeeze: the ball has room again.</summary>
-    public void EndSqueeze(ref BallState s, ref StepRun run)
-    {
-        run.Report(new BallEvent(BallEventKind.Pinned, -1, Vector3d.Zero, s.Time, s.Position, s.Velocity, s.Spin, s.Velocity, s.Spin));
-        Fly(ref s, s.Velocity, s.Spin);
-    }
-
-    /// <summary>True if moving objects would make the ball too fast.</summary>
-    /// <remarks>The limit is the greater of its speed on arrival and 1 + e times the speed of the fastest mover that pushes it.</remarks>
-    /// <param name="s">The ball.</param>
-    /// <param name="set">The contacts and their impulses.</param>
-    /// <param name="velocity">The resulting velocity, m/s.</param>
-    public bool IsTooFast(ref BallState s, Span<Contact> set, in Vector3d velocity)
-    {
-        // (1 + e) |V| of the fastest mover that pushes the ball, or −1 if there is no such mover.
-        double fastest = -1.0;
-        foreach (ref readonly Contact contact in set)
-        {
-            double speed = contact.Velocity.Length;
-            fastest = contact.Moves && contact.Load > 0 ? Math.Max(fastest, ((1.0 + contact.Material.LargestRestitutionAt(speed)) * speed) + contact.Material.MinimumExitSpeed) : fastest;
+            run.Report(new BallEvent(BallEventKind.Impact, thing, in end.Normal, s.Time, s.Position, s.Velocity, s.Spin, in end.Struck, in end.Spin) { AddedEnergy = end.Added });
         }
 
-        if (fastest < 0)
-        {
-            return false;
-        }
-
-        Touches(ref s, fastest);
-        return velocity.Length > s.SqueezeSpeed;
-    }
-
-    /// <summary>Records a contact with a moving object that may accelerate the ball to a given speed, m/s.</summary>
-    /// <returns>True if another contact with a mover was recorded recently.</returns>
-    private static bool Touches(ref BallState s, double fastest)
-    {
-        bool again = s.Time < s.SqueezeUntil;
-        s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);
-        s.SqueezeUntil = StateCheck.SqueezedUntil(s.Time);
-        return again;
+        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
     }
 
     /// <summary>Makes a surface the carrier without an impact: the ball touches it, presses on it, and does not close on it.</summary>
@@ -363,9 +277,6 @@ internal sealed class WorldContact
         s.ClearIn = s.ClearIn == BallState.TouchesSeveral ? 0 : s.ClearIn;
         s.Motion = MotionState.Rest;
     }
-
-    /// <summary>Raises a ball that is below the surface of the ground vertically.</summary>
-    public void Raise(ref BallState s) => s.Position = GroundPlace.Raised(_world, s.Position);
 
     /// <summary>Sets the state of a placed ball: supported if it touches a surface slowly enough and is pressed on it; otherwise in the
     /// air.</summary>
@@ -544,5 +455,30 @@ internal sealed class WorldContact
         s.Motion = MotionState.Airborne;
         s.Carrier = 0;
         s.Branch = DragBranch.Unknown;
+    }
+
+    /// <summary>The outcome of an impact.</summary>
+    private struct Outcome
+    {
+        /// <summary>n.</summary>
+        public Vector3d Normal;
+
+        /// <summary>The speed at which the ball closed, m/s.</summary>
+        public double Closing;
+
+        /// <summary>The velocity that the impulse gives the ball, m/s; the event reports it.</summary>
+        public Vector3d Struck;
+
+        /// <summary>The velocity after, m/s. A ball that stays has lost its remaining separation speed.</summary>
+        public Vector3d Velocity;
+
+        /// <summary>The spin after, rad/s.</summary>
+        public Vector3d Spin;
+
+        /// <summary>The energy that a bumper added, J.</summary>
+        public double Added;
+
+        /// <summary>True if the ball leaves the object.</summary>
+        public bool Bounces;
     }
 }

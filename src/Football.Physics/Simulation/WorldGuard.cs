@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -86,15 +87,6 @@ internal sealed class WorldGuard
         return Vector3d.Dot(s.Velocity - surface, in n) < -ContactTolerances.Approaching;
     }
 
-    /// <summary>Ends a piece at its first contact.</summary>
-    /// <param name="sweep">The piece.</param>
-    /// <param name="s">The ball at its start.</param>
-    /// <param name="order">Order of the integrator.</param>
-    /// <param name="met">The contact.</param>
-    /// <returns>True if there is a contact.</returns>
-    public bool EndAtFirst<TSweep>(ref TSweep sweep, in BallState s, int order, out Separation met)
-        where TSweep : struct, ISweep => EndAtFirst(ref sweep, in s, order, default, out met);
-
     /// <summary>Ends a piece at its first contact, except for the contacts that the ball keeps.</summary>
     /// <param name="sweep">The piece.</param>
     /// <param name="s">The ball at its start.</param>
@@ -116,9 +108,9 @@ internal sealed class WorldGuard
         {
             // Find the time of impact on the cubic of the piece, then refine it on the integrator's own step. The shorter piece has a different
             // cubic, so repeat.
-            var path = PathCubic.Of(ref sweep, s.Position, s.Velocity, order);
+            var path = PathCubic.Between(s.Position, s.Velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
             var search = new ContactSearch(_world, in path, s.Time);
-            double at = search.First(in s, carrier, held, out Separation found);
+            double at = search.First(in s, carrier, out Separation found, held);
 
             // No earlier contact was found, or the contact is the same one and earlier only by rounding.
             if (!(at <= path.Length) || (met.What != SeparationKind.None && (at >= path.Length * (1.0 - ContactTolerances.StepRounding) || IsAgain(ref sweep, in met, in found, s.Time, path.Length - at))))

@@ -33,7 +33,7 @@ public sealed class RoomTests
         Assert.All(Rooms.Order, room => Assert.Contains(SourceFile.Library, file => file.Room == room && file.Types.Count > 0));
         foreach ((string type, string room) in (ReadOnlySpan<(string, string)>)[
             ("Vector3d", "Numerics"), ("BallState", "State"), ("Scene", "Scenes"), ("PathSegment", "Integration"), ("DragJump", "Laws"),
-            ("CoulombImpact", "Contacts"), ("BallEvent", "Events"), ("Simulator", "Simulation"), ("Trajectory", "Prediction"), ("TrackFit", "Tracks"), ("Aimer", "Aiming"), ("ThesisAimer", "Thesis"),
+            ("ImpactLaw", "Contacts"), ("BallEvent", "Events"), ("Simulator", "Simulation"), ("Trajectory", "Prediction"), ("TrackFit", "Tracks"), ("Aimer", "Aiming"), ("ThesisAimer", "Thesis"),
             ("BallBatch", "Batch"), ("Ball", "Game")])
         {
             Assert.Equal(room, SourceFile.Library.First(file => file.Types.Any(item => item.Name == type)).Room);

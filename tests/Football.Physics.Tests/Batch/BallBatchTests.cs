@@ -219,7 +219,7 @@ public sealed class BallBatchTests
 
     private static void ImpactIsApplied(Scene scene, BatchFlights flights, int i)
     {
-        CoulombImpact.Apply(
+        ImpactLaw.Apply(
             scene.Ball, new ContactMaterial(scene.Ground), Vector3d.Up, Vector3d.Zero, flights.Velocity[i], flights.Spin[i], out Vector3d velocity, out Vector3d spin);
 
         Assert.Equal(velocity, flights.VelocityAfter[i]);

@@ -1,6 +1,5 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Scenes;
-using FootballPhysics.Simulation;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Tests.Laws;

@@ -66,7 +66,7 @@ public sealed class MeasuredImpactTests
 
     private static (Vector3d Velocity, Vector3d Spin) After(Ground ground, Vector3d velocity, Vector3d spin)
     {
-        CoulombImpact.Apply(BallProperties.Tunnel, new ContactMaterial(ground), Vector3d.Up, Vector3d.Zero, in velocity, in spin, out Vector3d v, out Vector3d w);
+        ImpactLaw.Apply(BallProperties.Tunnel, new ContactMaterial(ground), Vector3d.Up, Vector3d.Zero, in velocity, in spin, out Vector3d v, out Vector3d w);
         return (v, w);
     }
 

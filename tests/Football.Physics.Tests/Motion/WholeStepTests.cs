@@ -34,6 +34,67 @@ public sealed class WholeStepTests
         }
     }
 
+    /// <summary>One step, from random slides and rolls on random planes and materials: the plane form is the law of any surface.</summary>
+    [Theory]
+    [ProfileData(Integrator.Rk4)]
+    public void The_plane_form_is_the_law_of_any_surface_over_its_domain(Profile profile, Integrator integrator)
+    {
+        var random = new Random(5);
+        double Between(double low, double high) => low + ((high - low) * random.NextDouble());
+        int compared = 0;
+        for (int i = 0; i < 400; i++)
+        {
+            double slope = i % 3 == 0 ? 0 : Between(-0.5, 0.5);
+            var normal = new Vector3d(Math.Sin(slope), Math.Cos(slope), 0);
+            Scene scene = profile.Scene();
+            SurfaceMaterial material = scene.Ground.Material with
+            {
+                SlidingFriction = Between(0.1, 1),
+                RollingResistance = Between(0, 0.1),
+                RollingResistancePerSpeed = Between(0, 0.01),
+                SpinDamping = Between(0, 2e-4),
+                TorsionalPatchRadius = Between(0, 0.02),
+            };
+            scene = scene with { Air = new Air { Wind = Between(0, 8) * Any(random) }, Ground = scene.Ground with { Material = material, Normal = normal } };
+            Scene nudged = scene with { Forces = scene.Forces with { CustomForces = [new Nothing()] } };
+            Vector3d any = Any(random);
+            Vector3d velocity = Between(0.5, 35) * (any - (Vector3d.Dot(in any, in normal) * normal)).Normalized();
+            Vector3d spin = (Vector3d.Cross(in normal, in velocity) / Flight.Radius) + (Between(-40, 40) * normal);
+            spin = i % 2 == 0 ? spin : (Between(-1, 0.8) * spin) + (Between(-30, 30) * Any(random));
+            compared += IsSameStep(scene, nudged, integrator, Flight.Radius / normal.Y * Vector3d.Up, velocity, spin) ? 1 : 0;
+        }
+
+        Assert.InRange(compared, 250, 400);
+    }
+
+    private static Vector3d Any(Random random) =>
+        new Vector3d(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5).Normalized();
+
+    /// <summary>Compares one step, where the pieces take it as one without an event.</summary>
+    private static bool IsSameStep(Scene scene, Scene nudged, Integrator integrator, Vector3d start, Vector3d velocity, Vector3d spin)
+    {
+        var simulators = new[] { new Simulator(scene, Flight.With(integrator)), new Simulator(nudged, Flight.With(integrator)) };
+        StepLog[] logs = [new(), new()];
+        BallState[] states = [.. simulators.Select((simulator, i) =>
+        {
+            BallState state = simulator.Launch(start, velocity, spin);
+            simulator.Step(ref state, 0.005, logs[i]);
+            return state;
+        })];
+        if (logs.Any(log => log.Events.Count > 0 || log.Steps != 1) || states[0].Motion is not (MotionState.Rolling or MotionState.Sliding))
+        {
+            return false;
+        }
+
+        Assert.InRange(Vector3d.Distance(states[0].Position, states[1].Position), 0, 1e-9);
+        Assert.InRange(Vector3d.Distance(states[0].Velocity, states[1].Velocity), 0, 1e-8);
+        Assert.InRange(Vector3d.Distance(states[0].Spin, states[1].Spin), 0, 1e-7);
+
+        // The plane form adds only two terms of the rotation's series while the axis turns little.
+        Assert.InRange(Differences.Rotation(states[0].Orientation, states[1].Orientation), 0, 1e-5);
+        return true;
+    }
+
     private static void Same(Scene scene, Scene nudged, in Vector3d normal, in Vector3d velocity, in Vector3d spin)
     {
         Vector3d start = Flight.Radius / normal.Y * Vector3d.Up;

@@ -49,7 +49,7 @@ public sealed class BallContactTests
         Vector3d n = Draw(random).Normalized();
         BallState a = State((Small.Radius * n) + new Vector3d(1, 1, 1), (-4.0 * n) + (seed % 5 * Draw(random)), 30 * Draw(random));
         BallState b = State((-Large.Radius * n) + new Vector3d(1, 1, 1), Vector3d.Zero, 25 * Draw(random));
-        BallContact.Impact(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+        ImpactLaw.Apply(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal(a.Position, first.Position);
         Assert.Equal(b.Position, second.Position);
 
@@ -101,7 +101,7 @@ public sealed class BallContactTests
         var material = new ContactMaterial(SurfaceMaterial.GoalFrame with { TorsionalPatchRadius = 0.5, SlidingFriction = 1 });
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(-3, 0, 0), new Vector3d(sign * 8, 0, 0));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(sign * -2, 0, 0));
-        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+        ImpactLaw.Apply(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal(0, first.Spin.X - second.Spin.X, 1e-12);
         Assert.Equal((Small.MomentOfInertia * a.Spin.X) + (Large.MomentOfInertia * b.Spin.X), (Small.MomentOfInertia * first.Spin.X) + (Large.MomentOfInertia * second.Spin.X), 1e-14);
     }
@@ -114,7 +114,7 @@ public sealed class BallContactTests
         var material = new ContactMaterial(SurfaceMaterial.Ball);
         BallState a = State(new Vector3d(Small.Radius, 0, 0), new Vector3d(speed, 3, 0), new Vector3d(1, 2, 3));
         BallState b = State(new Vector3d(-Large.Radius, 0, 0), default, new Vector3d(5, 5, 5));
-        BallContact.Impact(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+        ImpactLaw.Apply(Small, Large, in material, new Vector3d(1, 0, 0), in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
         Assert.Equal((a.Position, a.Velocity, a.Spin), (first.Position, first.Velocity, first.Spin));
         Assert.Equal((b.Position, b.Velocity, b.Spin), (second.Position, second.Velocity, second.Spin));
     }
@@ -129,8 +129,8 @@ public sealed class BallContactTests
             Vector3d n = Draw(random).Normalized();
             BallState a = State(default, -5.0 * n, 20 * Draw(random));
             BallState b = State(default, Draw(random), 20 * Draw(random));
-            BallContact.Impact(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
-            BallContact.Impact(Large, Small, in material, -n, in b, in a, out FootballPhysics.Motion its, out FootballPhysics.Motion own);
+            ImpactLaw.Apply(Small, Large, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+            ImpactLaw.Apply(Large, Small, in material, -n, in b, in a, out FootballPhysics.Motion its, out FootballPhysics.Motion own);
             Assert.Equal((first.Velocity, first.Spin, second.Velocity, second.Spin), (own.Velocity, own.Spin, its.Velocity, its.Spin));
         }
     }

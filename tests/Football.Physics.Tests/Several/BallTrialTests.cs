@@ -1,4 +1,4 @@
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Several;

@@ -1,5 +1,5 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Scenes;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tests.Things;
 

@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Tests.Things;
 
@@ -55,7 +56,7 @@ public sealed class ContactSearchTests
             var from = new Vector3d(4 * (random.NextDouble() - 0.5), 0.3 + (1.5 * random.NextDouble()), 4 * (random.NextDouble() - 0.5));
             Vector3d velocity = Any(30);
             var sweep = new Ended { Length = length, Position = from + (length * (velocity + Any(12))), Velocity = velocity + Any(40) };
-            var path = PathCubic.Of(ref sweep, in from, in velocity, i % 2 == 0 ? 2 : 4);
+            var path = PathCubic.Between(in from, in velocity, sweep.Position, sweep.Velocity, length, isQuadratic: i % 2 == 0);
             BallState state = default;
             state.Position = from;
             state.Velocity = velocity;

@@ -363,13 +363,13 @@ public sealed class WorldContactTests
         Vector3d n = new Vector3d(0.3, 1, 0.2).Normalized();
         var tilted = new Asked(Still with { Ground = Still.Ground with { Normal = n } });
         BallState s = tilted.Ball((Radius - 0.05) * n + new Vector3d(0, 0, 0), default, default);
-        tilted.Contact.Raise(ref s);
+        s.Position = GroundPlace.Raised(tilted.World, s.Position);
         Assert.InRange((s.Position - (((Radius - 0.05) * n) + new Vector3d(0, 0.05 / n.Y, 0))).Length, 0, 1e-12);
         foreach (double over in new[] { 1e-10, -0.01 })
         {
             s = tilted.Ball((Radius - over) * n, default, default);
             Vector3d before = s.Position;
-            tilted.Contact.Raise(ref s);
+            s.Position = GroundPlace.Raised(tilted.World, s.Position);
             Assert.Equal(before, s.Position);
         }
 
@@ -377,7 +377,7 @@ public sealed class WorldContactTests
         foreach ((double y, double raised) in new[] { (0.05, Radius), (Radius, Radius), (0.2, 0.2) })
         {
             s = level.Ball(new Vector3d(1, y, 2), default, default);
-            level.Contact.Raise(ref s);
+            s.Position = GroundPlace.Raised(level.World, s.Position);
             Assert.Equal(new Vector3d(1, raised, 2), s.Position);
         }
     }

@@ -180,7 +180,7 @@ internal sealed class BankShotProblem : ILeastSquares
                 return false;
             }
 
-            CoulombImpact.Apply(_ball, in contact.Thing.MaterialAt(in end), in contact.Normal, in surface, state.Velocity, state.Spin, out v, out w);
+            ImpactLaw.Apply(_ball, in contact.Thing.MaterialAt(in end), in contact.Normal, in surface, state.Velocity, state.Spin, out v, out w);
             p = end;
             time = state.Time;
         }

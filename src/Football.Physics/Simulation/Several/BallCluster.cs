@@ -331,7 +331,7 @@ internal sealed partial class BallCluster
 
         _meetings[i]++;
         _meetings[j]++;
-        BallContact.Impact(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
+        ImpactLaw.Apply(ball, other, in _contact, in n, in states[i], in states[j], out Motion first, out Motion second);
         _current[i].Report(new BallEvent(j, in n, time, in states[i], in first.Velocity, in first.Spin));
         _current[j].Report(new BallEvent(i, -n, time, in states[j], in second.Velocity, in second.Spin));
         GoOn(states, i, in first, in n);

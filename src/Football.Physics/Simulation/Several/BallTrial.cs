@@ -1,5 +1,5 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -128,7 +128,7 @@ internal sealed class BallTrial : PieceObserver
             Array.Resize(ref _times, 2 * _count);
         }
 
-        PathCubic path = PathCubic.Of(in piece);
+        PathCubic path = PathCubic.Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
         Vector3d last = _count > 0 ? _paths[_count - 1].At(_paths[_count - 1].Length) : _start.Position;
         Reach += (path.FastestSpeed * path.Length) + (piece.StartPosition - last).Length;
         _paths[_count] = path;

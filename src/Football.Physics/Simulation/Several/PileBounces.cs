@@ -92,7 +92,7 @@ internal sealed class PileBounces
         {
             int other = _solver.Members[contact.Second].Ball;
             ref BallState its = ref states[other];
-            BallContact.Impact(
+            ImpactLaw.Apply(
                 simulator.Scene.Ball, _simulators[other].Scene.Ball, in _material, in contact.Normal, in s, in its, out Motion first, out Motion second);
             logs[ball].Report(new BallEvent(other, in contact.Normal, s.Time, in s, in first.Velocity, in first.Spin));
             logs[other].Report(new BallEvent(ball, -contact.Normal, s.Time, in its, in second.Velocity, in second.Spin));
@@ -106,12 +106,12 @@ internal sealed class PileBounces
         Vector3d w = s.Spin;
         Collider hit = simulator.World.Colliders[contact.Collider];
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
-        CoulombImpact.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
+        ImpactLaw.Apply(simulator.Scene.Ball, in material, in contact.Normal, in contact.Velocity, in v, in w, out Vector3d velocity, out Vector3d spin);
         logs[ball].Report(new BallEvent(
             BallEventKind.Impact, contact.Collider + simulator.World.FirstCollider, in contact.Normal, s.Time, s.Position, in v, in w, in velocity, in spin)
         {
-            AddedEnergy = CoulombImpact.Added(
-                simulator.Scene.Ball, in material, default, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal)),
+            AddedEnergy = ImpactLaw.Added(
+                simulator.Scene.Ball, in material, 0, Vector3d.Dot(v - contact.Velocity, in contact.Normal), Vector3d.Dot(velocity - contact.Velocity, in contact.Normal)),
         });
         Set(ref s, in velocity, in spin);
     }

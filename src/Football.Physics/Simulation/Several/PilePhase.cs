@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Simulation;

@@ -1,5 +1,6 @@
 using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
+using FootballPhysics.Numerics;
 
 namespace FootballPhysics.Simulation;
 
@@ -351,7 +352,7 @@ internal sealed class PileWholes(Simulator[] simulators, PileSolver solver, doub
 
             int carrier = ball.Start.Motion == MotionState.Airborne ? -1 : (int)ball.World.ColliderOf(ball.Start.Carrier, ball.Start.Position, ball.Start.Time);
             PathCubic path = PathOf(in ball, h);
-            if (new ContactSearch(ball.World, in path, _time).First(in ball.Start, ContactSet.Has(held, carrier) ? carrier : -1, held, out _) <= h)
+            if (new ContactSearch(ball.World, in path, _time).First(in ball.Start, ContactSet.Has(held, carrier) ? carrier : -1, out _, held) <= h)
             {
                 return false;
             }

@@ -3,7 +3,7 @@ using FootballPhysics.Contacts;
 namespace FootballPhysics.Tests.Things;
 
 /// <summary>Impacts in the frame of the contact.</summary>
-public sealed class CoulombImpactTests
+public sealed class ImpactLawTests
 {
     private static readonly BallProperties s_ball = BallProperties.Tunnel;
 
@@ -24,7 +24,7 @@ public sealed class CoulombImpactTests
             (Vector3d v, Vector3d w) = Draw(random);
             v = new Vector3d(v.X, -Math.Abs(v.Y), v.Z);
             (Vector3d velocity, Vector3d spin) = ThesisImpact(ground, in v, in w);
-            CoulombImpact.Apply(s_ball, new ContactMaterial(ground), Vector3d.Up, default, in v, in w, out Vector3d sameVelocity, out Vector3d sameSpin);
+            ImpactLaw.Apply(s_ball, new ContactMaterial(ground), Vector3d.Up, default, in v, in w, out Vector3d sameVelocity, out Vector3d sameSpin);
             Assert.True(Vector3d.Distance(velocity, sameVelocity) < 1e-13 * 50 && Vector3d.Distance(spin, sameSpin) < 1e-12 * 100);
         }
     }
@@ -64,7 +64,7 @@ public sealed class CoulombImpactTests
             Vector3d n = Direction(random);
             (Vector3d v, Vector3d w) = Draw(random);
             v -= (Vector3d.Dot(v, n) + (20 * random.NextDouble())) * n;
-            CoulombImpact.Apply(s_ball, new ContactMaterial(surface), in n, default, in v, in w, out Vector3d velocity, out Vector3d spin);
+            ImpactLaw.Apply(s_ball, new ContactMaterial(surface), in n, default, in v, in w, out Vector3d velocity, out Vector3d spin);
             Assert.True(Energy(velocity, spin) <= Energy(v, w) * (1 + 1e-12));
 
             // Angular momentum about the contact point: only its part along the normal may change.
@@ -91,8 +91,8 @@ public sealed class CoulombImpactTests
         var v = new Vector3d(3, 1, -12);
         var w = new Vector3d(10, 20, 30);
         var n = new Vector3d(0, 0, 1);
-        CoulombImpact.Apply(s_ball, in material, in n, in wall, in v, in w, out Vector3d velocity, out Vector3d spin);
-        CoulombImpact.Apply(s_ball, in material, in n, default, v - wall, in w, out Vector3d own, out Vector3d ownSpin);
+        ImpactLaw.Apply(s_ball, in material, in n, in wall, in v, in w, out Vector3d velocity, out Vector3d spin);
+        ImpactLaw.Apply(s_ball, in material, in n, default, v - wall, in w, out Vector3d own, out Vector3d ownSpin);
         Assert.True(Vector3d.Distance(velocity, own + wall) < 1e-14);
         Assert.Equal(ownSpin, spin);
     }

@@ -1,8 +1,7 @@
-using FootballPhysics.Contacts;
 using FootballPhysics.Integration;
 using FootballPhysics.State;
 
-namespace FootballPhysics.Simulation;
+namespace FootballPhysics.Contacts;
 
 /// <summary>The equations of flight with the full spin vector: for custom forces, and for the sliding modes at the jump in the drag
 /// law.</summary>

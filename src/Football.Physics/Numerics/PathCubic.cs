@@ -1,6 +1,4 @@
-using FootballPhysics.Scenes;
-
-namespace FootballPhysics.Integration;
+namespace FootballPhysics.Numerics;
 
 /// <summary>The path of a segment as a cubic in time: close to the integrated path, and cheap to search.</summary>
 internal readonly struct PathCubic
@@ -74,22 +72,14 @@ internal readonly struct PathCubic
     /// <summary>Returns a straight path.</summary>
     public static PathCubic Line(in Vector3d from, in Vector3d velocity, double length) => new(in from, in velocity, default, default, length);
 
-    /// <summary>Returns the path of a segment: for methods of low order their own quadratic, otherwise the Hermite interpolant.</summary>
-    public static PathCubic Of<TSweep>(ref TSweep sweep, in Vector3d position, in Vector3d velocity, int order)
-        where TSweep : struct, ISweep
-    {
-        return Between(in position, in velocity, sweep.Position, sweep.Velocity, sweep.Length, isQuadratic: order <= 2);
-    }
-
-    /// <summary>Returns the path of a stored segment.</summary>
-    public static PathCubic Of(in PathSegment piece) =>
-        Between(piece.StartPosition, piece.StartVelocity, piece.EndPosition, piece.EndVelocity, piece.Length, piece.Degree == 2);
-
     /// <summary>Returns the Hermite interpolant between two positions with velocities.</summary>
-    public static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h) =>
-        Between(in position, in velocity, in end, in endVelocity, h, isQuadratic: false);
-
-    private static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h, bool isQuadratic)
+    /// <param name="position">The position at the start, in m.</param>
+    /// <param name="velocity">The velocity at the start, in m/s.</param>
+    /// <param name="end">The position at the end, in m.</param>
+    /// <param name="endVelocity">The velocity at the end, in m/s.</param>
+    /// <param name="h">The length, in s.</param>
+    /// <param name="isQuadratic">Whether to ignore the velocity at the end: the own path of a method of low order is a quadratic.</param>
+    public static PathCubic Between(in Vector3d position, in Vector3d velocity, in Vector3d end, in Vector3d endVelocity, double h, bool isQuadratic = false)
     {
         if (!(h > 0))
         {
@@ -112,15 +102,15 @@ internal readonly struct PathCubic
         return new PathCubic(in position, in velocity, perSquared * ((3.0 * bend) - change), perSquared * perLength * (change - (2.0 * bend)), h);
     }
 
-    /// <summary>Returns the distance from a plane, minus an offset, as a function of time.</summary>
-    public PathDistance DistanceTo(PlaneShape plane, double less) => DistanceTo(plane.Normal, plane.DistanceTo(in _c0) - less);
-
     /// <summary>Returns the distance from a plane, given its normal and the distance at the start.</summary>
     public PathDistance DistanceTo(in Vector3d n, double start) =>
         new(start, Vector3d.Dot(in _c1, in n), Vector3d.Dot(in _c2, in n), Vector3d.Dot(in _c3, in n), Length);
 
     /// <summary>Returns the displacement along a direction from the start to a time, in m.</summary>
     public double ClimbAlong(in Vector3d direction, double t) => Vector3d.Dot(At(t) - _c0, in direction);
+
+    /// <summary>The position at the start, in m.</summary>
+    public Vector3d Start => _c0;
 
     /// <summary>Returns the position at a time, in m.</summary>
     public Vector3d At(double t) => _c0 + (t * (_c1 + (t * (_c2 + (t * _c3)))));
@@ -136,9 +126,8 @@ internal readonly struct PathCubic
     /// <param name="velocity">The object's velocity, in m/s.</param>
     public PathCubic SeenFrom(in Vector3d origin, in Vector3d velocity) => new(_c0 - origin, _c1 - velocity, in _c2, in _c3, Length);
 
-    /// <summary>Returns the path in the axes of a rotated object.</summary>
-    public PathCubic InAxes(in RigidMotion thing) =>
-        new(thing.ToOwn(in _c0), thing.ToOwn(in _c1), thing.ToOwn(in _c2), thing.ToOwn(in _c3), Length);
+    /// <summary>Returns the rotated path.</summary>
+    public PathCubic Rotated(in Quaterniond by) => new(by.Rotate(in _c0), by.Rotate(in _c1), by.Rotate(in _c2), by.Rotate(in _c3), Length);
 
     private static double Least(double a, double b, double c, double d) => Math.Min(Math.Min(a, b), Math.Min(c, d));
 
@@ -151,9 +140,10 @@ internal readonly struct PathDistance(double c0, double c1, double c2, double c3
     /// <summary>The greatest downward second derivative, in m/s². It is linear in time, so it is greatest at an end.</summary>
     public double GreatestFall => Math.Max(0, -2.0 * Math.Min(c2, c2 + (3.0 * length * c3)));
 
-    /// <summary>Returns the distance at a time, in m.</summary>
-    public double At(double t) => c0 + (t * (c1 + (t * (c2 + (t * c3)))));
-
-    /// <summary>Returns the rate at a time, in m/s.</summary>
-    public double RateAt(double t) => c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
+    /// <summary>Returns the distance at a time, in m, and its rate, in m/s.</summary>
+    public double At(double t, out double rate)
+    {
+        rate = c1 + (t * ((2.0 * c2) + ((3.0 * t) * c3)));
+        return c0 + (t * (c1 + (t * (c2 + (t * c3)))));
+    }
 }

@@ -1,0 +1,199 @@
+namespace FootballPhysics.Contacts;
+
+/// <summary>The law of every impact: of the ball with an object, a foot or another ball.</summary>
+/// <remarks>
+/// It is Coulomb's law: normal restitution, and a tangential impulse that grips, or slips if friction cannot hold it.
+/// Without a friction limit, these are the four coefficients of restitution in the thesis (2.16 to 2.18).
+/// </remarks>
+internal static class ImpactLaw
+{
+    /// <summary>Number of bisections that locate the share of a restitution to a billionth.</summary>
+    private const int Halvings = 30;
+
+    /// <summary>Computes velocity and spin of a ball just after an impact with an object.</summary>
+    /// <remarks>The impulse on the ball is m (v' − v); the object gets the opposite impulse.</remarks>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">The material of the object.</param>
+    /// <param name="n">Normal of the contact.</param>
+    /// <param name="surface">Velocity of the surface there, m/s.</param>
+    /// <param name="v">Velocity before, m/s; towards the surface.</param>
+    /// <param name="w">Spin before, rad/s.</param>
+    /// <param name="velocity">Velocity after, m/s.</param>
+    /// <param name="spin">Spin after, rad/s.</param>
+    /// <param name="recoil">The mass ratio m/M of the ball and the object; 0 for an immovable object.</param>
+    /// <param name="share">The share of the restitution to apply.</param>
+    public static void Apply(
+        BallProperties ball,
+        in ContactMaterial material,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        out Vector3d velocity,
+        out Vector3d spin,
+        double recoil = 0,
+        double share = 1)
+    {
+        double alpha = ball.InertiaFactor;
+        double r = ball.Radius;
+        Vector3d u = v - surface;
+        double approach = -Vector3d.Dot(in u, in n);
+        if (!(approach > 0))
+        {
+            // The surface recedes at least as fast as the ball approaches, so there is no impulse.
+            velocity = v;
+            spin = w;
+            return;
+        }
+
+        // Per mass: 1/m + 1/M becomes 1 + m/M, and 1/κ becomes 1/(1 + 1/α + m/M). The slip is s = u_t + r n × ω.
+        Vector3d along = u + (approach * n);
+        var law = new Impulse(in material, approach, in along, along + (r * Vector3d.Cross(in n, in w)), 1.0 + recoil, alpha / (1.0 + alpha + (alpha * recoil)), share);
+        velocity = v + (law.Normal * n) - law.Friction;
+
+        // ω' = ω + (r/(α r²)) n × J/m, and the change about the normal.
+        double about = Vector3d.Dot(in w, in n);
+        double kept = law.SpinKept(in material, about, alpha * r * r);
+        spin = w + (1.0 / (alpha * r) * Vector3d.Cross(in n, law.Friction)) + ((kept - about) * n);
+    }
+
+    /// <summary>Computes an impact with reduced restitution, so that the ball does not exceed the maximum speed; if necessary, with zero
+    /// restitution.</summary>
+    /// <remarks>Impulse, friction and spin obey the same laws.</remarks>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">The material of the object.</param>
+    /// <param name="n">Normal of the contact.</param>
+    /// <param name="surface">Velocity of the surface there, m/s.</param>
+    /// <param name="v">Velocity before, m/s; towards the surface.</param>
+    /// <param name="w">Spin before, rad/s.</param>
+    /// <param name="recoil">The mass ratio m/M of the ball and the object.</param>
+    /// <param name="fastest">The allowed speed, m/s.</param>
+    /// <param name="velocity">Velocity after, m/s.</param>
+    /// <param name="spin">Spin after, rad/s.</param>
+    public static void ApplySoftened(
+        BallProperties ball,
+        in ContactMaterial material,
+        in Vector3d n,
+        in Vector3d surface,
+        in Vector3d v,
+        in Vector3d w,
+        double recoil,
+        double fastest,
+        out Vector3d velocity,
+        out Vector3d spin)
+    {
+        // Bisect the share of the restitution: because of friction's kink, the speed is not a polynomial of it. The lower bound is always valid.
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < Halvings; i++)
+        {
+            double middle = 0.5 * (low + high);
+            Apply(ball, in material, in n, in surface, in v, in w, out velocity, out spin, recoil, middle);
+            low = velocity.Length <= fastest ? middle : low;
+            high = velocity.Length <= fastest ? high : middle;
+        }
+
+        Apply(ball, in material, in n, in surface, in v, in w, out velocity, out spin, recoil, low);
+    }
+
+    /// <summary>Computes the impact of two balls that touch and close.</summary>
+    /// <remarks>The result is bit-identical if the two balls are swapped.</remarks>
+    /// <param name="ball">The first ball.</param>
+    /// <param name="other">The second ball.</param>
+    /// <param name="material">The material of their contact.</param>
+    /// <param name="n">Normal, from the second to the first.</param>
+    /// <param name="first">The first ball before.</param>
+    /// <param name="second">The second ball before.</param>
+    /// <param name="a">The first ball's velocity and spin after.</param>
+    /// <param name="b">The second ball's velocity and spin after.</param>
+    public static void Apply(
+        BallProperties ball, BallProperties other, in ContactMaterial material, in Vector3d n, in BallState first, in BallState second, out Motion a, out Motion b)
+    {
+        // The slip velocity u = (v₁ − r₁ ω₁ × n) − (v₂ + r₂ ω₂ × n).
+        Vector3d w1 = first.Spin;
+        Vector3d w2 = second.Spin;
+        Vector3d relative = first.Velocity - second.Velocity;
+        Vector3d u = first.Velocity - (ball.Radius * Vector3d.Cross(in w1, in n)) - (second.Velocity + (other.Radius * Vector3d.Cross(in w2, in n)));
+        double approach = -Vector3d.Dot(in relative, in n);
+        if (!(approach > 0))
+        {
+            a = new Motion(first.Position, first.Velocity, in w1);
+            b = new Motion(second.Position, second.Velocity, in w2);
+            return;
+        }
+
+        // κ = 1/m₁ + 1/m₂ + r₁²/I₁ + r₂²/I₂.
+        double yields = (1.0 / ball.Mass) + (1.0 / other.Mass);
+        double turns = (ball.Radius * ball.Radius / ball.MomentOfInertia) + (other.Radius * other.Radius / other.MomentOfInertia);
+        var law = new Impulse(in material, approach, relative + (approach * n), u - (Vector3d.Dot(in u, in n) * n), yields, 1.0 / (yields + turns), 1.0);
+        Vector3d impulse = (law.Normal * n) - law.Friction;
+
+        // About the normal, only the relative spin matters.
+        double eases = (1.0 / ball.MomentOfInertia) + (1.0 / other.MomentOfInertia);
+        double about = Vector3d.Dot(w1 - w2, in n);
+        double torque = (law.SpinKept(in material, about, 1.0 / eases) - about) / eases;
+
+        // Apply the impulse to both balls: v₁ += J/m₁, ω₁ −= (r₁/I₁) n × J; v₂ −= J/m₂, ω₂ −= (r₂/I₂) n × J.
+        Vector3d turning = Vector3d.Cross(in n, in impulse);
+        a = new Motion(
+            first.Position,
+            first.Velocity + (impulse / ball.Mass),
+            w1 - (ball.Radius / ball.MomentOfInertia * turning) + (torque / ball.MomentOfInertia * n));
+        b = new Motion(
+            second.Position,
+            second.Velocity - (impulse / other.Mass),
+            w2 - (other.Radius / other.MomentOfInertia * turning) - (torque / other.MomentOfInertia * n));
+    }
+
+    /// <summary>Returns the energy that a bumper has added along the normal, J; 0 for other surfaces.</summary>
+    /// <param name="ball">The ball.</param>
+    /// <param name="material">The material of the object.</param>
+    /// <param name="recoil">The mass ratio m/M of the ball and the object.</param>
+    /// <param name="before">(v − V)·n, m/s.</param>
+    /// <param name="after">(v' − V')·n, m/s.</param>
+    public static double Added(BallProperties ball, in ContactMaterial material, double recoil, double before, double after) =>
+
+        // The energy gain ½ m/(1 + m/M) (w'² − w²).
+        material.IsBumper ? Math.Max(0, 0.5 * ball.Mass / (1.0 + recoil) * ((after * after) - (before * before))) : 0;
+
+    /// <summary>The impulse of one impact, in units of the mass that the caller chooses.</summary>
+    private readonly struct Impulse
+    {
+        /// <summary>J_n.</summary>
+        public readonly double Normal;
+
+        /// <summary>−J_t.</summary>
+        public readonly Vector3d Friction;
+
+        /// <param name="material">The material.</param>
+        /// <param name="approach">−u·n, m/s; above 0.</param>
+        /// <param name="along">u_t, m/s.</param>
+        /// <param name="slip">s, m/s.</param>
+        /// <param name="yields">1/m₁ + 1/m₂.</param>
+        /// <param name="turning">1/κ.</param>
+        /// <param name="share">The share of the restitution to apply.</param>
+        public Impulse(in ContactMaterial material, double approach, in Vector3d along, in Vector3d slip, double yields, double turning, double share)
+        {
+            // The normal impulse J_n = (1 + e) (−u·n)/(1/m₁ + 1/m₂).
+            double restitution = material.RestitutionAt(approach, in along);
+            Normal = material.IsBumper
+                ? (approach + material.Bumped(approach, restitution, share)) / yields
+                : (1.0 + (share * restitution)) * approach / yields;
+
+            // A grip needs J_t = −(1 + e_t) s/κ, limited to μ J_n.
+            double gripX = turning * (1.0 + material.TangentialX);
+            var grip = new Vector3d(gripX * slip.X, gripX * slip.Y, turning * (1.0 + material.TangentialZ) * slip.Z);
+            double size = grip.Length;
+            double most = material.ImpactFriction * Normal;
+            Friction = size > most ? most / size * grip : grip;
+        }
+
+        /// <summary>Returns the spin about the normal after the impact, rad/s: the share e_ω, minus the drilling friction b μ_s J_n/I.</summary>
+        public double SpinKept(in ContactMaterial material, double about, double inertia)
+        {
+            double kept = material.Spin * about;
+            double drilled = material.DrillingLength * material.SlidingFriction * Normal / inertia;
+            return kept > 0 ? Math.Max(0, kept - drilled) : Math.Min(0, kept + drilled);
+        }
+    }
+}
