@@ -1,5 +1,4 @@
 using FootballPhysics.Contacts;
-using FootballPhysics.Simulation;
 using FootballPhysics.State;
 
 namespace FootballPhysics.Batch;

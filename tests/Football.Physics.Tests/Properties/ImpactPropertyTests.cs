@@ -1,6 +1,5 @@
 using CsCheck;
 using FootballPhysics.Contacts;
-using FootballPhysics.Simulation;
 
 namespace FootballPhysics.Tests.Properties;
 
@@ -23,7 +22,7 @@ public sealed class ImpactPropertyTests
             (ball, surface, mass, n, wall, v, w) =>
             {
                 var material = new ContactMaterial(surface);
-                CoulombImpact.Apply(ball, in material, GivingWay.Of(ball, mass), in n, in wall, in v, in w, out Vector3d velocity, out Vector3d spin);
+                ImpactLaw.Apply(ball, in material, in n, in wall, in v, in w, out Vector3d velocity, out Vector3d spin, ball.Mass / mass);
                 double approach = -Vector3d.Dot(v - wall, n);
                 Vector3d impulse = ball.Mass * (velocity - v);
                 if (approach <= 0)
@@ -66,7 +65,7 @@ public sealed class ImpactPropertyTests
                     return;
                 }
 
-                BallContact.Impact(ball, other, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
+                ImpactLaw.Apply(ball, other, in material, in n, in a, in b, out FootballPhysics.Motion first, out FootballPhysics.Motion second);
                 double speed = 1 + a.Velocity.Length + b.Velocity.Length + (ball.Radius * a.Spin.Length) + (other.Radius * b.Spin.Length);
                 double mass = ball.Mass + other.Mass;
                 Vector3d impulse = ball.Mass * (first.Velocity - a.Velocity);
