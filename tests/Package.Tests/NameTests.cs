@@ -14,7 +14,7 @@ public sealed partial class NameTests
     private static readonly HashSet<string> s_foreign =
     [
         // .NET and its tools
-        "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary",
+        "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary", "VersionPrefix", "ProjectUrl",
         // Unreal, Rust, Python, JavaScript
         "ThirdParty", "PublicIncludePaths", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
         // Netcode, Quantum, netfox
