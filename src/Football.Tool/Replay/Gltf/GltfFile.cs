@@ -62,6 +62,7 @@ internal sealed class GltfFile
         var files = new Dictionary<string, ArraySegment<byte>>();
         WriteContext.CreateFromDictionary(files).WithTextSettings().WriteTextSchema2(Base, _root);
         JsonNode text = JsonNode.Parse(files[Base + ".gltf"])!;
+        text["scene"] = 0;
         JsonNode buffer = text["buffers"]![0]!;
         buffer["uri"] = "data:application/octet-stream;base64," + Convert.ToBase64String(files[buffer["uri"]!.GetValue<string>()]);
         return text.ToJsonString();
