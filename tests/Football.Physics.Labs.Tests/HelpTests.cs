@@ -10,6 +10,11 @@ public sealed class HelpTests
     private const string Track =
         """awk 'BEGIN { print "t,x,y,z"; for (t = 0; t < 2; t += 0.02) print t "," 18 * t - t * t "," 2 * t "," 0.11 + 10 * t - 4.9 * t * t }' > TRACK.csv; """;
 
+    /// <summary>A camera 60 m beside the path of a ball, and what it saw.</summary>
+    private const string Pixels =
+        """printf 'p11,p12,p13,p14,p21,p22,p23,p24,p31,p32,p33,p34\n-960,0,-3000,57600,-540,-3000,0,38400,-1,0,0,60\n' > CAMERAS.csv; """
+        + """awk 'BEGIN { print "time,u,v"; for (t = 0; t < 1.2; t += 0.02) { w = 60 - 0.5 * t; z = -10 + 18 * t - t * t; y = 0.11 + 6 * t - 4.9 * t * t; print t "," 960 - 3000 * z / w "," 540 - 3000 * (y - 2) / w } }' > PIXELS.csv; """;
+
     public static TheoryData<string> Paths() => [.. PathsBelow(CommandLineEntry.Root(new Terminal(Stream.Null, Stream.Null, Stream.Null, true, true), Laboratories.Create), "")];
 
     /// <summary>Those that end with 0: `lab people` says by its exit code what is missed still, and `play` opens a page.</summary>
@@ -25,7 +30,7 @@ public sealed class HelpTests
     public async Task Every_example_works(string example)
     {
         string bundle = example.Contains("match.zip", StringComparison.Ordinal) ? $"echo {Bundle()} | base64 -d > match.zip; " : "";
-        Shell done = await Shell.RunAsync("set -o pipefail; " + bundle + (example.Contains("TRACK.csv", StringComparison.Ordinal) ? Track : "") + example);
+        Shell done = await Shell.RunAsync("set -o pipefail; " + bundle + (example.Contains("TRACK.csv", StringComparison.Ordinal) ? Track : "") + (example.Contains("PIXELS.csv", StringComparison.Ordinal) ? Pixels : "") + example);
         Assert.True(done.ExitCode == 0, $"{example}: {done.ExitCode}\n{done.Error}");
         Assert.NotEqual("", done.Output);
     }
