@@ -3,7 +3,7 @@ namespace FootballPhysics.Tests.Architecture;
 /// <summary>What the house rules ask of the text of a source tree, and where it is broken.</summary>
 internal static class HouseRules
 {
-    public const int LongestFile = 550;
+    public const int LongestFile = 526;
     public const int LongestType = 600;
     public const int LongestMethod = 171;
 
