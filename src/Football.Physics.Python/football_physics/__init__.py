@@ -10,8 +10,9 @@ array([ True])
 """
 
 from ._balls import AimResult, Balls, Derivatives, EventKind, Motion, event_dtype
+from ._match import Match, ball_dtype, body_dtype, match_event_dtype
 from ._native import version as _version
 from ._scene import Scene
 
-__all__ = ["AimResult", "Balls", "Derivatives", "EventKind", "Motion", "Scene", "envs", "event_dtype"]
+__all__ = ["AimResult", "Balls", "Derivatives", "EventKind", "Match", "Motion", "Scene", "ball_dtype", "body_dtype", "envs", "event_dtype", "match_event_dtype"]
 __version__ = _version().decode()
