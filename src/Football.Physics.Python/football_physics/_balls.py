@@ -229,6 +229,12 @@ class Balls:
         self._states[...] = states
         self._read()
 
+    def _state_at(self, ball: int) -> int:
+        """The address of a ball's state."""
+        if not 0 <= ball < self._n:
+            raise ValueError(f"ball is {ball}; allowed: 0 ... {self._n - 1}.")
+        return self._at + ball * _native.STATE_BYTES
+
     def _run(self, dt: float, seconds: float, stop: int) -> NDArray[np.bool_]:
         ended = np.zeros(self._n, np.int32)
         _native.check(_native.run_many(self._handle, self._at, self._n, dt, seconds, stop, ended.ctypes.data))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import json
 import weakref
 from typing import Any, Mapping, Optional, Union
 
@@ -28,7 +27,7 @@ _MOST_EVENTS = 1024 + 16
 
 
 def _text(scenario: Union[str, Mapping[str, Any]]) -> bytes:
-    return (scenario if isinstance(scenario, str) else json.dumps(scenario)).encode()
+    return scenario.encode() if isinstance(scenario, str) else _native.text(scenario)
 
 
 def _broadcast(values: ArrayLike, shape: Any, name: str) -> NDArray[Any]:

@@ -1,6 +1,7 @@
 """The C library, by ctypes: its functions with their types, and its errors as exceptions."""
 
 import ctypes
+import json
 import pathlib
 import sys
 
@@ -73,6 +74,11 @@ intercept_windows = _function("fp_intercept_windows", _P, _P, _D, _P, _I, _P, _I
 goal_chance = _function("fp_goal_chance", _P, ctypes.c_char_p, _L, _P)
 fit = _function("fp_fit", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P)
 fit_match = _function("fp_fit_match", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _I, _P, _P, _P)
+
+
+def text(request) -> bytes:
+    """JSON in UTF-8 of a request whose numbers and vectors may be numpy's."""
+    return json.dumps(request, default=lambda value: value.tolist()).encode()
 
 
 def fail(status: int) -> None:
