@@ -1,5 +1,6 @@
 """Fits of tracks, from arrays, data frames and tracking data."""
 
+import datetime
 import pickle
 import unittest
 
@@ -37,6 +38,16 @@ class Tracks(unittest.TestCase):
             tracking_dataset(rows), tracking_dataset(rows, unit=Unit.CENTIMETERS, orientation=VerticalOrientation.TOP_TO_BOTTOM)):
             np.testing.assert_allclose(fp.track(source), rows, atol=2e-6)
 
+    def test_times_come_in_many_forms(self):
+        start = datetime.datetime(2026, 1, 1, tzinfo=datetime.timezone.utc)
+        for times in (
+            [0.5, 3725.25], ["00:00:00.5", "01:02:05.25"], ["2020-06-05T20:29:57.840+02:00", "2020-06-05T19:32:02.590Z"], [datetime.timedelta(seconds=0.5), datetime.timedelta(seconds=3725.25)],
+            [start, start + datetime.timedelta(seconds=3724.75)], np.array(["2026-01-01T00:00:00.50", "2026-01-01T01:02:05.25"], "datetime64[ms]")):
+            rows = fp.track(DataFrame({"timestamp": times, "x": [1, 2], "y": [0, 0], "z": [0, 0]}))
+            self.assertAlmostEqual(3724.75, rows[1, 0] - rows[0, 0], 6)
+        named = np.array([(1, 2, 3, 4)], [("t", "f8"), ("x", "f8"), ("y", "f8"), ("z", "f8")])
+        np.testing.assert_array_equal([[1, 2, 4, -3]], fp.track(named))
+
     def test_a_track_is_a_copy(self):
         rows = fly()
         before = rows.copy()
@@ -56,6 +67,7 @@ class Tracks(unittest.TestCase):
         for sentence, source in [
             (r"the track has shape \(5, 3\)", np.zeros((5, 3))),
             ("the columns are t, x", DataFrame({"t": [0], "x": [0]})),
+            ("the column x has a value that is no number", DataFrame({"t": [0], "x": ["left"], "y": [0], "z": [0]})),
             ("the unit of the tracking data is 'normed'; allowed: m ", tracking_dataset(fly(), unit=Unit.NORMED)),
             ("no height of the ball", flat),
         ]:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _structs
 from ._balls import Balls
-from ._points import Floats, column_of, kloppy_scale, names_of, up
+from ._points import Floats, column_of, is_frame, kloppy_scale, names_of, up
 from ._scene import Scene
 
 window_dtype = _structs.WINDOW
@@ -192,7 +192,7 @@ def _places(source: Any) -> Tuple[Floats, Optional[Floats]]:
         points = [(point.x, point.y) for point in source.players_coordinates.values()]
         ground = np.array(points, np.float64).reshape(-1, 2) * unit
         return up(ground[:, 0], side * ground[:, 1], np.zeros(len(ground))), None
-    if hasattr(source, "columns"):
+    if is_frame(source):
         have = names_of(source)
         if not {"x", "y"} <= set(have):
             raise ValueError(f"the columns are {', '.join(have)}; allowed: x, y, with vx, vy.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 from typing import Any, List, Tuple
 
 import numpy as np
@@ -21,12 +22,20 @@ _NAMES = (("x", "y", "z"), ("ball_x", "ball_y", "ball_z"))
 
 def column_of(frame: Any, name: str) -> Floats:
     """A column of a data frame as numbers; a missing value is NaN."""
-    return np.array([_number(value) for value in np.asarray(frame[name])], np.float64)
+    try:
+        return np.array([_number(value) for value in np.asarray(frame[name])], np.float64)
+    except ValueError as error:
+        raise ValueError(f"the column {name} has a value that is no number: {error}; allowed: numbers, and for times also hh:mm:ss, ISO 8601, time differences and dates.") from None
+
+
+def is_frame(source: Any) -> bool:
+    """Returns True for a data frame, and for an array of numpy with named columns."""
+    return hasattr(source, "columns") or bool(getattr(getattr(source, "dtype", None), "names", None))
 
 
 def names_of(frame: Any) -> List[str]:
     """The names of the columns of a data frame."""
-    return [str(name) for name in frame.columns]
+    return [str(name) for name in (frame.columns if hasattr(frame, "columns") else frame.dtype.names)]
 
 
 def up(x: Floats, y: Floats, z: Floats) -> Floats:
@@ -51,15 +60,15 @@ def track(source: Any) -> Floats:
     source: one of these:
 
     - an array of rows t, x, y, z with y up; a row with a NaN is left out
-    - a data frame, of pandas or alike, with a column ``t``, ``time`` or ``timestamp`` (numbers or time differences), and columns ``x``, ``y``, ``z`` or ``ball_x``, ``ball_y``,
-      ``ball_z``. As in the files of ``football fit --match``, z is up there and the axes are right-handed
+    - a data frame, of pandas or alike, or an array of numpy with named columns: ``t``, ``time`` or ``timestamp`` (seconds, hh:mm:ss, ISO 8601, time differences or dates), and ``x``, ``y``,
+      ``z`` or ``ball_x``, ``ball_y``, ``ball_z``. As in the files of ``football fit --match``, z is up there and the axes are right-handed
     - a tracking dataset of kloppy, in metres, centimetres, feet or yards. Its units and the direction of its y axis are those of its metadata
 
     If the clock starts again, as in a second half, the new part is placed one minute after the end of the old part.
     """
     if hasattr(source, "records") and hasattr(source, "metadata"):
         rows = _kloppy(source)
-    elif hasattr(source, "columns"):
+    elif is_frame(source):
         rows = _frame(source)
     else:
         rows = np.array(source, np.float64)
@@ -96,11 +105,20 @@ def _kloppy(dataset: Any) -> Floats:
 
 
 def _number(value: Any) -> float:
-    """A number, or a time difference in seconds; NaN for none."""
-    if value is None:
+    """A number, or a time in seconds; NaN for none."""
+    if value is None or value is np.ma.masked:
         return float("nan")
     if hasattr(value, "total_seconds"):
         return float(value.total_seconds())
     if isinstance(value, np.timedelta64):
         return float(value / np.timedelta64(1, "s"))
+    if isinstance(value, np.datetime64):
+        return float((value - np.datetime64(0, "s")) / np.timedelta64(1, "s"))
+    if isinstance(value, datetime.datetime):
+        return value.timestamp()
+    if isinstance(value, str) and "T" in value:
+        return datetime.datetime.fromisoformat(value.replace("Z", "+00:00")).timestamp()
+    if isinstance(value, str) and ":" in value:
+        hours, minutes, seconds = value.split(":")
+        return 3600 * float(hours) + 60 * float(minutes) + float(seconds)
     return float(value)
