@@ -1,5 +1,6 @@
 """Matches: the bits of C#, bodies, saves, recordings, refusals."""
 
+import ctypes
 import math
 import pathlib
 import signal
@@ -230,6 +231,8 @@ class Refusals(unittest.TestCase):
             ("n is -1; allowed: ", lambda: match.step(-1)),
             ("velocity has shape", lambda: match.kick(0, [0, 1])),
             ("velocity is ", lambda: match.kick(0, [0, math.nan, 0])),
+            ("ball is 4294967296; allowed", lambda: match.place(2**32, [0, 1, 0])),
+            ("balls is 4294967297; allowed", lambda: fp.Match(balls=2**32 + 1)),
             ("ball is 2", lambda: match.kick(2, [0, 1, 0])),
             ("position has shape", lambda: match.move_bodies([0, 1])),
             ("orientation has shape", lambda: match.move_bodies([0, 1, 0], orientation=[0, 0, 1])),
@@ -244,6 +247,13 @@ class Refusals(unittest.TestCase):
             with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
                 call()
         self.assertEqual(saved, match.save())
+
+    def test_numpy_describes_a_scene_and_other_objects_do_not(self):
+        with fp.Match({"gravity": np.float64(5), "obstacles": [{"shape": "sphere", "center": np.zeros(3), "radius": 1, "mass": np.int64(3)}]}) as match:
+            self.assertEqual(1, len(match.balls()))
+        self.assertEqual('{"gravity": 5.0}', fp.Scene({"gravity": np.float64(5)}).json)
+        with self.assertRaisesRegex(TypeError, "a member is a set; allowed: "):
+            fp.Match({"obstacles": {1, 2}})
 
     def test_a_closed_match_says_so_and_closes_twice(self):
         with fp.Match() as match:
@@ -272,6 +282,12 @@ class Threads(unittest.TestCase):
         tick = match.tick
         match.step()
         self.assertEqual(tick + 1, match.tick)
+
+    def test_a_call_lets_other_threads_run(self):
+        # ctypes releases the lock of the interpreter for a CDLL, and keeps it for a PyDLL.
+        from football_physics import _native
+
+        self.assertIs(ctypes.CDLL, type(_native._library))
 
     def test_threads_step_matches_of_their_own(self):
         found = [0] * 3

@@ -51,7 +51,7 @@ class Match:
 
     def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}", balls: int = 1, dt: float = 1 / 60) -> None:
         text, handle = _text(scenario), ctypes.c_void_p()
-        _native.check(_native.match_create(text, len(text), balls, dt, ctypes.byref(handle)))
+        _native.check(_native.match_create(text, len(text), _native.whole(balls, "balls"), dt, ctypes.byref(handle)))
         self._own(handle, balls)
 
     @classmethod
@@ -109,18 +109,18 @@ class Match:
     def name_of(self, thing: int) -> str:
         """Returns the name of the object of an event: "ground", "left post", or the name of a body or an obstacle; "" for -1."""
         room = ctypes.create_string_buffer(256)
-        _native.check(_native.match_name(self._handle, thing, room, len(room)))
+        _native.check(_native.match_name(self._handle, _native.whole(thing, "thing"), room, len(room)))
         return room.value.decode()
 
     def place(self, ball: int, position: ArrayLike) -> None:
         """Places a ball at rest, and discards its kick for the next step. position: (3,), m. A ball in the ground is raised onto it. A recording ends."""
         at = _broadcast(position, (3,), "position").copy()
-        _native.check(_native.match_place(self._handle, ball, at.ctypes.data))
+        _native.check(_native.match_place(self._handle, _native.whole(ball, "ball"), at.ctypes.data))
 
     def kick(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         """Kicks a ball at the start of the next step. velocity: (3,), m/s, at most 1000; spin: (3,), rad/s, at most 10 000. A second kick before the step replaces the first."""
         of_kick = np.array([_broadcast(velocity, (3,), "velocity"), _broadcast(spin, (3,), "spin")])
-        _native.check(_native.match_kick(self._handle, ball, of_kick.ctypes.data, of_kick[1].ctypes.data))
+        _native.check(_native.match_kick(self._handle, _native.whole(ball, "ball"), of_kick.ctypes.data, of_kick[1].ctypes.data))
 
     def move_bodies(
         self, position: ArrayLike, orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0), velocity: ArrayLike = 0.0, spin: ArrayLike = 0.0, in_play: ArrayLike = True, first: int = 0
@@ -144,7 +144,7 @@ class Match:
         bodies["spin"] = _broadcast(spin, (n, 3), "spin")
         bodies["time"] = ball["time"]
         bodies["in_play"] = _broadcast(in_play, (n,), "in_play") != 0
-        _native.check(_native.match_move_bodies(self._handle, first, n, bodies.ctypes.data))
+        _native.check(_native.match_move_bodies(self._handle, _native.whole(first, "first"), n, bodies.ctypes.data))
 
     def step(self, n: int = 1) -> NDArray[Any]:
         """Takes n steps, and returns their events: an array of :data:`match_event_dtype`, ordered by step, time and ball.
@@ -205,7 +205,7 @@ class Match:
 
     def seek(self, tick: int) -> None:
         """Moves a replay to a tick, forwards or backwards."""
-        _native.check(_native.match_seek(self._handle, tick))
+        _native.check(_native.match_seek(self._handle, _native.whole(tick, "tick")))
 
     def verify(self) -> Optional[int]:
         """Replays a recording from its start. Returns the first tick at which the balls differ from the recorded ones; None if all are bit-identical."""

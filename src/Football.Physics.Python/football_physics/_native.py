@@ -2,8 +2,11 @@
 
 import ctypes
 import json
+import operator
 import pathlib
 import sys
+
+import numpy as np
 
 from . import _structs
 
@@ -77,8 +80,22 @@ fit_match = _function("fp_fit_match", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _
 
 
 def text(request) -> bytes:
-    """JSON in UTF-8 of a request whose numbers and vectors may be numpy's."""
-    return json.dumps(request, default=lambda value: value.tolist()).encode()
+    """JSON in UTF-8 of a request or a scene whose numbers and vectors may be numpy's."""
+    return json.dumps(request, default=_plain).encode()
+
+
+def _plain(value):
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    raise TypeError(f"a member is a {type(value).__name__}; allowed: numbers, texts, booleans, lists, dicts and arrays.")
+
+
+def whole(value, name: str) -> int:
+    """A whole number that C can hold; ctypes would cut off a longer one."""
+    number = operator.index(value)
+    if not -(2**31) <= number < 2**31:
+        raise ValueError(f"{name} is {number}; allowed: {-(2**31)} ... {2**31 - 1}.")
+    return number
 
 
 def fail(status: int) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import json as _json
 import weakref
 from typing import Any, Mapping, Optional, Tuple, Union
 
@@ -27,7 +26,7 @@ class Scene:
     """
 
     def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}") -> None:
-        text = scenario if isinstance(scenario, str) else _json.dumps(scenario)
+        text = scenario if isinstance(scenario, str) else _native.text(scenario).decode()
         handle = ctypes.c_void_p()
         bytes_ = text.encode()
         _native.check(_native.scene_create(bytes_, len(bytes_), ctypes.byref(handle)))
@@ -49,7 +48,7 @@ class Scene:
     def name_of(self, thing: int) -> str:
         """Returns the name of the object of an event: "ground", "left post", or the name of an obstacle; "" for -1."""
         room = ctypes.create_string_buffer(256)
-        _native.check(_native.name(self.handle, thing, room, len(room)))
+        _native.check(_native.name(self.handle, _native.whole(thing, "thing"), room, len(room)))
         return room.value.decode()
 
     def added_energy(self, event: Any) -> float:
