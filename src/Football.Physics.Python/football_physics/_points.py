@@ -24,7 +24,7 @@ def column_of(frame: Any, name: str) -> Floats:
     """A column of a data frame as numbers; a missing value is NaN."""
     try:
         return np.array([_number(value) for value in np.asarray(frame[name])], np.float64)
-    except ValueError as error:
+    except (TypeError, ValueError) as error:
         raise ValueError(f"the column {name} has a value that is no number: {error}; allowed: numbers, and for times also hh:mm:ss, ISO 8601, time differences and dates.") from None
 
 
