@@ -117,6 +117,11 @@ ok "$(tail -n 1 "$work/said")"
 goals=$(awk '/goals of 100/ { print $1 }' "$work/said")
 (( goals >= 90 )) || fail "examples/free_kick.py: $goals goals of 100"
 ok "examples/free_kick.py: $(tail -n 1 "$work/said")"
+"$python" "$root/src/Football.Physics.Python/examples/track.py" > "$work/said" 2> "$log" || fail "examples/track.py"
+(( $(grep -c '<polyline' track.svg) >= 3 )) || fail "examples/track.py draws too few flights"
+(( $(grep -c '^kick' "$work/said") == 3 )) || fail "examples/track.py finds other kicks than its three"
+awk '$1 == "wind_z" { found = ($2 - 3)^2 < ($4 * 4 + 0.1)^2 } END { exit !found }' "$work/said" || fail "examples/track.py: $(grep wind_z "$work/said"); it blows with 3 m/s"
+ok "examples/track.py: $(head -n 1 "$work/said")"
 "$python" "$root/tests/Python/pages.py" --c "$root/docs/c.md" "$prefix" > "$work/said" 2> "$log" || fail "docs/c.md"
 ok "$(tail -n 1 "$work/said")"
 

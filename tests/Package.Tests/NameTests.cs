@@ -17,6 +17,8 @@ public sealed partial class NameTests
         "CopyDocumentationFilesFromPackages", "IlcInstructionSet", "DOTNET_JitDisasmSummary", "VersionPrefix", "ProjectUrl",
         // Unreal, Rust, Python, JavaScript
         "ThirdParty", "PublicIncludePaths", "PublicAdditionalLibraries", "RuntimeDependencies", "Sync", "ValueError", "PhysicsError",
+        // kloppy
+        "TrackingDataset",
         // Netcode, Quantum, netfox
         "FastBufferWriter", "WriteValueSafe", "WriteBytesSafe", "SendNamedMessageToAll", "NetworkManager", "DeterministicCommand", "RollbackSynchronizer",
         // the Reynolds number

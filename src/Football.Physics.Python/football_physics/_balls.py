@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import enum
-import json
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -183,7 +182,7 @@ class Balls:
         targets = _rows(targets, self._n, "targets")
         result = AimResult(np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n), np.zeros(self._n, np.int32))
         for ball in range(self._n):
-            text = json.dumps({"from": self.position[ball].tolist(), "target": targets[ball].tolist(), "speed": speed, **request}).encode()
+            text = _native.text({"from": self.position[ball], "target": targets[ball], "speed": speed, **request})
             _native.check(_native.aim(
                 self._handle, text, len(text), result.velocity[ball].ctypes.data, result.spin[ball].ctypes.data, result.miss[ball:].ctypes.data, result.status[ball:].ctypes.data))
         return result
@@ -228,6 +227,12 @@ class Balls:
         _native.check(_native.read_many(self._handle, states.ctypes.data, self._n, None, None, None, None))
         self._states[...] = states
         self._read()
+
+    def _state_at(self, ball: int) -> int:
+        """The address of a ball's state."""
+        if not 0 <= ball < self._n:
+            raise ValueError(f"ball is {ball}; allowed: 0 ... {self._n - 1}.")
+        return self._at + ball * _native.STATE_BYTES
 
     def _run(self, dt: float, seconds: float, stop: int) -> NDArray[np.bool_]:
         ended = np.zeros(self._n, np.int32)

@@ -1,8 +1,14 @@
 """The C library, by ctypes: its functions with their types, and its errors as exceptions."""
 
 import ctypes
+import json
+import operator
 import pathlib
 import sys
+
+import numpy as np
+
+from . import _structs
 
 _NAMES = {"win32": "football_physics.dll", "darwin": "libfootball_physics.dylib"}
 _library = ctypes.CDLL(str(pathlib.Path(__file__).parent / _NAMES.get(sys.platform, "libfootball_physics.so")))
@@ -45,6 +51,51 @@ derivatives_run = _function("fp_derivatives_run", _P, _P, _D, _D, _I, _P, _P)
 air_many = _function("fp_air_many", _P, _L, _P, _P, _P, _D, _P, _P, _P)
 snapshot_write = _function("fp_snapshot_write", _P, _P)
 snapshot_read = _function("fp_snapshot_read", _P, _P)
+check_structs = _function("fp_check_structs", *[_I] * 9)
+match_create = _function("fp_match_create", ctypes.c_char_p, _L, _I, _D, _P)
+match_free = _function("fp_match_free", _P)
+match_name = _function("fp_match_name", _P, _I, _P, _I)
+match_place = _function("fp_match_place", _P, _I, _P)
+match_kick = _function("fp_match_kick", _P, _I, _P, _P)
+match_move_bodies = _function("fp_match_move_bodies", _P, _I, _I, _P)
+match_step = _function("fp_match_step", _P, _P, _I, _P)
+match_read_balls = _function("fp_match_read_balls", _P, _I, _I, _P)
+match_read_bodies = _function("fp_match_read_bodies", _P, _I, _I, _P)
+match_state = _function("fp_match_state", _P, _I, _P, _P)
+match_hash = _function("fp_match_hash", _P, returns=ctypes.c_uint64)
+match_tick = _function("fp_match_tick", _P, returns=_L)
+match_save = _function("fp_match_save", _P, _P, _L, _P)
+match_restore = _function("fp_match_restore", _P, ctypes.c_char_p, _L)
+match_record = _function("fp_match_record", _P)
+match_recording = _function("fp_match_recording", _P, _P, _L, _P)
+match_replay = _function("fp_match_replay", ctypes.c_char_p, _L, ctypes.c_char_p, _L, _P)
+match_seek = _function("fp_match_seek", _P, _L)
+match_verify = _function("fp_match_verify", _P, _P)
+player_default = _function("fp_player_default", _P)
+intercept = _function("fp_intercept", _P, _P, _D, _P, _I, _P)
+intercept_windows = _function("fp_intercept_windows", _P, _P, _D, _P, _I, _P, _I, _P)
+goal_chance = _function("fp_goal_chance", _P, ctypes.c_char_p, _L, _P)
+fit = _function("fp_fit", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P)
+fit_match = _function("fp_fit_match", _P, _P, _P, _P, _L, ctypes.c_char_p, _L, _P, _I, _P, _P, _P)
+
+
+def text(request) -> bytes:
+    """JSON in UTF-8 of a request or a scene whose numbers and vectors may be numpy's."""
+    return json.dumps(request, default=_plain).encode()
+
+
+def _plain(value):
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    raise TypeError(f"a member is a {type(value).__name__}; allowed: numbers, texts, booleans, lists, dicts and arrays.")
+
+
+def whole(value, name: str) -> int:
+    """A whole number that C can hold; ctypes would cut off a longer one."""
+    number = operator.index(value)
+    if not -(2**31) <= number < 2**31:
+        raise ValueError(f"{name} is {number}; allowed: {-(2**31)} ... {2**31 - 1}.")
+    return number
 
 
 def fail(status: int) -> None:
@@ -59,5 +110,6 @@ def check(status: int) -> None:
         fail(status)
 
 
-if check_abi(ABI_VERSION, STATE_BYTES, BALL_BYTES, EVENT_BYTES):
+_SIZES = [_structs.BODY, _structs.MATCH_EVENT, _structs.PLAYER, _structs.INTERCEPTION, _structs.WINDOW, _structs.GOAL_CHANCE, _structs.FIT, _structs.PIECE, _structs.FIT_MATCH]
+if check_abi(ABI_VERSION, STATE_BYTES, BALL_BYTES, EVENT_BYTES) or check_structs(*(struct.itemsize for struct in _SIZES)):
     raise ImportError("football_physics: the package and its library do not belong together: " + last_error().decode())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import json as _json
 import weakref
 from typing import Any, Mapping, Optional, Tuple, Union
 
@@ -27,18 +26,29 @@ class Scene:
     """
 
     def __init__(self, scenario: Union[str, Mapping[str, Any]] = "{}") -> None:
-        text = scenario if isinstance(scenario, str) else _json.dumps(scenario)
+        text = scenario if isinstance(scenario, str) else _native.text(scenario).decode()
         handle = ctypes.c_void_p()
         bytes_ = text.encode()
         _native.check(_native.scene_create(bytes_, len(bytes_), ctypes.byref(handle)))
-        self.handle: int = handle.value or 0
+        self._own(handle.value or 0, text)
+
+    @classmethod
+    def _of(cls, handle: int) -> Scene:
+        """A scene that the library made."""
+        scene = cls.__new__(cls)
+        scene._own(handle, None)
+        return scene
+
+    def _own(self, handle: int, text: Optional[str]) -> None:
+        self.handle = handle
+        #: The text of the scene; None for a fitted scene.
         self.json = text
-        weakref.finalize(self, _native.scene_free, self.handle)
+        weakref.finalize(self, _native.scene_free, handle)
 
     def name_of(self, thing: int) -> str:
         """Returns the name of the object of an event: "ground", "left post", or the name of an obstacle; "" for -1."""
         room = ctypes.create_string_buffer(256)
-        _native.check(_native.name(self.handle, thing, room, len(room)))
+        _native.check(_native.name(self.handle, _native.whole(thing, "thing"), room, len(room)))
         return room.value.decode()
 
     def added_energy(self, event: Any) -> float:
@@ -72,7 +82,9 @@ class Scene:
         return force, torque
 
     def __reduce__(self) -> Any:
+        if self.json is None:
+            raise TypeError("a fitted scene has no text, and cannot be pickled. Pickle the track and fit it again.")
         return Scene, (self.json,)
 
     def __repr__(self) -> str:
-        return f"Scene({self.json!r})"
+        return "<fitted Scene>" if self.json is None else f"Scene({self.json!r})"
