@@ -115,11 +115,16 @@ internal sealed class Collider
     public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? Motion.SurfaceVelocity(in point, time) : Velocity;
 
     /// <summary>Returns V_p, the velocity of its material extrapolated to the ball's centre, m/s.</summary>
-    public Vector3d MaterialVelocity(in Vector3d center, double time) =>
-        Spin == Vector3d.Zero ? Velocity : Rotates ? Motion.SurfaceVelocity(in center, time) : SurfaceVelocity(in center, At(in center, time).Normal, time);
+    /// <remarks>If the shape does not rotate, the part along the shape, along which a ball moves with the material.</remarks>
+    public Vector3d MaterialVelocity(in Vector3d center, double time)
+    {
+        if (Spin == Vector3d.Zero)
+        {
+            return Velocity;
+        }
 
-    /// <summary>Returns Ω × (p − o), the velocity that its spin alone gives to a point, m/s.</summary>
-    public Vector3d Turning(in Vector3d point, double time) => Motion.SurfaceVelocity(in point, time) - Velocity;
+        return Rotates ? Motion.SurfaceVelocity(in center, time) : SurfaceVelocity(in center, At(in center, time).Normal, time);
+    }
 
     /// <summary>Returns the position of a ball's centre that moves along with its material, after a time, m.</summary>
     /// <remarks>If the shape does not rotate, the ball keeps its distance from it.</remarks>
@@ -285,9 +290,8 @@ internal sealed class Collider
     public Bounds3d BoundsDuring(double time, double duration) =>
         _placement is null ? _bounds.Translated(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
 
-    /// <summary>Returns the surface velocity at a contact point, V + Ω × (c − o), m/s.</summary>
-    /// <remarks>A spin that does not rotate the shape moves the surface only along the shape, so its component along n does not count: the
-    /// surface would otherwise close on a ball, or draw back from it, while the gap stays as it is.</remarks>
+    /// <summary>Returns the surface velocity at a contact that lasts, V + Ω × (c − o), m/s.</summary>
+    /// <remarks>Along the normal of a shape that does not rotate, the shape alone counts: the gap changes at its velocity.</remarks>
     public Vector3d SurfaceVelocity(in Vector3d contact, in Vector3d normal, double time)
     {
         if (Spin == Vector3d.Zero)
@@ -296,8 +300,14 @@ internal sealed class Collider
         }
 
         Vector3d velocity = Motion.SurfaceVelocity(in contact, time);
-        return Rotates ? velocity : velocity - (Vector3d.Dot(velocity - Velocity, in normal) * normal);
+        return velocity - (OffShape(in velocity, in normal) * normal);
     }
+
+    /// <summary>Returns V + Ω × (p − o), m/s, the velocity of the material, with which an impact is computed.</summary>
+    public Vector3d SpinVelocity(in Vector3d point, double time) => Motion.SurfaceVelocity(in point, time);
+
+    /// <summary>Returns the speed at which a spin that does not rotate the shape moves the material out of the shape, m/s.</summary>
+    public double OffShape(in Vector3d velocity, in Vector3d normal) => Rotates ? 0 : Vector3d.Dot(velocity - Velocity, in normal);
 }
 
 /// <summary>The contact constants of a surface: the pitch or any other object.</summary>

@@ -214,11 +214,11 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d spin = carrier.Spin;
         Vector3d contact = at.Position - (radius * n);
         on.Surface = carrier.SurfaceVelocity(in contact, in n, time);
-        Vector3d material = carrier.SurfaceVelocity(in at.Position, in n, time);
+        double off = carrier.OffShape(carrier.SpinVelocity(in contact, time), in n);
+        Vector3d material = carrier.SpinVelocity(in at.Position, time) - (off * n);
         on.Rolling = Tangential(at.Velocity - material, in n);
 
         // If only the surface rotates, its velocity is V + w − (w·n) n, whose rate has the further part −(w·n) ṅ along the surface.
-        double off = carrier.Rotates ? 0 : Vector3d.Dot(carrier.Turning(in contact, time), in n);
         Vector3d along = material - carrier.Velocity;
         on.MaterialRate = Tangential(Vector3d.Cross(in spin, in along), in n) - (off * (point.Curvature * along));
         if (carrier.Rotates)

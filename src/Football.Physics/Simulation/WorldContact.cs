@@ -59,7 +59,7 @@ internal sealed class WorldContact
         Vector3d w = s.Spin;
         int thing = collider + _world.FirstCollider;
         Vector3d contact = s.Position - (_world.Ball.Radius * n);
-        Vector3d surface = hit.SurfaceVelocity(in contact, in n, s.Time);
+        Vector3d surface = hit.SpinVelocity(in contact, s.Time);
         Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
         GivingWay way = hit.GivesWay ? GivingWay.Of(_world.Ball, hit.Mass) : default;
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
