@@ -114,17 +114,34 @@ internal sealed class Collider
 
     /// <summary>Returns the velocity of the shape at a point, m/s, including Ω if the shape itself rotates.</summary>
     /// <remarks>The rate of the gap follows from the ball's velocity relative to the shape.</remarks>
-    public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? SurfaceVelocity(in point, time) : Velocity;
+    public Vector3d ShapeVelocity(in Vector3d point, double time) => Rotates ? Motion.SurfaceVelocity(in point, time) : Velocity;
 
-    /// <summary>Returns V_p, the velocity of its material extrapolated to a point, m/s.</summary>
-    public Vector3d MaterialVelocity(in Vector3d point, double time) => Spin == Vector3d.Zero ? Velocity : SurfaceVelocity(in point, time);
+    /// <summary>Returns V_p, the velocity of its material extrapolated to the ball's centre, m/s.</summary>
+    /// <remarks>If the shape does not rotate, the part along the shape, along which a ball moves with the material.</remarks>
+    public Vector3d MaterialVelocity(in Vector3d center, double time)
+    {
+        if (Spin == Vector3d.Zero)
+        {
+            return Velocity;
+        }
 
-    /// <summary>Returns the position of a point that moves along with its material, after a time, m.</summary>
-    public Vector3d CarriedTo(in Vector3d point, double time, double after)
+        return Rotates ? Motion.SurfaceVelocity(in center, time) : SurfaceVelocity(in center, At(in center, time).Normal, time);
+    }
+
+    /// <summary>Returns the position of a ball's centre that moves along with its material, after a time, m.</summary>
+    /// <remarks>If the shape does not rotate, the ball keeps its distance from it.</remarks>
+    public Vector3d CarriedTo(in Vector3d center, double time, double after)
     {
         ref readonly RigidMotion motion = ref Motion;
         Vector3d pivot = motion.Pivot + ((time - motion.Time) * motion.Velocity);
-        return pivot + (after * motion.Velocity) + Quaterniond.FromRotationVector(after * motion.Spin).Rotate(point - pivot);
+        Vector3d end = pivot + (after * motion.Velocity) + Quaterniond.FromRotationVector(after * motion.Spin).Rotate(center - pivot);
+        if (Rotates)
+        {
+            return end;
+        }
+
+        ShapePoint there = At(in end, time + after);
+        return end + ((At(in center, time).Distance - there.Distance) * there.Normal);
     }
 
     /// <summary>Returns the distance of a point inside the border of the flat face below it, m; negative beyond it, infinite without a
@@ -283,8 +300,24 @@ internal sealed class Collider
     public Bounds3d BoundsDuring(double time, double duration) =>
         _placement is null ? _bounds.Translated(_motion.GoneBy(time)) : _placement.BoundsDuring(time, duration);
 
-    /// <summary>Returns the surface velocity at a contact point, V + Ω × (c − o), m/s.</summary>
-    public Vector3d SurfaceVelocity(in Vector3d contact, double time) => Motion.SurfaceVelocity(in contact, time);
+    /// <summary>Returns the surface velocity at a contact that lasts, V + Ω × (c − o), m/s.</summary>
+    /// <remarks>Along the normal of a shape that does not rotate, the shape alone counts: the gap changes at its velocity.</remarks>
+    public Vector3d SurfaceVelocity(in Vector3d contact, in Vector3d normal, double time)
+    {
+        if (Spin == Vector3d.Zero)
+        {
+            return Velocity;
+        }
+
+        Vector3d velocity = Motion.SurfaceVelocity(in contact, time);
+        return velocity - (OffShape(in velocity, in normal) * normal);
+    }
+
+    /// <summary>Returns V + Ω × (p − o), m/s, the velocity of the material, with which an impact is computed.</summary>
+    public Vector3d SpinVelocity(in Vector3d point, double time) => Motion.SurfaceVelocity(in point, time);
+
+    /// <summary>Returns the speed at which a spin that does not rotate the shape moves the material out of the shape, m/s.</summary>
+    public double OffShape(in Vector3d velocity, in Vector3d normal) => Rotates ? 0 : Vector3d.Dot(velocity - Velocity, in normal);
 }
 
 /// <summary>The contact constants of a surface: the pitch or any other object.</summary>

@@ -406,7 +406,7 @@ internal struct Contact
         Moves = collider.Moves;
         IsFlat = at.IsFlat;
         Normal = at.Normal;
-        Velocity = collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(s.Position - (radius * at.Normal), s.Time);
+        Velocity = collider.SurfaceVelocity(s.Position - (radius * at.Normal), at.Normal, s.Time);
         Gap = gap;
         Material = collider.MaterialAt(s.Position);
         Rolls = Slip.Of(s.Velocity - Velocity, s.Spin, in Normal, radius).Length < ContactTolerances.SolvedSlip;

@@ -27,7 +27,7 @@ internal static class Flush
         Collider next = world.Colliders[thing];
         ShapePoint at = next.At(position, time);
         double r = world.Ball.Radius;
-        Vector3d relative = velocity - next.SurfaceVelocity(position - (r * at.Normal), time);
+        Vector3d relative = velocity - next.SurfaceVelocity(position - (r * at.Normal), at.Normal, time);
         double closing = -Vector3d.Dot(in relative, at.Normal);
         var near = NearThings.At(world, in position, time);
         while (near.NextCollider(out int i))
@@ -88,7 +88,7 @@ internal static class Flush
         }
 
         double r = world.Ball.Radius;
-        Vector3d difference = one.SurfaceVelocity(position - (r * on.Normal), time) - other.SurfaceVelocity(position - (r * at.Normal), time);
+        Vector3d difference = one.SurfaceVelocity(position - (r * on.Normal), on.Normal, time) - other.SurfaceVelocity(position - (r * at.Normal), at.Normal, time);
         return MovesAlong(in difference, on.Normal, at.Normal);
     }
 

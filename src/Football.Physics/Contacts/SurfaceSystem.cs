@@ -213,10 +213,14 @@ internal struct SurfaceSystem : IMotionSystem
         Vector3d n = on.Normal;
         Vector3d spin = carrier.Spin;
         Vector3d contact = at.Position - (radius * n);
-        on.Surface = carrier.SurfaceVelocity(in contact, time);
-        Vector3d material = carrier.SurfaceVelocity(in at.Position, time);
+        on.Surface = carrier.SurfaceVelocity(in contact, in n, time);
+        double off = carrier.OffShape(carrier.SpinVelocity(in contact, time), in n);
+        Vector3d material = carrier.SpinVelocity(in at.Position, time) - (off * n);
         on.Rolling = Tangential(at.Velocity - material, in n);
-        on.MaterialRate = Tangential(Vector3d.Cross(in spin, material - carrier.Velocity), in n);
+
+        // If only the surface rotates, its velocity is V + w − (w·n) n, whose rate has the further part −(w·n) ṅ along the surface.
+        Vector3d along = material - carrier.Velocity;
+        on.MaterialRate = Tangential(Vector3d.Cross(in spin, in along), in n) - (off * (point.Curvature * along));
         if (carrier.Rotates)
         {
             // q = v − V_p, ṅ = Ω × n + Hq, A_s = Ω × (Ω × (p − o)) + 2 Ω × q.
@@ -229,7 +233,7 @@ internal struct SurfaceSystem : IMotionSystem
         }
 
         // A = Ω × (ċ − V), ċ = v − r ṅ.
-        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n);
+        on.SurfaceRate = Tangential(Vector3d.Cross(in spin, at.Velocity - (radius * on.Turning) - carrier.Velocity), in n) - (off * on.Turning);
     }
 
     /// <summary>Returns the negative of the friction per mass that prevents a slip, m/s².</summary>

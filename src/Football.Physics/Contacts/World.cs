@@ -458,7 +458,7 @@ internal sealed partial class World
     /// <param name="normal">n.</param>
     /// <param name="time">The time, s.</param>
     public Vector3d SurfaceVelocity(Collider collider, in Vector3d position, in Vector3d normal, double time) =>
-        collider.Spin == Vector3d.Zero ? collider.Velocity : collider.SurfaceVelocity(position - (Ball.Radius * normal), time);
+        collider.SurfaceVelocity(position - (Ball.Radius * normal), in normal, time);
 
     /// <summary>Returns the accelerations by the nets that the ball is in.</summary>
     public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)

@@ -19,7 +19,7 @@ public sealed record Obstacle
     public Vector3d Velocity { get; init; }
 
     /// <summary>The spin of the surface about <see cref="Pivot"/>, in rad/s; at most 10 000. Default 0.</summary>
-    /// <remarks>The spin moves the surface, as on a spinning roller, but not the shape.</remarks>
+    /// <remarks>The spin moves the surface, as on a spinning roller, but not the shape. In sustained contact, only its velocity along the shape acts.</remarks>
     public Vector3d Spin { get; init; }
 
     /// <summary>The mass, in kg; above 0. Default infinite: the ball does not move the obstacle.</summary>

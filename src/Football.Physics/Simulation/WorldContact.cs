@@ -87,7 +87,7 @@ internal sealed partial class WorldContact
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
         Vector3d contact = s.Position - (_world.Ball.Radius * n);
-        Vector3d surface = hit.SurfaceVelocity(in contact, s.Time);
+        Vector3d surface = hit.SpinVelocity(in contact, s.Time);
         Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
         double recoil = hit.GivesWay ? _world.Ball.Mass / hit.Mass : 0;
         ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);

@@ -45,7 +45,7 @@ internal sealed class WorldGuard
 
             // A closing contact is an impact. If a flying ball is pressed onto a surface and neither closes nor leaves, the surface supports it.
             bool touches = gap <= ContactTolerances.Touching;
-            bool hits = touches && ((rate < -ContactTolerances.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0)) || IsStruck(in s, _world.Colliders[i]));
+            bool hits = touches && rate < -ContactTolerances.Approaching && !(Flush.Passage(_world, i, s.Position, s.Velocity, s.Time) > 0);
             bool presses = touches && !hits && rate <= ContactTolerances.Leaving && carrier < 0 && _contact.Load.IsPressed(in s, i);
             if ((hits || presses) && (!byside || NearThings.IsBefore(NormalOf(i, in s), i, NormalOf(first, in s), first)))
             {
@@ -72,20 +72,6 @@ internal sealed class WorldGuard
     }
 
     private Vector3d NormalOf(int collider, in BallState s) => _world.Colliders[collider].At(s.Position, s.Time).Normal;
-
-    /// <summary>True if the ball touches a surface that moves along its own shape, such as a drum, and the surface closes on it.</summary>
-    private bool IsStruck(in BallState s, Collider collider)
-    {
-        if (collider.Spin == Vector3d.Zero || collider.Rotates)
-        {
-            return false;
-        }
-
-        // (v − V_c)·n with V_c at the contact point c = p − r n.
-        Vector3d n = collider.At(s.Position, s.Time).Normal;
-        Vector3d surface = collider.SurfaceVelocity(s.Position - (_world.Ball.Radius * n), s.Time);
-        return Vector3d.Dot(s.Velocity - surface, in n) < -ContactTolerances.Approaching;
-    }
 
     /// <summary>Ends a piece at its first contact, except for the contacts that the ball keeps.</summary>
     /// <param name="sweep">The piece.</param>

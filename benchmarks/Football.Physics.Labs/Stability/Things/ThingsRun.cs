@@ -138,7 +138,7 @@ internal sealed class ThingsRun
 
             Collider collider = _world.Colliders[hit.ColliderIndex - _world.FirstCollider];
             Vector3d contact = hit.Position - (_world.Ball.Radius * hit.Normal);
-            Vector3d with = collider.SurfaceVelocity(in contact, hit.Time);
+            Vector3d with = collider.SpinVelocity(in contact, hit.Time);
             double before = (mass * (hit.VelocityBefore - with).LengthSquared) + (inertia * hit.SpinBefore.LengthSquared);
             double after = (mass * (hit.Velocity - with).LengthSquared) + (inertia * hit.Spin.LengthSquared);
             if (!(after <= ((before + (2 * hit.AddedEnergy)) * (1 + 1e-12)) + 1e-24))

@@ -174,7 +174,7 @@ internal sealed class BankShotProblem : ILeastSquares
             double bend = (contact.Curvature * new Vector3d(1, 1, 1)).Length;
             _reach[leg] = Math.Min(LargestShare * Math.Max(0.1, x[FirstTime + leg] * state.Velocity.Length), LargestBend / Math.Max(bend, 1e-9));
             Vector3d touched = end - (_ball.Radius * contact.Normal);
-            Vector3d surface = contact.Thing.SurfaceVelocity(in touched, state.Time);
+            Vector3d surface = contact.Thing.SpinVelocity(in touched, state.Time);
             if (!(Vector3d.Dot(state.Velocity - surface, contact.Normal) < 0))
             {
                 return false;

@@ -57,7 +57,7 @@ internal sealed partial class BallPile
 
             // On a rotating surface, use the velocity at the end of the part. With the velocity at the start, a gripping ball would slip by |Ω × v|
             // h.
-            Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), s.Time + h),
+            Velocity = collider.SurfaceVelocity(s.Position + (h * s.Velocity) - (member.Radius * near.Normal), in near.Normal, s.Time + h),
             Gap = Math.Max(0, near.Gap),
             NormalMass = 1.0 / member.PerMass,
             SlipMass = 1.0 / (member.PerMass + (member.Radius * member.Radius * member.PerInertia)),
