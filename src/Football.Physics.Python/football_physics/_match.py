@@ -22,7 +22,7 @@ body_dtype = _structs.BODY
 match_event_dtype = _structs.MATCH_EVENT
 """The type of an event of a match: the members of fp_match_event."""
 
-# The library keeps at most this number of events of a step.
+# The library keeps this number of events of a step: the first 1024 and the last 16.
 _MOST_EVENTS = 1024 + 16
 
 
@@ -150,7 +150,7 @@ class Match:
         """Takes n steps, and returns their events: an array of :data:`match_event_dtype`, ordered by step, time and ball.
 
         Ctrl-C ends it between two steps; :attr:`tick` then tells how many were taken. Other threads run during each step.
-        The library keeps 1024 events of a step. :attr:`dropped` is the number of events of this call beyond them.
+        The library keeps the first 1024 events of a step and the last 16. :attr:`dropped` is the number of other events of this call.
         """
         if n < 0:
             raise ValueError(f"n is {n}; allowed: 0 or more.")
