@@ -142,6 +142,8 @@ class Balls:
         """Advances all balls by one step, and returns the events of this step: an array of :data:`event_dtype`, ordered by ball and time."""
         if capacity < 0:
             raise ValueError(f"capacity is {capacity}; allowed: 0 or more.")
+        # The library keeps at most this number of events of a step; with more room, it would not tell how many it has written.
+        capacity = min(capacity, 1024)
         room = np.zeros(capacity, _NATIVE_EVENT)
         count = ctypes.c_int32()
         told = []
