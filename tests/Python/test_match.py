@@ -183,6 +183,16 @@ class Bodies(unittest.TestCase):
         self.assertNotEqual(7, match.balls()["position"][1, 0])
         self.assertNotEqual(before, match.hash)
 
+    def test_events_beyond_those_that_a_step_keeps_are_counted(self):
+        match = fp.Match(balls=1050, dt=0.7)
+        for ball in range(1050):
+            match.kick(ball, [0, 3, 0])
+        events = match.step()
+        self.assertEqual((1024, 26), (len(events), match.dropped))
+        self.assertEqual([*range(1008), *range(1034, 1050)], events["ball"].tolist())
+        match.step(0)
+        self.assertEqual(0, match.dropped)
+
     def test_many_balls_are_counted_in_a_replay(self):
         for n in (1, 2, 3, 37):
             match = fp.Match(LEG, balls=n)

@@ -57,7 +57,8 @@ class Tracks(unittest.TestCase):
     def test_rows_without_a_ball_are_left_out_and_a_second_half_follows(self):
         rows = np.array([[0, 1, 2, 3], [1, np.nan, np.nan, np.nan], [2, 4, 5, 6], [0, 7, 8, 9], [1, 1, 1, 1]], float)
         expected = np.array([[0, 1, 2, 3], [2, 4, 5, 6], [62, 7, 8, 9], [63, 1, 1, 1]], float)
-        for source in (rows, tracking_dataset(rows), DataFrame({"time": [0, 1, 2, 0, 1], "x": [1, None, 4, 7, 1], "y": [-3, None, -6, -9, -1], "z": [2, None, 5, 8, 1]})):
+        missing = type("NAType", (), {})()
+        for source in (rows, tracking_dataset(rows), *(DataFrame({"time": [0, 1, 2, 0, 1], "x": [1, none, 4, 7, 1], "y": [-3, None, -6, -9, -1], "z": [2, None, 5, 8, 1]}) for none in (None, np.nan, missing))):
             np.testing.assert_array_equal(expected, fp.track(source))
 
     def test_sources_without_a_meaning_are_refused(self):

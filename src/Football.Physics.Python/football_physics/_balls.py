@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import enum
-from typing import Any, NamedTuple
+from typing import Any, List, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -102,7 +102,7 @@ class Balls:
         if self._n < 0:
             raise ValueError(f"n is {n}; allowed: 0 or more.")
         self._states = np.zeros((self._n, _native.STATE_BYTES), np.uint8)
-        arrays = [np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n, np.int32)]
+        arrays: List[Any] = [np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros((self._n, 3)), np.zeros(self._n, np.int32)]
         self._arrays = arrays
         views = [array.view() for array in arrays]
         for view in views:
@@ -142,6 +142,8 @@ class Balls:
         """Advances all balls by one step, and returns the events of this step: an array of :data:`event_dtype`, ordered by ball and time."""
         if capacity < 0:
             raise ValueError(f"capacity is {capacity}; allowed: 0 or more.")
+        # The library keeps at most this number of events of a step; with more room, it would not tell how many it has written.
+        capacity = min(capacity, 1024)
         room = np.zeros(capacity, _NATIVE_EVENT)
         count = ctypes.c_int32()
         told = []
@@ -200,7 +202,7 @@ class Balls:
                 self._handle, self._at + ball * _native.STATE_BYTES, dt, durations[ball], stops[stop], numbers.ctypes.data + ball * _DERIVATIVES * 8, ended.ctypes.data + 4 * ball))
         self._read()
         matrices = [numbers[:, 9 * i : 9 * i + 9].reshape(self._n, 3, 3) for i in range(4)]
-        return Derivatives(*matrices, numbers[:, 36:39], numbers[:, 39:42], ended != 0)
+        return Derivatives(matrices[0], matrices[1], matrices[2], matrices[3], numbers[:, 36:39], numbers[:, 39:42], ended != 0)
 
     @property
     def time(self) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 try:
-    from gymnasium.spaces import Box
+    from gymnasium.spaces import Box  # type: ignore[import]
 except ImportError:
 
     class Box:  # type: ignore[no-redef]

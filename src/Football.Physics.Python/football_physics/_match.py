@@ -22,8 +22,8 @@ body_dtype = _structs.BODY
 match_event_dtype = _structs.MATCH_EVENT
 """The type of an event of a match: the members of fp_match_event."""
 
-# The library keeps at most this number of events of a step.
-_MOST_EVENTS = 1024 + 16
+# The library keeps this number of events of a step: the first 1008 and the last 16. With more room, the call would not tell how many it has written.
+_MOST_EVENTS = 1024
 
 
 def _text(scenario: Union[str, Mapping[str, Any]]) -> bytes:
@@ -150,7 +150,7 @@ class Match:
         """Takes n steps, and returns their events: an array of :data:`match_event_dtype`, ordered by step, time and ball.
 
         Ctrl-C ends it between two steps; :attr:`tick` then tells how many were taken. Other threads run during each step.
-        The library keeps 1024 events of a step. :attr:`dropped` is the number of events of this call beyond them.
+        The library keeps 1024 events of a step: the first 1008 and the last 16. :attr:`dropped` is the number of other events of this call.
         """
         if n < 0:
             raise ValueError(f"n is {n}; allowed: 0 or more.")

@@ -170,7 +170,7 @@ def goal_chance(
     text, found = _native.text(members), np.zeros(1, _structs.GOAL_CHANCE)
     _native.check(_native.goal_chance(scene.handle, text, len(text), found.ctypes.data))
     row = found[0]
-    numbers = {name: float(row[name]) for name in _structs.GOAL_CHANCE.names[:-2]}
+    numbers = {name: float(row[name]) for name in (_structs.GOAL_CHANCE.names or ())[:-2]}
     return GoalChance(**numbers, method=ChanceMethod(int(row["method"])), kicks=int(row["kicks"]))
 
 

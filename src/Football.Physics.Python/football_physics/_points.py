@@ -106,7 +106,8 @@ def _kloppy(dataset: Any) -> Floats:
 
 def _number(value: Any) -> float:
     """A number, or a time in seconds; NaN for none."""
-    if value is None or value is np.ma.masked:
+    # pandas.NA compares as neither true nor false, so that only its name tells it.
+    if value is None or value is np.ma.masked or type(value).__name__ == "NAType":
         return float("nan")
     if hasattr(value, "total_seconds"):
         return float(value.total_seconds())

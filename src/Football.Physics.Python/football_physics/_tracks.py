@@ -148,8 +148,8 @@ def fit_match(scene: Scene, track: Any, noise: Optional[ArrayLike] = None, free:
     return MatchFit(
         pieces=pieces[: count.value].copy(), scene=fitted,
         values={_PARAMETERS[i]: float(row["values"][i]) for i in estimated}, deviations={_PARAMETERS[i]: float(row["deviations"][i]) for i in estimated},
-        **{name: float(row[name]) for name in ("rms", "covered", "noise", "rolling_speed", "rolling_deviation")},
-        **{name: int(row[name]) for name in ("flights", "impacts", "windows")})
+        rms=float(row["rms"]), covered=float(row["covered"]), noise=float(row["noise"]), rolling_speed=float(row["rolling_speed"]), rolling_deviation=float(row["rolling_deviation"]),
+        flights=int(row["flights"]), impacts=int(row["impacts"]), windows=int(row["windows"]))
 
 
 def _arguments(track: Any, noise: Optional[ArrayLike], request: Dict[str, Any]) -> Any:
