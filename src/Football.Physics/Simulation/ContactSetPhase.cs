@@ -29,6 +29,10 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Maximum rotation of a normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
+    /// <summary>Maximum rotation of a normal per piece, as a share of the sine between two loaded normals.</summary>
+    /// <remarks>The loads of nearly opposite contacts are as large as this sine is small, and change as fast.</remarks>
+    private const double LargestShareOfWedge = 0.25;
+
     /// <summary>Maximum number of slide and roll events per step.</summary>
     private const int MostNames = 2;
 
@@ -141,8 +145,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
             system.SpinAcceleration = rates.SpinAcceleration;
         }
 
-        TakePiece(ref s, ref run, ref system, set, in stuck);
-        return true;
+        return TakePiece(ref s, ref run, ref system, set, in stuck);
     }
 
     /// <summary>True if a ball below the rest energy is held by contacts that are stationary or move together.</summary>
@@ -246,26 +249,57 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         }
     }
 
-    private void TakePiece(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from)
+    private bool TakePiece(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from)
     {
         double h = LongestPiece(in s, in from, in system, ref run);
         if (s.Nets != 0)
         {
-            TakePiece<Substeps>(ref s, ref run, ref system, set, in from, h);
+            return TakePiece<Substeps>(ref s, ref run, ref system, set, in from, h);
         }
-        else if (run.Spirals)
+
+        return run.Spirals
+            ? TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, set, in from, h)
+            : TakePiece<TIntegrator>(ref s, ref run, ref system, set, in from, h);
+    }
+
+    /// <summary>True if a piece on stationary contacts ends with more energy than it began with and its forces gave.</summary>
+    /// <remarks>The loads of nearly opposite contacts, and their friction, then changed faster than the integrator can follow.</remarks>
+    private bool Overshoots(in BallState s, in ContactSystem system, in Motion from, in Motion end, double h)
+    {
+        if (s.Nets != 0)
         {
-            TakePiece<ClassicalRungeKutta>(ref s, ref run, ref system, set, in from, h);
+            return false;
         }
-        else
+
+        for (int i = 0; i < system.Count; i++)
         {
-            TakePiece<TIntegrator>(ref s, ref run, ref system, set, in from, h);
+            if (system.Contacts[i].Surface != Vector3d.Zero)
+            {
+                return false;
+            }
         }
+
+        // ½ |v|² + ½ α r² |ω|², the work of the weight, and the error of the explicit Euler method, ½ |a|² h².
+        double turning = _world.Ball.InertiaFactor * _around.Radius * _around.Radius;
+        double before = 0.5 * (from.Velocity.LengthSquared + (turning * from.Spin.LengthSquared));
+        double after = 0.5 * (end.Velocity.LengthSquared + (turning * end.Spin.LengthSquared));
+        double given = Vector3d.Dot(_around.Weight, end.Position - from.Position) + (0.5 * h * h * _around.Weight.LengthSquared);
+        double gained = after - (before * (1.0 + ContactTolerances.PieceEnergy)) - given;
+        if (!(gained > 0) || (_around.Wind == Vector3d.Zero && !_around.Air.Varies && !_around.Air.HasOwnForces))
+        {
+            return gained > 0;
+        }
+
+        // The wind and custom forces do work too.
+        system.Free(s.Time, in from, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+        double other = (acceleration - _around.Weight).Length + (Math.Sqrt(turning) * spinAcceleration.Length);
+        return gained > h * other * (Math.Sqrt(2.0 * before) + Math.Sqrt(2.0 * after));
     }
 
     /// <summary>Takes a piece, ends it at the first event within it, and moves the ball.</summary>
+    /// <returns>False if the ball is left to the single-surface phase.</returns>
     [SkipLocalsInit]
-    private void TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
+    private bool TakePiece<TMethod>(ref BallState s, ref StepRun run, ref ContactSystem system, Span<Contact> set, in Motion from, double h)
         where TMethod : struct, IIntegrator
     {
         int order = default(TMethod).Order;
@@ -300,6 +334,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         bool meets = _guard.EndAtFirst(ref sweep, in s, order, set, out Separation met);
         s.Branch = sweep.Length < crossing ? system.Branch : s.Branch;
         run.Log.Evaluations += sweep.Evaluations;
+        if (Overshoots(in s, in system, in from, sweep.EndMotion, sweep.Length))
+        {
+            s.Branch = system.Branch;
+            return _parts.Take(ref s, ref run);
+        }
+
         run.SetPieces++;
         run.SetChanges += (changes || meets) && sweep.Length < whole ? 1 : 0;
 
@@ -321,6 +361,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
         {
             _guard.Meet(ref s, in met, ref run);
         }
+
+        return true;
     }
 
     /// <summary>Returns the longest piece that stability, nets, turning slips and turning normals allow, s.</summary>
@@ -340,10 +382,29 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
-        h = turning * h > LargestTurn ? LargestTurn / turning : h;
+        double turn = turning > 0 ? Math.Min(LargestTurn, LargestShareOfWedge * SharpestWedge(in system)) : LargestTurn;
+        h = turning * h > turn ? turn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         run.Keep(h, asked);
         return ShortenForSlips(in system, in from, h, run.Length);
+    }
+
+    /// <summary>Returns the smallest sine of the angle between two loaded normals on opposite sides of the ball; 1 if there are none.</summary>
+    private static double SharpestWedge(in ContactSystem system)
+    {
+        double least = 1;
+        for (int i = 0; i < system.Count; i++)
+        {
+            for (int j = 0; j < i; j++)
+            {
+                ref readonly SetContact one = ref system.Contacts[i];
+                ref readonly SetContact other = ref system.Contacts[j];
+                bool opposes = one.Bears && other.Bears && Vector3d.Dot(in one.Normal, in other.Normal) < 0;
+                least = opposes ? Math.Min(least, Vector3d.Cross(in one.Normal, in other.Normal).Length) : least;
+            }
+        }
+
+        return least;
     }
 
     /// <summary>Shortens a piece so that the integrator can follow every turning slip.</summary>
