@@ -12,12 +12,15 @@ namespace FootballPhysics.Fuzz;
 /// <param name="Invoke">Calls it; each argument and the result are 64 bits.</param>
 internal readonly record struct NativeCall(string Name, ParameterInfo[] Parameters, Type Result, Func<long[], long> Invoke)
 {
-    /// <summary>All exports, in the order of their names: a new one is called without a change here.</summary>
+    /// <summary>The exports that need other memory than scenes, balls and numbers. tests/Native/hostile.c calls these.</summary>
+    private static readonly string[] s_others = ["fp_check_structs", "fp_fit", "fp_goal_chance", "fp_intercept", "fp_match_", "fp_player_"];
+
+    /// <summary>The other exports, in the order of their names.</summary>
     public static NativeCall[] All() =>
     [
         .. typeof(Exports).GetMethods(BindingFlags.Public | BindingFlags.Static)
             .Select(method => (Method: method, method.GetCustomAttribute<UnmanagedCallersOnlyAttribute>()?.EntryPoint))
-            .Where(export => export.EntryPoint is not null)
+            .Where(export => export.EntryPoint is not null && !Array.Exists(s_others, prefix => export.EntryPoint.StartsWith(prefix, StringComparison.Ordinal)))
             .OrderBy(export => export.EntryPoint, StringComparer.Ordinal)
             .Select(export => new NativeCall(export.EntryPoint!, export.Method.GetParameters(), export.Method.ReturnType, Compiled(export.Method))),
     ];

@@ -67,19 +67,19 @@ internal static unsafe class ContactModes
         return false;
     }
 
-    /// <summary>Opens contacts that the push does not press against, if three contacts surround the ball in one plane.</summary>
-    /// <remarks>An example is a ball between a player and a board on the ground. With all three active, the loads would not be
-    /// determined.</remarks>
+    /// <summary>Opens contacts that the push does not press against, if two contacts clamp the ball, or three surround it in one plane.</summary>
+    /// <remarks>Examples are a ball between two spheres, and one between a player and a board on the ground. With all of them active, the
+    /// loads would not be determined, however large.</remarks>
     [SkipLocalsInit]
     private static void LetIdle(ref ContactSystem system, double time, in Motion at, ref int evaluations)
     {
-        if (system.Count != 3)
+        Vector3d* normals = stackalloc Vector3d[ContactSystem.Most];
+        for (int i = 0; i < system.Count; i++)
         {
-            return;
+            normals[i] = system.Contacts[i].Normal;
         }
 
-        Vector3d* normals = stackalloc Vector3d[3] { system.Contacts[0].Normal, system.Contacts[1].Normal, system.Contacts[2].Normal };
-        if (!PushProjection.Surround(normals))
+        if (!PushProjection.Clamp(normals, system.Count) && !(system.Count == 3 && PushProjection.Surround(normals)))
         {
             return;
         }
@@ -87,8 +87,8 @@ internal static unsafe class ContactModes
         system.Bearer = -1;
         system.Free(time, in at, out Vector3d push, out _, out _);
         evaluations++;
-        PushProjection free = PushProjection.Of(normals, 3, in push);
-        for (int i = 0; i < 3; i++)
+        PushProjection free = PushProjection.Of(normals, system.Count, in push);
+        for (int i = 0; i < system.Count; i++)
         {
             system.Contacts[i].Bears = free.Bears(i);
         }

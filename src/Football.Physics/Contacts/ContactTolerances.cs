@@ -360,6 +360,10 @@ internal static class ContactTolerances
     /// <remarks>Above: the ball is behind the edge. Below: more evaluations, for a position that an edge does not define.</remarks>
     public const double JumpWidth = 1e-8;
 
+    /// <summary>The gain of energy on stationary contacts above which a piece is taken again in parts, relative.</summary>
+    /// <remarks>Above: a ball that is clamped gains energy. Below: the error of the integrator is taken for a gain.</remarks>
+    public const double PieceEnergy = 1e-7;
+
     /// <summary>The minimum step of a search, relative to the path.</summary>
     /// <remarks>Above: a contact between two steps is skipped. Below: a ball that touches without closing takes many steps.</remarks>
     public const double ShortestShare = 1e-7;

@@ -63,6 +63,24 @@ internal unsafe struct PushProjection
         return none;
     }
 
+    /// <summary>True if two of the normals are opposite, so that any load may act on both contacts.</summary>
+    /// <remarks>The angle is within that of flush normals: as far as a ball that rolls off two opposite spheres still touches both.</remarks>
+    public static bool Clamp(Vector3d* normals, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            for (int j = i + 1; j < count; j++)
+            {
+                if (Vector3d.Dot(in normals[i], in normals[j]) < ContactTolerances.SameNormal - 1.0)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>True if three normals lie in one plane and surround the ball, n₁ + β n₂ + γ n₃ = 0 with β, γ > 0.</summary>
     /// <remarks>Their loads are then not determined if all three are active, and a push needs at most two of them.</remarks>
     public static bool Surround(Vector3d* normals)

@@ -29,6 +29,10 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Maximum rotation of a normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
+    /// <summary>Maximum rotation of a normal per piece, as a share of the sine between two loaded normals.</summary>
+    /// <remarks>The loads of nearly opposite contacts are as large as this sine is small, and change as fast.</remarks>
+    private const double LargestShareOfWedge = 0.25;
+
     /// <summary>Maximum number of slide and roll events per step.</summary>
     private const int MostNames = 2;
 
@@ -92,29 +96,28 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         if (s.Nets != 0)
         {
-            Take<Substeps>(ref s, ref run, set, ref piece);
-        }
-        else if (run.Spirals)
-        {
-            Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece);
-        }
-        else
-        {
-            Take<TIntegrator>(ref s, ref run, set, ref piece);
+            return Take<Substeps>(ref s, ref run, set, ref piece);
         }
 
-        return true;
+        return run.Spirals ? Take<ClassicalRungeKutta>(ref s, ref run, set, ref piece) : Take<TIntegrator>(ref s, ref run, set, ref piece);
     }
 
     [SkipLocalsInit]
-    private void Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
+    private bool Take<TMethod>(ref BallState s, ref StepRun run, Span<Contact> set, ref SetPiece piece)
         where TMethod : struct, IIntegrator
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
         Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
         Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
+        if (SetWedge.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length))
+        {
+            s.Branch = piece.System.Branch;
+            return _parts.Take(ref s, ref run);
+        }
+
         Move(ref s, ref run, ref sweep, set, in piece);
         Respond(ref s, ref run, set, in piece);
+        return true;
     }
 
     /// <summary>Finds the modes of the contacts, and the length of the piece.</summary>
@@ -371,7 +374,8 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
-        h = turning * h > LargestTurn ? LargestTurn / turning : h;
+        double turn = turning > 0 ? Math.Min(LargestTurn, LargestShareOfWedge * SetWedge.Sharpest(in system)) : LargestTurn;
+        h = turning * h > turn ? turn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         run.Keep(h, asked);
         return ShortenForSlips(in system, in from, h, run.Length);

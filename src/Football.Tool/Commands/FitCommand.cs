@@ -24,9 +24,9 @@ internal static class FitCommand
         command.Details = "The result has uncertainties. With cameras, the track has pixels. --match reads the track of a whole match and writes one line per flight, impact or touch.";
         match.AddTo(command);
         return new BatchRunner<TrackFitResult>(Find, FitWriter.Result, FitTable.Print)
-            {
-                Tables = [CameraTables.Cameras(), CameraTables.Pixels()],
-            }
+        {
+            Tables = [CameraTables.Cameras(), CameraTables.Pixels()],
+        }
             .Of(command, terminal, (match.Option, (parsed, overrides, json) => match.Run(parsed, overrides, json, terminal)));
     }
 

@@ -115,7 +115,7 @@ public sealed class ContactPropertyTests
         private Vector3d Center => Nearest - (Size * Facing);
 
         /// <summary>True if the ball touches both, and their normals are about parallel.</summary>
-        public bool IsInLineWith(Neighbour other) => !ReferenceEquals(this, other) && Distance + other.Distance < 1e-3 && Math.Abs(Vector3d.Dot(Facing, other.Facing)) > 0.7;
+        public bool IsInLineWith(Neighbour other) => !ReferenceEquals(this, other) && Distance + other.Distance < 1e-3 && Vector3d.Dot(Facing, other.Facing) > 0.7;
 
         public IShape Shape(Mirror? mirror)
         {
