@@ -15,6 +15,9 @@ internal struct Substeps : IIntegrator
     /// <summary>The number of parts before the end from which a repeated step resumes: a search rarely goes back further.</summary>
     private const double Before = 3.0;
 
+    /// <summary>Maximum number of parts of a step: a motion that runs away would need ever shorter ones.</summary>
+    private const int MostParts = 256;
+
     // The resume point: time since the start, length of the next part, and the result of the step so far.
     private double _done;
     private double _part;
@@ -49,9 +52,10 @@ internal struct Substeps : IIntegrator
         double part = goesOn ? _part : system.LongestPart(in from);
         step = goesOn ? _step : new MotionStep { End = from };
         Stages = 0;
-        while (true)
+        for (int parts = 1; ; parts++)
         {
-            bool isLast = done + part >= h;
+            // A part that is not a number is the last one, too.
+            bool isLast = !(done + part < h) || parts == MostParts;
             Motion at = step.End;
             MotionRates rates = start;
             if (done > 0)

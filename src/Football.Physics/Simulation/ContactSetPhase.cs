@@ -108,6 +108,12 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
         Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
+        if (!SetWedge.IsFinite(sweep.EndMotion))
+        {
+            run.Log.Evaluations += sweep.Evaluations;
+            return _parts.Take(ref s, ref run);
+        }
+
         Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
         if (SetWedge.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length))
         {

@@ -5,6 +5,9 @@ namespace FootballPhysics.Simulation;
 /// <summary>A ball in a wedge of two contacts: as the normals become opposite, the loads grow, and a piece can gain energy.</summary>
 internal static unsafe class SetWedge
 {
+    /// <summary>The largest change of the speed within a piece, in units of a surface's speed. A faster squeeze takes the parts of <see cref="ContactSetParts"/>.</summary>
+    private const double MostBySurface = 2;
+
     /// <summary>Returns the smallest sine of the angle between two loaded normals on opposite sides of the ball; 1 if there are none.</summary>
     public static double Sharpest(in ContactSystem system)
     {
@@ -23,37 +26,43 @@ internal static unsafe class SetWedge
         return least;
     }
 
-    /// <summary>True if a piece on stationary contacts ends with more energy than it began with and its forces gave.</summary>
-    /// <remarks>The loads of nearly opposite contacts, and their friction, then changed faster than the integrator can follow.</remarks>
+    /// <summary>False if the loads grew without bound within the piece.</summary>
+    public static bool IsFinite(in Motion end) => end.Velocity.LengthSquared + end.Spin.LengthSquared < double.PositiveInfinity;
+
+    /// <summary>True if a piece ends with more energy than it began with and its forces gave.</summary>
+    /// <remarks>The loads of nearly parallel contacts, and their friction, then changed faster than the integrator can follow.</remarks>
     public static bool Overshoots(Surroundings around, in BallState s, in ContactSystem system, in Motion from, in Motion end, double h)
     {
-        if (s.Nets != 0)
-        {
-            return false;
-        }
-
-        for (int i = 0; i < system.Count; i++)
-        {
-            if (system.Contacts[i].Surface != Vector3d.Zero)
-            {
-                return false;
-            }
-        }
-
         // ½ |v|² + ½ α r² |ω|², the work of the weight, and the error of the explicit Euler method, ½ |a|² h².
         double turning = around.World.Ball.InertiaFactor * around.Radius * around.Radius;
         double before = 0.5 * (from.Velocity.LengthSquared + (turning * from.Spin.LengthSquared));
         double after = 0.5 * (end.Velocity.LengthSquared + (turning * end.Spin.LengthSquared));
         double given = Vector3d.Dot(around.Weight, end.Position - from.Position) + (0.5 * h * h * around.Weight.LengthSquared);
         double gained = after - (before * (1.0 + ContactTolerances.PieceEnergy)) - given;
-        if (!(gained > 0) || (around.Wind == Vector3d.Zero && !around.Air.Varies && !around.Air.HasOwnForces))
+        if (gained <= 0)
         {
-            return gained > 0;
+            return false;
         }
 
-        // The wind and custom forces do work too.
-        system.Free(s.Time, in from, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
-        double other = (acceleration - around.Weight).Length + (Math.Sqrt(turning) * spinAcceleration.Length);
-        return gained > h * other * (Math.Sqrt(2.0 * before) + Math.Sqrt(2.0 * after));
+        // Moving surfaces, nets, the wind and custom forces do work too: they change the speed √(2E) by at most this.
+        double change = 0;
+        for (int i = 0; i < system.Count; i++)
+        {
+            change = Math.Max(change, MostBySurface * system.Contacts[i].Surface.Length);
+        }
+
+        if (s.Nets != 0 || around.Wind != Vector3d.Zero || around.Air.Varies || around.Air.HasOwnForces)
+        {
+            change += h * (Other(around, in system, s.Time, in from) + Other(around, in system, s.Time + h, in end));
+        }
+
+        return gained > change * (Math.Sqrt(2.0 * before) + Math.Sqrt(2.0 * after));
+    }
+
+    /// <summary>Returns the acceleration by other forces than the weight, with the spin as the speed √α r |ω̇|, in m/s².</summary>
+    private static double Other(Surroundings around, in ContactSystem system, double time, in Motion at)
+    {
+        system.Free(time, in at, out Vector3d acceleration, out Vector3d spinAcceleration, out _);
+        return (acceleration - around.Weight).Length + (Math.Sqrt(around.World.Ball.InertiaFactor) * around.Radius * spinAcceleration.Length);
     }
 }
