@@ -28,24 +28,24 @@ internal sealed class CompiledScene : Handled
     /// <summary>An aimer, to be given back.</summary>
     public Aimer TakeAimer() => Interlocked.Exchange(ref _aimer, null) ?? new Aimer(Simulator);
 
-    /// <summary>What finds derivatives, to be given back.</summary>
+    /// <summary>Returns a computation of derivatives. The caller gives it back.</summary>
     public LaunchDerivatives TakeDerivatives() => Interlocked.Exchange(ref _derivatives, null) ?? new LaunchDerivatives(Simulator);
 
-    /// <summary>A search for chances to score, to be given back.</summary>
+    /// <summary>Returns a search for chances to score. The caller gives it back.</summary>
     public GoalChance TakeGoalChance() => Interlocked.Exchange(ref _goalChance, null) ?? new GoalChance(Simulator.Scene);
 
-    /// <summary>A search for interceptions, to be given back.</summary>
+    /// <summary>Returns a search for interceptions. The caller gives it back.</summary>
     public Interceptor TakeInterceptor() => Interlocked.Exchange(ref _interceptor, null) ?? new Interceptor(Simulator);
 
     /// <summary>Keeps an aimer for the next call.</summary>
     public void GiveBack(Aimer aimer) => Volatile.Write(ref _aimer, aimer);
 
-    /// <summary>Keeps it for the next call.</summary>
+    /// <summary>Keeps a computation of derivatives for the next call.</summary>
     public void GiveBack(LaunchDerivatives derivatives) => Volatile.Write(ref _derivatives, derivatives);
 
-    /// <summary>Keeps it for the next call.</summary>
+    /// <summary>Keeps a search for chances to score for the next call.</summary>
     public void GiveBack(GoalChance goalChance) => Volatile.Write(ref _goalChance, goalChance);
 
-    /// <summary>Keeps it for the next call.</summary>
+    /// <summary>Keeps a search for interceptions for the next call.</summary>
     public void GiveBack(Interceptor interceptor) => Volatile.Write(ref _interceptor, interceptor);
 }

@@ -161,11 +161,11 @@ internal static unsafe partial class Exports
     /// <summary>Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.</summary>
     /// <param name="match">The match.</param>
     /// <param name="events">Receives the events of all balls, ordered by time, then by ball; null if they are not wanted.</param>
-    /// <param name="capacity">The number of events that fit, 0 or more.</param>
-    /// <param name="count">Receives the number of events, including those that do not fit; null if it is not wanted.</param>
+    /// <param name="capacity">The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.</param>
+    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.</param>
     /// <returns>
-    /// FP_OK; FP_BUFFER if there are more events than capacity, and events or count is given: the step is taken, and the first events are there; FP_ARGUMENT or
-    /// FP_HANDLE, and nothing has changed.
+    /// FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken, and the first events are
+    /// there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and nothing has changed.
     /// </returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_match_step")]
     public static NativeStatus MatchStep(NativeMatch* match, NativeMatchEvent* events, int capacity, int* count)

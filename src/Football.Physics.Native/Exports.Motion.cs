@@ -55,16 +55,16 @@ internal static unsafe partial class Exports
         }
     }
 
-    /// <summary>Advances a ball, and tells what happened on the way. Allocates nothing.</summary>
+    /// <summary>Advances a ball, and returns the events on the way. Allocates nothing.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="state">The ball.</param>
     /// <param name="dt">Time to advance by, s; 0 ... 1e12. All of it is one step of the integrator, split only at events.</param>
-    /// <param name="events">Where the events go, in order of time; null where they are not wanted.</param>
-    /// <param name="capacity">How many there is room for, 0 or more.</param>
-    /// <param name="count">Where the number of events goes, those without room included; null where it is not wanted.</param>
+    /// <param name="events">Receives the events, in order of time; null if they are not wanted.</param>
+    /// <param name="capacity">The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.</param>
+    /// <param name="count">Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.</param>
     /// <returns>
-    /// FP_OK; FP_BUFFER where there are more events than capacity, which are asked for or counted: the step is taken, and the first ones are there; FP_ARGUMENT or
-    /// FP_HANDLE, and the ball is as it was.
+    /// FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken, and the first events are
+    /// there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and the ball is as it was.
     /// </returns>
     [UnmanagedCallersOnly(EntryPoint = "fp_step")]
     public static NativeStatus Step([In] NativeScene* scene, NativeState* state, double dt, NativeEvent* events, int capacity, int* count)

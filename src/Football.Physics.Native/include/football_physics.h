@@ -637,10 +637,10 @@ FP_API fp_status fp_match_move_bodies(fp_match* match, int32_t first, int32_t n,
 /* Takes a step: applies the kicks, advances all balls, and returns the events. Allocates nothing, except if a recording grows.
    match: The match.
    events: Receives the events of all balls, ordered by time, then by ball; null if they are not wanted.
-   capacity: The number of events that fit, 0 or more.
-   count: Receives the number of events, including those that do not fit; null if it is not wanted.
-   Returns FP_OK; FP_BUFFER if there are more events than capacity, and events or count is given: the step is taken, and the first events
-   are there; FP_ARGUMENT or FP_HANDLE, and nothing has changed. */
+   capacity: The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.
+   count: Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken,
+   and the first events are there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and nothing has changed. */
 FP_API fp_status fp_match_step(fp_match* match, fp_match_event* events, int32_t capacity, int32_t* count);
 
 /* Reads balls.
@@ -694,15 +694,15 @@ FP_API fp_status fp_launch(const fp_scene* scene, const double position[3], cons
    Returns FP_OK, FP_ARGUMENT or FP_HANDLE. */
 FP_API fp_status fp_kick(const fp_scene* scene, fp_state* state, const double velocity[3], const double spin[3]);
 
-/* Advances a ball, and tells what happened on the way. Allocates nothing.
+/* Advances a ball, and returns the events on the way. Allocates nothing.
    scene: The scene.
    state: The ball.
    dt: Time to advance by, s; 0 ... 1e12. All of it is one step of the integrator, split only at events.
-   events: Where the events go, in order of time; null where they are not wanted.
-   capacity: How many there is room for, 0 or more.
-   count: Where the number of events goes, those without room included; null where it is not wanted.
-   Returns FP_OK; FP_BUFFER where there are more events than capacity, which are asked for or counted: the step is taken, and the first ones
-   are there; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
+   events: Receives the events, in order of time; null if they are not wanted.
+   capacity: The number of events that fit, 0 or more. A step stores at most 1 024 events: the first 1 008 and the last 16.
+   count: Receives the number of events, including those that do not fit or are not stored; null if it is not wanted.
+   Returns FP_OK; FP_BUFFER if there are more events than capacity or than a step stores, and events or count is given: the step is taken,
+   and the first events are there, at most capacity or 1 024; FP_ARGUMENT or FP_HANDLE, and the ball is as it was. */
 FP_API fp_status fp_step(const fp_scene* scene, fp_state* state, double dt, fp_event* events, int32_t capacity, int32_t* count);
 
 /* What there is to see of a ball.
