@@ -9,6 +9,9 @@ namespace FootballPhysics.Contacts;
 /// </remarks>
 internal static class ContactSet
 {
+    /// <summary>In a wedge between opposite surfaces with a smaller sin² of the angle between the normals, the ball is projected onto one surface after the other.</summary>
+    private const double NarrowWedge = 1e-3;
+
     /// <summary>Number of contacts that callers reserve on the stack. Larger sets use a <see cref="ContactRoom"/>.</summary>
     public const int Room = 8;
 
@@ -239,7 +242,8 @@ internal static class ContactSet
     }
 
     /// <summary>Newton's method on the gaps of the two contacts with the greatest loads.</summary>
-    /// <remarks>At a small angle, or on curved surfaces, alternating projections would converge slowly.</remarks>
+    /// <remarks>At a small angle, or on curved surfaces, alternating projections would converge slowly. In a narrow wedge, a small gap would move
+    /// the ball far along the wedge, and lift it.</remarks>
     private static void PutOntoTwo(World world, ref BallState s, Span<Contact> set)
     {
         int first = Heaviest(set);
@@ -257,7 +261,7 @@ internal static class ContactSet
             double other = two.Distance - world.Ball.Radius;
             double cosine = Vector3d.Dot(one.Normal, two.Normal);
             double square = 1.0 - (cosine * cosine);
-            if (!(square > ContactTolerances.SameNormal * 4.0) || (Math.Abs(gap) <= ContactTolerances.ClosedGap && Math.Abs(other) <= ContactTolerances.ClosedGap) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
+            if (!(square > (cosine < 0 ? NarrowWedge : ContactTolerances.SameNormal * 4.0)) || (Math.Abs(gap) <= ContactTolerances.ClosedGap && Math.Abs(other) <= ContactTolerances.ClosedGap) || one.IsFlat != set[first].IsFlat || two.IsFlat != set[second].IsFlat)
             {
                 return;
             }

@@ -53,10 +53,10 @@ internal sealed partial class ContactSetParts
             LeaveOut(ref set, run.Log);
 
             // Friction must not hold the ball in the path of a moving object, and the ball must not enter a stationary one.
-            KeepOff(set, h, movers: true, ref v);
+            SolvedSet.KeepOff(set, h, movers: true, ref v);
             _contact.IsTooFast(ref s, set, in v);
             Vector3d kept = v;
-            KeepOff(set, h, movers: false, ref kept);
+            SolvedSet.KeepOff(set, h, movers: false, ref kept);
 
             // f² = |v|² + 2 h f W·d: the work of the forces W along the direction d gives the speed f.
             double worked = h * Vector3d.Dot(Working(in free, in from), in kept) / Math.Max(kept.Length, ContactTolerances.Standstill);
@@ -65,7 +65,7 @@ internal sealed partial class ContactSetParts
             // Limit the speed to this value. Process stationary objects last, so that the ball does not enter them.
             double speed = v.Length;
             v = speed > fastest ? fastest / speed * v : v;
-            KeepOff(set, h, movers: false, ref v);
+            SolvedSet.KeepOff(set, h, movers: false, ref v);
 
             var path = PathCubic.Line(s.Position, in v, h);
             bool passes = new ContactSearch(_world, in path, s.Time).FirstPassage(in s, out Separation passed) is var at && at <= h;
@@ -110,39 +110,6 @@ internal sealed partial class ContactSetParts
 
         s.Velocity = Vector3d.Zero;
         s.SetGroundSpin(Vector3d.Zero);
-    }
-
-    /// <summary>Corrects a velocity for which the solver found no impulses: it closes on no contact and is not faster than before.</summary>
-    /// <param name="set">The contacts.</param>
-    /// <param name="h">The time, s.</param>
-    /// <param name="most">The speed without contacts, m/s.</param>
-    /// <param name="v">The velocity, m/s.</param>
-    public static void Settle(Span<Contact> set, double h, double most, ref Vector3d v)
-    {
-        double speed = v.Length;
-        v = speed > most ? most / speed * v : v;
-        KeepOff(set, h, movers: true, ref v);
-    }
-
-    /// <summary>Removes the closing components of a velocity at stationary contacts, and optionally at moving ones.</summary>
-    private static void KeepOff(Span<Contact> set, double h, bool movers, ref Vector3d v)
-    {
-        bool closes = true;
-        for (int round = 0; round < SqueezedRounds && closes; round++)
-        {
-            closes = false;
-            foreach (ref readonly Contact contact in set)
-            {
-                // If (v − V)·n + gap/h < 0, the ball would overlap the collider within the part. Project out the excess, contact by
-                // contact.
-                double closing = Vector3d.Dot(v - contact.Velocity, in contact.Normal) + (h > 0 ? Math.Max(0, contact.Gap) / h : 0);
-                if ((movers || !contact.Moves) && closing < 0)
-                {
-                    v -= closing * contact.Normal;
-                    closes = true;
-                }
-            }
-        }
     }
 
     /// <summary>True if no moving object overlaps the ball or presses it against another contact.</summary>

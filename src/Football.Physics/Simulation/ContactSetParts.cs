@@ -87,7 +87,7 @@ internal sealed partial class ContactSetParts
             }
 
             // The ball has no room if no impulses satisfy all contacts, or if the resulting speed is too high. Only moving objects squeeze the ball.
-            if (Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
+            if (SolvedSet.Moves(set) && (!solved || _contact.IsTooFast(ref s, set, in v)))
             {
                 _contact.BeginSqueeze(ref s, set[bearer].Collider, ref run);
                 return true;
@@ -112,12 +112,9 @@ internal sealed partial class ContactSetParts
                 MotionRates there = Free(in s, s.Time + h, in end, h);
                 v = from.Velocity + ((0.5 * h) * (start.Acceleration + there.Acceleration));
                 w = from.Spin + ((0.5 * h) * (start.SpinAcceleration + there.SpinAcceleration));
-                double most = v.Length;
-                if (!ContactSolver.Solve(set, _world.Ball, h, ref v, ref w))
-                {
-                    Settle(set, h, most, ref v);
-                }
-
+                var unheld = new Motion(from.Position, in v, in w);
+                solved = ContactSolver.Solve(set, _world.Ball, h, ref v, ref w);
+                SolvedSet.Correct(set, _world.Ball, h, solved, in unheld, ref v, ref w);
                 run.Log.Evaluations++;
             }
 
@@ -148,6 +145,7 @@ internal sealed partial class ContactSetParts
             // A straight path leaves a curved surface, so project the ball back onto its contacts. The projection may also enter nets and goals.
             Vector3d moved = s.Position;
             Hold(ref s, set);
+            SolvedSet.PayForLift(ref s, set, _world.Ball, _around.Weight, in moved);
             _displacement.Follow(ref s, in moved, ref run);
             _shown.Show(in at0, in s, at0.Velocity, s.Velocity, set, ref run);
             Name(ref s, set, ref named, ref run);
@@ -251,7 +249,7 @@ internal sealed partial class ContactSetParts
 
         int evaluations = 0;
         var held = new Motion(s.Position, _world.CarrierOf(in still).MaterialVelocity(s.Position, s.Time), Vector3d.Zero);
-        bool rests = set.Length > ContactSystem.Most ? !Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
+        bool rests = set.Length > ContactSystem.Most ? !SolvedSet.Moves(set) && ContactSolver.Holds(set, _world, in free, Part, ContactTolerances.Standstill)
             : ContactModes.HoldAtRest(_around, set, in still, in held, _jump.OnSurface(DragBranch.Unknown, in held), Vector3d.Zero, ref evaluations);
         run.Log.Evaluations += evaluations;
         if (rests)
@@ -324,19 +322,5 @@ internal sealed partial class ContactSetParts
         int before = set.Length;
         set = ContactSet.LeaveOut(set);
         log.LeftOut += before - set.Length;
-    }
-
-    /// <summary>True if a contact surface is in motion.</summary>
-    private static bool Moves(Span<Contact> set)
-    {
-        foreach (ref readonly Contact contact in set)
-        {
-            if (contact.Moves && contact.Velocity != Vector3d.Zero)
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 }

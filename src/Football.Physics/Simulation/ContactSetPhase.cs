@@ -29,10 +29,6 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     /// <summary>Maximum rotation of a normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
-    /// <summary>Maximum rotation of a normal per piece, as a share of the sine between two loaded normals.</summary>
-    /// <remarks>The loads of nearly opposite contacts are as large as this sine is small, and change as fast.</remarks>
-    private const double LargestShareOfWedge = 0.25;
-
     /// <summary>Maximum number of slide and roll events per step.</summary>
     private const int MostNames = 2;
 
@@ -108,14 +104,14 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
     {
         double* starts = stackalloc double[SetMargin<TMethod>.Most];
         Integrate(in s, in piece, starts, out MotionSweep<ContactSystem, TMethod> sweep);
-        if (!SetWedge.IsFinite(sweep.EndMotion))
+        if (!SetGuard.IsFinite(sweep.EndMotion))
         {
             run.Log.Evaluations += sweep.Evaluations;
             return _parts.Take(ref s, ref run);
         }
 
         Shorten(ref sweep, ref s, ref run, set, starts, ref piece);
-        if (SetWedge.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length))
+        if (SetGuard.Overshoots(_around, in s, in piece.System, in piece.From, sweep.EndMotion, sweep.Length, default(TMethod).Order))
         {
             s.Branch = piece.System.Branch;
             return _parts.Take(ref s, ref run);
@@ -380,8 +376,7 @@ internal sealed unsafe class ContactSetPhase<TIntegrator>
 
         double h = _limit.PartOf(
             ref _around.Air, asked, (from.Velocity - _around.Wind).Length, from.Spin.Length, s.Branch, ref run.Spirals, damping, gain);
-        double turn = turning > 0 ? Math.Min(LargestTurn, LargestShareOfWedge * SetWedge.Sharpest(in system)) : LargestTurn;
-        h = turning * h > turn ? turn / turning : h;
+        h = turning * h > LargestTurn ? LargestTurn / turning : h;
         h = Math.Min(h, _nets.LongestPiece(in s, h));
         run.Keep(h, asked);
         return ShortenForSlips(in system, in from, h, run.Length);
@@ -452,7 +447,7 @@ internal struct SetPiece
     /// <summary>True if the piece ends at a contact.</summary>
     public bool Meets;
 
-    /// <summary>That contact.</summary>
+    /// <summary>The contact at its end, if it meets one.</summary>
     public Separation Met;
 }
 

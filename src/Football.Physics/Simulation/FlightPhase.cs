@@ -356,7 +356,7 @@ internal struct FlightEnd
     /// <summary>True if the piece ends at a contact.</summary>
     public bool Meets;
 
-    /// <summary>That contact.</summary>
+    /// <summary>The contact at its end, if it meets one.</summary>
     public Separation Met;
 }
 

@@ -22,7 +22,7 @@ internal sealed partial class WorldContact
         Span<Contact> set = ContactSet.Near(_world, in s, ContactTolerances.Touching, room, _world.Room);
         Vector3d v = s.Velocity;
         Vector3d w = s.Spin;
-        double most = v.Length;
+        var before = new Motion(s.Position, in v, in w);
         bool solved = ContactSolver.Solve(set, _world.Ball, 0, ref v, ref w, closing: ContactTolerances.Approaching) && run.Untold++ < MostUntold;
 
         // If no impulses stop all contacts from closing, or if this happens repeatedly, the ball is squeezed. Only moving objects can squeeze it.
@@ -32,11 +32,7 @@ internal sealed partial class WorldContact
             return;
         }
 
-        if (!solved)
-        {
-            ContactSetParts.Settle(set, 0, most, ref v);
-        }
-
+        SolvedSet.Correct(set, _world.Ball, 0, solved, in before, ref v, ref w);
         s.Velocity = v;
         s.SetGroundSpin(in w);
 

@@ -2,42 +2,24 @@ using FootballPhysics.Contacts;
 
 namespace FootballPhysics.Simulation;
 
-/// <summary>A ball in a wedge of two contacts: as the normals become opposite, the loads grow, and a piece can gain energy.</summary>
-internal static unsafe class SetWedge
+/// <summary>Guards the pieces on several contacts: as two normals become parallel, the loads grow, and a piece can gain energy.</summary>
+internal static unsafe class SetGuard
 {
     /// <summary>The largest change of the speed within a piece, in units of a surface's speed. A faster squeeze takes the parts of <see cref="ContactSetParts"/>.</summary>
     private const double MostBySurface = 2;
-
-    /// <summary>Returns the smallest sine of the angle between two loaded normals on opposite sides of the ball; 1 if there are none.</summary>
-    public static double Sharpest(in ContactSystem system)
-    {
-        double least = 1;
-        for (int i = 0; i < system.Count; i++)
-        {
-            for (int j = 0; j < i; j++)
-            {
-                ref readonly SetContact one = ref system.Contacts[i];
-                ref readonly SetContact other = ref system.Contacts[j];
-                bool opposes = one.Bears && other.Bears && Vector3d.Dot(in one.Normal, in other.Normal) < 0;
-                least = opposes ? Math.Min(least, Vector3d.Cross(in one.Normal, in other.Normal).Length) : least;
-            }
-        }
-
-        return least;
-    }
 
     /// <summary>False if the loads grew without bound within the piece.</summary>
     public static bool IsFinite(in Motion end) => end.Velocity.LengthSquared + end.Spin.LengthSquared < double.PositiveInfinity;
 
     /// <summary>True if a piece ends with more energy than it began with and its forces gave.</summary>
     /// <remarks>The loads of nearly parallel contacts, and their friction, then changed faster than the integrator can follow.</remarks>
-    public static bool Overshoots(Surroundings around, in BallState s, in ContactSystem system, in Motion from, in Motion end, double h)
+    public static bool Overshoots(Surroundings around, in BallState s, in ContactSystem system, in Motion from, in Motion end, double h, int order)
     {
-        // ½ |v|² + ½ α r² |ω|², the work of the weight, and the error of the explicit Euler method, ½ |a|² h².
+        // ½ |v|² + ½ α r² |ω|², the work of the weight, and the error of a method of first order, ½ |a|² h².
         double turning = around.World.Ball.InertiaFactor * around.Radius * around.Radius;
         double before = 0.5 * (from.Velocity.LengthSquared + (turning * from.Spin.LengthSquared));
         double after = 0.5 * (end.Velocity.LengthSquared + (turning * end.Spin.LengthSquared));
-        double given = Vector3d.Dot(around.Weight, end.Position - from.Position) + (0.5 * h * h * around.Weight.LengthSquared);
+        double given = Vector3d.Dot(around.Weight, end.Position - from.Position) + (order > 1 ? 0 : 0.5 * h * h * around.Weight.LengthSquared);
         double gained = after - (before * (1.0 + ContactTolerances.PieceEnergy)) - given;
         if (gained <= 0)
         {
