@@ -8,7 +8,8 @@ using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 // Counts the code of the library that runs in a step: files, methods, lines of these methods, calls, and changes of file and folder.
-//   dotnet run -c Release --project tests/Passes [-- --list]
+//   dotnet run -c Release --project tests/Passes [-- --list|--methods]
+// --list prints the files of a step. --methods prints its methods, each with its lines and its calls.
 // Each method of the sources is compiled with a mark, and each play is played twice: code that runs only in the first one initialises something.
 // Numerics and State do not count as folders.
 string library = LibrarySources.Folder;
@@ -20,10 +21,11 @@ if (Environment.GetEnvironmentVariable("FOOTBALL_MARKED") != "1")
 }
 
 Type marks = typeof(Simulator).Assembly.GetType("Passed")!;
-var passed = (bool[])marks.GetField("Methods")!.GetValue(null)!;
+var passed = (int[])marks.GetField("Methods")!.GetValue(null)!;
 var counts = (int[])marks.GetField("Counts")!.GetValue(null)!;
 Method[] methods = JsonSerializer.Deserialize<Method[]>(File.ReadAllText(Path.Combine(work, "methods.json")))!;
 bool lists = args.Contains("--list");
+bool namesMethods = args.Contains("--methods");
 
 var onGround = new Vector3d(0, 0.11, 0);
 Tell("flight", 0.5, simulator => simulator.Launch(new Vector3d(0, 2, 0), new Vector3d(20, 8, 3), new Vector3d(0, 40, -10)), new Scene());
@@ -43,13 +45,14 @@ void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene 
 {
     var simulator = new Simulator(scene);
     string[] most = [];
+    string[] calls = [];
     int lines = 0;
     string counted = "";
     string met = "";
     Play();
     Play();
     Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what,-14} {most.Length,3} files, {counted}   {met}"));
-    foreach (string name in lists ? most : [])
+    foreach (string name in namesMethods ? calls : lists ? most : [])
     {
         Console.WriteLine("    " + name);
     }
@@ -66,11 +69,12 @@ void Tell(string what, double seconds, Func<Simulator, BallState> launch, Scene 
             Array.Clear(passed);
             Array.Clear(counts);
             simulator.Step(ref ball, 0.01, log);
-            Method[] ran = Enumerable.Range(0, methods.Length).Where(i => passed[i]).Select(i => methods[i]).ToArray();
+            Method[] ran = Enumerable.Range(0, methods.Length).Where(i => passed[i] > 0).Select(i => methods[i]).ToArray();
             if (ran.Sum(method => method.Lines) > lines)
             {
                 lines = ran.Sum(method => method.Lines);
                 most = ran.Select(method => Path.GetRelativePath(library, files[method.File])).Distinct().Order(StringComparer.Ordinal).ToArray();
+                calls = Enumerable.Range(0, methods.Length).Where(i => passed[i] > 0).Select(i => $"{Path.GetRelativePath(library, files[methods[i].File])} {methods[i].Name}: {methods[i].Lines} lines, {passed[i]} calls").ToArray();
                 counted = string.Create(CultureInfo.InvariantCulture, $"{ran.Length,3} methods, {lines,4} lines, {counts[0],6} calls, {counts[1],5} changes of file, {counts[2],4} of folder");
                 met = string.Create(CultureInfo.InvariantCulture, $"step from {from:0.00} s")
                     + string.Concat(log.Events.Span.ToArray().Select(happened => $", {happened.Kind} {simulator.NameOf(happened.ColliderIndex)}".TrimEnd()));
@@ -92,7 +96,7 @@ bool Compile()
     trees.Add(CSharpSyntaxTree.ParseText($$"""
         public static class Passed
         {
-            public static readonly bool[] Methods = new bool[{{found.Count}}];
+            public static readonly int[] Methods = new int[{{found.Count}}];
             public static readonly int[] Counts = new int[3];
             private static readonly int[] FileOf = { {{fileOf}} };
             private static readonly int[] FolderOf = { {{folderOf}} };
@@ -101,7 +105,7 @@ bool Compile()
 
             public static void At(int method)
             {
-                Methods[method] = true;
+                Methods[method]++;
                 Counts[0]++;
                 Counts[1] += FileOf[method] != file ? 1 : 0;
                 Counts[2] += FolderOf[method] >= 0 && FolderOf[method] != folder ? 1 : 0;
@@ -141,12 +145,28 @@ int Again()
     return process.ExitCode;
 }
 
-/// <summary>A method, by the index of its file and its number of lines.</summary>
-internal sealed record Method(int File, int Lines);
+/// <summary>A method, by the index of its file, its number of lines and its name.</summary>
+internal sealed record Method(int File, int Lines, string Name);
 
 /// <summary>Inserts a mark at the start of each body. The rest of the text, with its directives, stays.</summary>
 internal static class Marker
 {
+    /// <summary>Returns the name of the type and of the method, property or operator.</summary>
+    private static string NameOf(SyntaxNode node)
+    {
+        string type = node.FirstAncestorOrSelf<TypeDeclarationSyntax>()!.Identifier.Text;
+        SyntaxNode member = node is AccessorDeclarationSyntax ? node.Parent!.Parent! : node;
+        string name = member switch
+        {
+            MethodDeclarationSyntax method => method.Identifier.Text,
+            PropertyDeclarationSyntax property => property.Identifier.Text,
+            ConstructorDeclarationSyntax => "new",
+            OperatorDeclarationSyntax operation => operation.OperatorToken.Text,
+            _ => member.Kind().ToString(),
+        };
+        return $"{type}.{name}";
+    }
+
     public static string Marked(string text, SyntaxNode root, int file, List<Method> methods)
     {
         var changes = new List<(int From, int To, string With)>();
@@ -179,7 +199,7 @@ internal static class Marker
             if (changes.Count > marked)
             {
                 FileLinePositionSpan span = node.SyntaxTree.GetLineSpan(node.Span);
-                methods.Add(new Method(file, span.EndLinePosition.Line - span.StartLinePosition.Line + 1));
+                methods.Add(new Method(file, span.EndLinePosition.Line - span.StartLinePosition.Line + 1, NameOf(node)));
             }
 
             void Replace(ArrowExpressionClauseSyntax body, SyntaxToken end, bool returns, string accessor)
