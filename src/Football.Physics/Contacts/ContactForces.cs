@@ -95,23 +95,7 @@ internal static unsafe class ContactForces
             HoldSpin(ref system, in spin, ref w, rows, size);
         }
 
-        // Compute how the eliminated contact responds to the free motion, and to a unit of each other force.
-        ForceRow own = default;
-        if (stuck >= 0)
-        {
-            ref readonly SetContact contact = ref system.Contacts[stuck];
-            double r = system.World.Ball.Radius;
-            double alpha = system.World.Ball.InertiaFactor;
-            SetLoad(in system, stuck, ref own);
-            var elimination = new StickElimination(in contact.Normal, in own, r, alpha);
-            elimination.Respond(own.Asked, contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin)), ref a, ref w, out own.OwnLoad, out own.OwnFriction);
-            for (int i = 0; i < size; i++)
-            {
-                ref ForceRow row = ref rows[i];
-                elimination.Respond(0, Vector3d.Zero, ref row.PushV, ref row.PushW, out row.OwnLoad, out row.OwnFriction);
-            }
-        }
-
+        ForceRow own = stuck >= 0 ? Respond(in system, stuck, in spin, ref a, ref w, rows, size) : default;
         double* x = stackalloc double[ContactRows.Most];
         double* z = stackalloc double[ContactRows.Most];
         if (!SolveRows(rows, x, z, size, in a, in w, in system, stuck, pair, pairRow))
@@ -148,6 +132,24 @@ internal static unsafe class ContactForces
         return true;
     }
 
+    /// <summary>Computes how the eliminated contact responds to the free motion, and to a unit of each other force.</summary>
+    /// <returns>Its response to the free motion.</returns>
+    private static ForceRow Respond(in ContactSystem system, int stuck, in Vector3d spin, ref Vector3d acceleration, ref Vector3d spinAcceleration, ForceRow* rows, int size)
+    {
+        ref readonly SetContact contact = ref system.Contacts[stuck];
+        double r = system.World.Ball.Radius;
+        SetLoad(in system, stuck, out ForceRow own);
+        var elimination = new StickElimination(in contact.Normal, in own, r, system.World.Ball.InertiaFactor);
+        elimination.Respond(own.Asked, Asked(in contact, r, in spin), ref acceleration, ref spinAcceleration, out own.OwnLoad, out own.OwnFriction);
+        for (int i = 0; i < size; i++)
+        {
+            ref ForceRow row = ref rows[i];
+            elimination.Respond(0, Vector3d.Zero, ref row.PushV, ref row.PushW, out row.OwnLoad, out row.OwnFriction);
+        }
+
+        return own;
+    }
+
     /// <summary>Solves G x = b for the forces that remain after elimination.</summary>
     /// <returns>False if the solution is not unique.</returns>
     [SkipLocalsInit]
@@ -162,11 +164,7 @@ internal static unsafe class ContactForces
         }
 
         // If two contacts stick, their conditions along the line between the contact points are the same.
-        for (int i = 0; i < size; i++)
-        {
-            z[i] = 0;
-        }
-
+        new Span<double>(z, size).Clear();
         SetLine(in system.Contacts[pair], in system.Contacts[stuck], z + pairRow);
         return ContactRows.SolveBraced(g, x, z, size);
     }
@@ -306,16 +304,8 @@ internal static unsafe class ContactForces
     {
         double* z = stackalloc double[ContactRows.Most];
         double* copy = stackalloc double[ContactRows.Most * ContactRows.Most];
-        for (int i = 0; i < size; i++)
-        {
-            z[i] = 0;
-        }
-
-        for (int i = 0; i < size * size; i++)
-        {
-            copy[i] = g[i];
-        }
-
+        new Span<double>(z, size).Clear();
+        new Span<double>(g, size * size).CopyTo(new Span<double>(copy, size * size));
         SetLine(in first, in second, z + firstRow);
         SetLine(in second, in first, z + secondRow);
         if (!ContactRows.SolveBraced(copy, b, z, size))
@@ -374,7 +364,7 @@ internal static unsafe class ContactForces
     private static int SetRows(in ContactSystem system, int index, in Vector3d spin, ForceRow* rows)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
-        SetLoad(in system, index, ref rows[0]);
+        SetLoad(in system, index, out rows[0]);
         if (!contact.Sticks)
         {
             return 1;
@@ -382,23 +372,17 @@ internal static unsafe class ContactForces
 
         double r = system.World.Ball.Radius;
         double perTurn = 1.0 / (system.World.Ball.InertiaFactor * r);
-        Vector3d asked = contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
-        SetStick(ref rows[1], in contact.Normal, in contact.First, r, perTurn, in asked);
-        SetStick(ref rows[2], in contact.Normal, in contact.Second, r, perTurn, in asked);
+        Vector3d asked = Asked(in contact, r, in spin);
+        rows[1] = Stick(in contact.Normal, in contact.First, r, perTurn, in asked);
+        rows[2] = Stick(in contact.Normal, in contact.Second, r, perTurn, in asked);
         return 3;
     }
 
     /// <summary>Sets the row of a load: n·v̇ = −(qᵀHq − A_s·n). If the contact slips, its friction is included.</summary>
-    private static void SetLoad(in ContactSystem system, int index, ref ForceRow row)
+    private static void SetLoad(in ContactSystem system, int index, out ForceRow row)
     {
         ref readonly SetContact contact = ref system.Contacts[index];
-        row.AlongV = contact.Normal;
-        row.AlongW = default;
-        row.Asked = -contact.Centripetal;
-        row.PushV = contact.Normal;
-        row.PushW = default;
-        row.Held = 0;
-        row.HeldSpin = 0;
+        row = new ForceRow { AlongV = contact.Normal, Asked = -contact.Centripetal, PushV = contact.Normal };
         if (!contact.Sticks)
         {
             Vector3d direction = contact.SlipDirection;
@@ -430,18 +414,19 @@ internal static unsafe class ContactForces
         load.PushW -= share / system.World.Ball.Radius * Vector3d.Cross(in contact.Normal, in direction);
     }
 
-    /// <summary>Sets the row of a friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω).</summary>
+    /// <summary>Returns the row of a friction component t: t·(v̇ + r n × ω̇) = t·(A − r ṅ × ω).</summary>
     /// <remarks>A force t changes the spin by −n × t/(α r).</remarks>
-    private static void SetStick(ref ForceRow row, in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked)
+    private static ForceRow Stick(in Vector3d normal, in Vector3d along, double r, double perTurn, in Vector3d asked) => new()
     {
-        row.AlongV = along;
-        row.AlongW = r * Vector3d.Cross(in along, in normal);
-        row.Asked = Vector3d.Dot(in asked, in along);
-        row.PushV = along;
-        row.PushW = -perTurn * Vector3d.Cross(in normal, in along);
-        row.Held = 0;
-        row.HeldSpin = 0;
-    }
+        AlongV = along,
+        AlongW = r * Vector3d.Cross(in along, in normal),
+        Asked = Vector3d.Dot(in asked, in along),
+        PushV = along,
+        PushW = -perTurn * Vector3d.Cross(in normal, in along),
+    };
+
+    /// <summary>Returns the slip rate that keeps a contact without slip, A − r ṅ × ω.</summary>
+    private static Vector3d Asked(in SetContact contact, double r, in Vector3d spin) => contact.SurfaceRate - (r * Vector3d.Cross(in contact.Turning, in spin));
 
     /// <summary>The unit force that two sticking contacts exert against each other along the line between the contact points: n₁ − n₂, at the first contact.</summary>
     private static void SetLine(in SetContact contact, in SetContact other, double* into)
