@@ -266,13 +266,7 @@ public sealed partial class FixedStepRunner
         double time = _group is null ? 0 : Time;
         _simulator.World.Bodies?.MoveClock(Time, time, isNew: true);
         BallState placed = Ball.AtRest(SimulatorOf(ball), in position, time);
-
-        for (int i = Kicks.FirstAt(Tick); i < Kicks.Count;)
-        {
-            KickInput kick = Kicks[i];
-            i += kick.Ball == ball && Kicks.Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
-        }
-
+        Kicks.RemoveFrom(Tick, ball);
         Array.Copy(_states, _before, _states.Length);
         _before[ball] = placed;
         GoTo(Tick, _before);
@@ -394,7 +388,7 @@ public sealed partial class FixedStepRunner
         try
         {
             // 1. Position the bodies for this tick. 2. Apply its kicks. 3. Step.
-            MoveBodiesTo(world);
+            _recorder.MoveBodies(this, world);
             for (int i = Kicks.FirstAt(Tick); i < Kicks.Count && Kicks[i].Tick == Tick; i++)
             {
                 ref readonly KickInput kick = ref Kicks[i];
@@ -438,30 +432,6 @@ public sealed partial class FixedStepRunner
         }
 
         ForgetKicks();
-    }
-
-    /// <summary>Positions the bodies for this tick, and stores the positions for rollback and recording.</summary>
-    private void MoveBodiesTo(World world)
-    {
-        // Prefer MoveBodies, because it can also position the bodies when ticks are resimulated.
-        if (MoveBodies is { } move)
-        {
-            move(Time);
-            world.Engine?.ForgetPushes();
-        }
-        else if (world.Bodies is { } bodies)
-        {
-            Script?.Apply(Tick, bodies);
-            History?.PutBodies(Tick, bodies);
-        }
-
-        // Store the final positions, because a resimulation must use exactly the positions of this step.
-        if (world.Bodies is { } moved)
-        {
-            History?.KeepBodies(Tick, moved);
-        }
-
-        _recorder.AddBodies(Tick, world);
     }
 
     /// <summary>Removes kicks that can no longer be resimulated.</summary>

@@ -82,6 +82,16 @@ public sealed class KickLog
         }
     }
 
+    /// <summary>Removes the kicks of one ball at or after a tick.</summary>
+    internal void RemoveFrom(long tick, int ball)
+    {
+        for (int i = FirstAt(tick); i < Count;)
+        {
+            KickInput kick = _kicks.At(i);
+            i += kick.Ball == ball && Remove(kick.Tick, kick.Player, ball) ? 0 : 1;
+        }
+    }
+
     /// <summary>Returns the index of the first kick at or after a tick; <see cref="Count"/> if there is none.</summary>
     /// <param name="tick">The tick.</param>
     public int FirstAt(long tick) => _kicks.CountBefore(tick, 0, 0);

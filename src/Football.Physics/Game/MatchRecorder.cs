@@ -2,7 +2,7 @@ using FootballPhysics.Contacts;
 
 namespace FootballPhysics.Game;
 
-/// <summary>The recorder of a runner: adds every step to the current recording, and ends a recording that no longer applies.</summary>
+/// <summary>The recorder of a runner: positions the bodies, adds every step to the current recording, and ends a recording that no longer applies.</summary>
 internal sealed class MatchRecorder
 {
     /// <summary>The current recording; null if nothing is recorded.</summary>
@@ -30,11 +30,27 @@ internal sealed class MatchRecorder
         }
     }
 
-    /// <summary>Adds the positions of the bodies for a tick, and notes whether engine colliders move.</summary>
-    public void AddBodies(long tick, World world)
+    /// <summary>Positions the bodies for the current tick of a runner, stores their positions, and notes whether engine colliders move.</summary>
+    public void MoveBodies(FixedStepRunner runner, World world)
     {
-        if (world.Bodies is { } bodies)
+        // Prefer the callback, because it can also position the bodies when ticks are resimulated.
+        long tick = runner.Tick;
+        KinematicBodies? bodies = world.Bodies;
+        if (runner.MoveBodies is { } move)
         {
+            move(runner.Time);
+            world.Engine?.ForgetPushes();
+        }
+        else if (bodies is not null)
+        {
+            runner.Script?.Apply(tick, bodies);
+            runner.History?.PutBodies(tick, bodies);
+        }
+
+        // Store the final positions, because a resimulation must use exactly the positions of this step.
+        if (bodies is not null)
+        {
+            runner.History?.KeepBodies(tick, bodies);
             Recording?.Bodies.Record(tick, bodies);
         }
 
