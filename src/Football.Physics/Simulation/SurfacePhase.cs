@@ -25,9 +25,6 @@ internal sealed class SurfacePhase<TIntegrator>
     /// <summary>After this many pieces, the step no longer shortens pieces to follow a turning slip: it would gain no accuracy.</summary>
     private const int ManyPieces = 32;
 
-    /// <summary>Maximum number of iterations that move a ball onto a second surface.</summary>
-    private const int MostPuts = 16;
-
     /// <summary>Maximum rotation of the normal per piece, rad.</summary>
     private const double LargestTurn = 0.05;
 
@@ -48,14 +45,13 @@ internal sealed class SurfacePhase<TIntegrator>
     private readonly NetGuard _nets;
     private readonly SlideEnd _slideEnd;
     private readonly bool _endsSlipExactly;
-    private readonly bool _isFlat;
+    private readonly SurfaceHold _hold;
 
     public SurfacePhase(
         Scene scene, SolverSettings settings, Surroundings around, in StabilityLimit limit, DragJumpGuard jump, WorldGuard guard, WorldContact contact,
         ContactSetPhase<TIntegrator> set)
     {
         _around = around;
-        _isFlat = scene.Ground.Heights is null;
         _endsSlipExactly = settings.RollingTransition == RollingTransition.Exact;
         _world = around.World;
         _limit = limit;
@@ -64,6 +60,7 @@ internal sealed class SurfacePhase<TIntegrator>
         _contact = contact;
         _set = set;
         _nets = new NetGuard(_world);
+        _hold = new SurfaceHold(scene, around);
         _slideEnd = new SlideEnd(around, jump, default(TIntegrator).Order);
     }
 
@@ -284,7 +281,7 @@ internal sealed class SurfacePhase<TIntegrator>
         before.Branch = piece.System.Branch;
         sweep.MoveTo(ref s);
         run.Advance(ref s, sweep.Length);
-        Hold(ref s, in piece.System, piece.Meets && piece.Met.What == SeparationKind.Contact ? piece.Met.Index : -1);
+        _hold.Hold(ref s, in piece.System, piece.Meets && piece.Met.What == SeparationKind.Contact ? piece.Met.Index : -1);
         if (piece.OverEdge && run.Log.IsWatched)
         {
             // Beyond the edge the forces differ: extrapolate the acceleration at the end instead of evaluating it there.
@@ -346,7 +343,7 @@ internal sealed class SurfacePhase<TIntegrator>
         s.Velocity = stop.End.Velocity;
         s.SpinAxis = stop.End.Spin;
         run.Advance(ref s, stop.Time);
-        Hold(ref s, in piece.System, -1);
+        _hold.Hold(ref s, in piece.System, -1);
         if (run.Log.IsWatched)
         {
             Vector3d acceleration = stop.Start - (piece.System.SlidingFriction(in piece.On) * piece.System.Direction);
@@ -382,63 +379,6 @@ internal sealed class SurfacePhase<TIntegrator>
         h = SurfaceBorder.LongestPiece(carrier, on.Velocity.Length, h);
         run.Keep(h, asked);
         return h;
-    }
-
-    /// <summary>Projects the ball onto all surfaces that it touches, to remove the integrator's error.</summary>
-    private void Hold(ref BallState s, in SurfaceSystem system, int met)
-    {
-        // Just beyond the edge of a flat face, the ball is still on the plane of that face.
-        bool beyond = system.IsFace && system.Carrier.FaceMargin(s.Position, s.Time) <= 0;
-        Vector3d n = beyond ? system.FaceNormal : _world.Hold(ref s, system.Carrier);
-        if (met < 0 && !_world.IsPlaneAlone)
-        {
-            // The projection may have pushed the ball into a surface that it was leaving or touched without load.
-            met = NearThings.Deepest(_world, in s, out _);
-        }
-
-        if (met >= 0)
-        {
-            n = PutOnto(ref s, system.Carrier, met);
-        }
-
-        Vector3d spin = s.SpinAxis;
-        double about = Vector3d.Dot(in spin, in n);
-        double carried = Vector3d.Dot(system.Carrier.Spin, in n);
-
-        // Friction, damping and decay end the spin about the normal relative to the carrier, but never reverse it.
-        bool brakesAlone = system.Material.DrillingLength > 0 || (!_around.Air.Varies && _isFlat && system.Carrier == _world.Ground);
-        double kept = system.AboutCarrier(in system.StartSpin, in n) * (about - carried) < 0 && brakesAlone ? carried : about;
-        Vector3d surface = _world.SurfaceVelocity(system.Carrier, s.Position, in n, s.Time);
-        s.SpinAxis = system.Rolls ? Slip.RollingSpin(s.Velocity - surface, kept, in n, _around.Radius)
-            : kept == about ? spin : spin - ((about - kept) * n);
-    }
-
-    /// <summary>Moves the ball along its carrier onto a second surface that it touches, and iterates if the surfaces are curved.</summary>
-    /// <remarks>
-    /// A flush surface, with a nearly equal normal, is skipped: it becomes the next carrier instead.
-    /// </remarks>
-    /// <returns>The carrier's normal at the new position.</returns>
-    private Vector3d PutOnto(ref BallState s, Collider carrier, int collider)
-    {
-        Vector3d n = carrier.At(s.Position, s.Time).Normal;
-
-        // Use Newton's method along the carrier, by −gap n_t/|n_t|², then project back onto the carrier.
-        for (int i = 0; i < MostPuts; i++)
-        {
-            ShapePoint at = _world.Colliders[collider].At(s.Position, s.Time);
-            Vector3d along = SurfaceSystem.Tangential(at.Normal, in n);
-            double gap = at.Distance - _around.Radius;
-            double share = along.LengthSquared;
-            if (!(Math.Abs(gap) > ContactTolerances.ClosedGap) || !(share > 2.0 * ContactTolerances.SameNormal))
-            {
-                break;
-            }
-
-            s.Position -= gap / share * along;
-            n = _world.Hold(ref s, carrier);
-        }
-
-        return n;
     }
 
     private SurfaceSystem System(in BallState s, in Motion from, bool rolls)
