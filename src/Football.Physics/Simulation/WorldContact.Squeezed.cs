@@ -94,7 +94,7 @@ internal sealed partial class WorldContact
 
     /// <summary>Records a contact with a moving object that may accelerate the ball to a given speed, m/s.</summary>
     /// <returns>True if another contact with a mover was recorded recently.</returns>
-    private static bool Touches(ref BallState s, double fastest)
+    public static bool Touches(ref BallState s, double fastest)
     {
         bool again = s.Time < s.SqueezeUntil;
         s.SqueezeSpeed = Math.Max(again ? s.SqueezeSpeed : s.Velocity.Length, fastest);

@@ -13,7 +13,7 @@ internal sealed partial class WorldContact
 
     private readonly World _world;
     private readonly ContactLoad _load;
-    private readonly bool _gainsByHops;
+    private readonly ImpactResult _result;
 
     /// <param name="around">The forces on the ball.</param>
     /// <param name="gainsByHops">Whether the integrator returns from a hop faster than it left.</param>
@@ -21,7 +21,7 @@ internal sealed partial class WorldContact
     {
         _world = around.World;
         _load = new ContactLoad(around);
-        _gainsByHops = gainsByHops;
+        _result = new ImpactResult(_world, _load, gainsByHops);
     }
 
     /// <summary>Computes the load of the ball on a surface that it touches.</summary>
@@ -48,8 +48,8 @@ internal sealed partial class WorldContact
         }
 
         // The separation speed determines the motion state.
-        Outcome end = Strike(ref s, hit, ref run);
-        Tell(ref s, hit, collider + _world.FirstCollider, in end, ref run);
+        ImpactOutcome end = _result.Of(ref s, hit, ref run);
+        _result.Tell(ref s, hit, collider + _world.FirstCollider, in end, ref run);
 
         // The velocity has jumped, so choose the branch of the drag law again.
         s.Branch = DragBranch.Unknown;
@@ -77,90 +77,6 @@ internal sealed partial class WorldContact
         {
             Stay(ref s, collider + _world.FirstCollider, in end.Velocity, in end.Spin, ref run);
         }
-    }
-
-    /// <summary>Computes the impulse of an impact, relative to the surface velocity at the contact point, and whether the ball bounces.</summary>
-    private Outcome Strike(ref BallState s, Collider hit, ref StepRun run)
-    {
-        ShapePoint at = hit.At(s.Position, s.Time);
-        Vector3d n = at.Normal;
-        Vector3d v = s.Velocity;
-        Vector3d w = s.Spin;
-        Vector3d contact = s.Position - (_world.Ball.Radius * n);
-        Vector3d surface = hit.SpinVelocity(in contact, s.Time);
-        Vector3d shape = hit.ShapeVelocity(in contact, s.Time);
-        double recoil = hit.GivesWay ? _world.Ball.Mass / hit.Mass : 0;
-        ref readonly ContactMaterial material = ref hit.MaterialAt(s.Position);
-        ImpactLaw.Apply(_world.Ball, in material, in n, in surface, in v, in w, out Vector3d velocity, out Vector3d spin, recoil);
-
-        // After quick successive hits by movers, limit the speed to the fastest mover's speed: rapid hits must not add energy.
-        if (hit.Moves)
-        {
-            double restitution = material.LargestRestitutionAt(Vector3d.Dot(surface - v, in n));
-            bool again = Touches(ref s, ((1.0 + restitution) * surface.Length) + material.MinimumExitSpeed);
-            double fastest = Math.Max(s.SqueezeSpeed, v.Length);
-            if (again && velocity.Length > fastest)
-            {
-                ImpactLaw.ApplySoftened(_world.Ball, in material, in n, in surface, in v, in w, recoil, fastest, out velocity, out spin);
-            }
-        }
-
-        // The separation speed is w = (v' − V')·n. An object with a mass recoils to V' = V − (m/M)(v' − v).
-        bool may = run.Hit();
-        double off = Vector3d.Dot(velocity - shape + (recoil * (velocity - v)), in n);
-        if (_gainsByHops && off > 0 && !hit.IsLevelGround)
-        {
-            // Subtract the speed that the integrator will add in the hop. On level ground, the pieces of a hop are short enough to prevent this gain.
-            double gain = Math.Min(off, _load.GainOfHop(in s, off, velocity - (off * n), in spin, hit, in at, run.Length));
-            off -= gain;
-            velocity -= gain / (1.0 + recoil) * n;
-        }
-
-        bool bounces = may && !_load.StaysAfter(in s, off, velocity - (off * n), in spin, hit, in at);
-        if (!bounces && hit.GivesWay)
-        {
-            // A ball that stays on an object with a mass has an impact with e = 0, which conserves momentum.
-            ContactMaterial dead = material.WithoutRestitution();
-            ImpactLaw.Apply(_world.Ball, in dead, in n, in surface, in v, in w, out velocity, out spin, recoil);
-            off = 0;
-        }
-
-        double added = bounces ? ImpactLaw.Added(_world.Ball, in material, recoil, Vector3d.Dot(v - surface, in n), Vector3d.Dot(velocity - surface + (recoil * (velocity - v)), in n)) : 0;
-        return new Outcome
-        {
-            Normal = n,
-            Closing = Vector3d.Dot(surface - v, in n),
-            Struck = velocity,
-            Velocity = bounces && off > 0 ? velocity : velocity - (off * n),
-            Spin = spin,
-            Added = added,
-            Bounces = bounces,
-        };
-    }
-
-    /// <summary>Pushes the object, and reports the impact.</summary>
-    private void Tell(ref BallState s, Collider hit, int thing, in Outcome end, ref StepRun run)
-    {
-        // Apply the opposite impulse, m (v − v'), to an object with a mass.
-        if (hit.GivesWay && run.Log.Pushes)
-        {
-            run.Log.Motions?.Read();
-            hit.Push(_world.Ball.Mass * (s.Velocity - end.Velocity), s.Time);
-            run.Log.Pushed = true;
-            run.Log.Halted |= run.Log.HaltsAtPush;
-        }
-
-        // In a crowded step, count slow impacts without reporting them: a ball that trembles in a corner would raise many events.
-        if (run.IsCrowded && end.Closing < _world.MinimumBounceSpeed)
-        {
-            run.Log.UnreportedImpacts++;
-        }
-        else
-        {
-            run.Report(new BallEvent(BallEventKind.Impact, thing, in end.Normal, s.Time, s.Position, s.Velocity, s.Spin, in end.Struck, in end.Spin) { AddedEnergy = end.Added });
-        }
-
-        run.Log.Halted |= run.Log.StopAt == StopAt.Impact;
     }
 
     /// <summary>Makes a surface the carrier without an impact: the ball touches it, presses on it, and does not close on it.</summary>
@@ -455,30 +371,5 @@ internal sealed partial class WorldContact
         s.Motion = MotionState.Airborne;
         s.Carrier = 0;
         s.Branch = DragBranch.Unknown;
-    }
-
-    /// <summary>The outcome of an impact.</summary>
-    private struct Outcome
-    {
-        /// <summary>n.</summary>
-        public Vector3d Normal;
-
-        /// <summary>The speed at which the ball closed, m/s.</summary>
-        public double Closing;
-
-        /// <summary>The velocity that the impulse gives the ball, m/s; the event reports it.</summary>
-        public Vector3d Struck;
-
-        /// <summary>The velocity after, m/s. A ball that stays has lost its remaining separation speed.</summary>
-        public Vector3d Velocity;
-
-        /// <summary>The spin after, rad/s.</summary>
-        public Vector3d Spin;
-
-        /// <summary>The energy that a bumper added, J.</summary>
-        public double Added;
-
-        /// <summary>True if the ball leaves the object.</summary>
-        public bool Bounces;
     }
 }
