@@ -95,8 +95,8 @@ internal readonly struct ContactSearch
         int goals = nets + _world.Nets.Length;
 
         // A net extends beyond its edges by the depth of the ball in another net: expand the search by this depth.
-        int deepest = s.Nets == 0 ? -1 : _world.DeepestNet(in s);
-        double deepestSide = deepest < 0 ? 0 : World.SideOf(s.NetSides, deepest);
+        int deepest = s.Nets == 0 ? -1 : _world.NetForces.Deepest(in s);
+        double deepestSide = deepest < 0 ? 0 : NetSheet.SideOf(s.NetSides, deepest);
         double deep = deepest < 0 ? 0 : _world.Nets[deepest].Depth(s.Position, deepestSide) + (_path.Length * _path.FastestSpeed);
         var near = new NearThings(_world, _bounds.Expanded(_world.Ball.Radius + Math.Max(0, deep)), _time, _path.Length);
         while (near.NextPassage(out int thing))
@@ -139,7 +139,7 @@ internal readonly struct ContactSearch
             if ((s.Nets >> net & 1) != 0)
             {
                 Vector3d place = _world.Nets[net].PlaceInFrame(_path.At(0));
-                Leave(Separation.OfLeavingNet(_world, net, World.SideOf(s.NetSides, net)), ref best, ref first, ref bestThing);
+                Leave(Separation.OfLeavingNet(_world, net, NetSheet.SideOf(s.NetSides, net)), ref best, ref first, ref bestThing);
                 Leave(Separation.OfNetEdge(_world, net, 0, place.X, deepest, deepestSide), ref best, ref first, ref bestThing);
                 Leave(Separation.OfNetEdge(_world, net, 1, place.Y, deepest, deepestSide), ref best, ref first, ref bestThing);
             }

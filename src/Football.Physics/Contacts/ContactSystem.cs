@@ -65,7 +65,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         rates = new MotionRates(in acceleration, in spinAcceleration, airSpeed);
     }
 
-    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
+    public readonly double LongestPart(in Motion at) => World.NetForces.LongestPart(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -110,7 +110,7 @@ internal unsafe struct ContactSystem : IMotionSystem
         acceleration = push + Around.Weight;
         if (Nets != 0)
         {
-            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            MotionRates nets = World.NetForces.Push(Nets, NetSides, in at);
             acceleration += Bearer < 0 ? nets.Acceleration : SurfaceSystem.Tangential(nets.Acceleration, in Contacts[Bearer].Normal);
             spinAcceleration += nets.SpinAcceleration;
         }
@@ -127,7 +127,7 @@ internal unsafe struct ContactSystem : IMotionSystem
 
         Vector3d u = still.Velocity - Around.Wind;
         Around.Air.Evaluate(new ForceContext(time, in still.Position, in still.Velocity, in u, in still.Spin, MotionState.Rolling), Branch, out AirFactors air);
-        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.PushOfNets(Nets, NetSides, in still).Acceleration;
+        Vector3d nets = Nets == 0 ? Vector3d.Zero : World.NetForces.Push(Nets, NetSides, in still).Acceleration;
         return air.Acceleration + Around.Weight + nets;
     }
 }

@@ -30,7 +30,7 @@ internal struct FlightSystem : IMotionSystem
             noSpin.SpinAcceleration + (share * (spinning.SpinAcceleration - noSpin.SpinAcceleration)));
     }
 
-    public readonly double LongestPart(in Motion at) => Around.World.LongestPartInNets(Nets, NetSides, in at);
+    public readonly double LongestPart(in Motion at) => Around.World.NetForces.LongestPart(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -58,7 +58,7 @@ internal struct FlightSystem : IMotionSystem
             return rates;
         }
 
-        MotionRates nets = around.World.PushOfNets(Nets, NetSides, in at);
+        MotionRates nets = around.World.NetForces.Push(Nets, NetSides, in at);
         return new MotionRates(rates.Acceleration + nets.Acceleration, rates.SpinAcceleration + nets.SpinAcceleration, rates.AirSpeed);
     }
 

@@ -56,6 +56,9 @@ internal sealed class NetSheet
     public bool IsAt(NetSheet other) =>
         _center == other._center && Normal == other.Normal && _along == other._along && HalfLength == other.HalfLength && HalfWidth == other.HalfWidth;
 
+    /// <summary>Returns σ of a net.</summary>
+    public static double SideOf(ulong sides, int net) => (sides >> net & 1) != 0 ? 1.0 : -1.0;
+
     /// <summary>Converts a vector to the sheet's axes: along, across, off its plane.</summary>
     public Vector3d InFrame(in Vector3d vector) =>
         new(Vector3d.Dot(in vector, in _along), Vector3d.Dot(in vector, in _across), Vector3d.Dot(in vector, Normal));

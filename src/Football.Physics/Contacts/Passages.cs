@@ -110,7 +110,7 @@ internal static class Passages
     /// <summary>Copies whether the ball is in a net, unless the ball does not reach the net from that side.</summary>
     private static void CopyNet(World world, int from, in BallState before, int net, ref BallState s)
     {
-        bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, World.SideOf(before.NetSides, from)) >= -ContactTolerances.Touching;
+        bool isIn = (before.Nets >> from & 1) != 0 && world.Nets[net].Depth(s.Position, NetSheet.SideOf(before.NetSides, from)) >= -ContactTolerances.Touching;
         if (isIn)
         {
             Set(net, (before.NetSides >> from & 1) != 0, ref s);

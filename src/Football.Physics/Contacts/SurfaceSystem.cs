@@ -107,7 +107,7 @@ internal struct SurfaceSystem : IMotionSystem
         return Sliding(time, in at, in on);
     }
 
-    public readonly double LongestPart(in Motion at) => World.LongestPartInNets(Nets, NetSides, in at);
+    public readonly double LongestPart(in Motion at) => World.NetForces.LongestPart(Nets, NetSides, in at);
 
     public readonly void Move(ref BallState s, in Motion from, in MotionStep step)
     {
@@ -163,7 +163,7 @@ internal struct SurfaceSystem : IMotionSystem
         double pressing = 0;
         if (Nets != 0)
         {
-            MotionRates nets = World.PushOfNets(Nets, NetSides, in at);
+            MotionRates nets = World.NetForces.Push(Nets, NetSides, in at);
             pressing = Math.Max(0, -Vector3d.Dot(nets.Acceleration, in n));
             on.Body += Tangential(nets.Acceleration, in n);
             on.Torque += nets.SpinAcceleration;

@@ -7,16 +7,8 @@ namespace FootballPhysics.Contacts;
 /// <remarks>Built once. Only the positions of moving objects change afterwards.</remarks>
 internal sealed partial class World
 {
-    /// <summary>The longest part of a step in nets, times the rate at which they change the motion.</summary>
-    /// <remarks>At 2, shots into a goal are up to 1e-6 m off after 1.5 s; at 1.5, 1e-7 m.</remarks>
-    private const double ChangeInNets = 1.5;
-
     private readonly string[] _names;
     private readonly int _zones;
-
-    /// <summary>Bounding spheres of the moving obstacles, which come first in <see cref="Moving"/>; bodies come last.</summary>
-    private readonly MovingSpheres _movers = new();
-    private long _known;
 
     public World(Scene scene)
     {
@@ -56,7 +48,6 @@ internal sealed partial class World
             colliders.AddRange(Engine?.Colliders ?? []);
         }
 
-        // Classify each collider: moving, unbounded, or a leaf of the tree.
         Colliders = colliders.ToArray();
         FirstPassage = Colliders.Length;
         _zones = scene.Zones.Count;
@@ -69,51 +60,9 @@ internal sealed partial class World
         }
 
         GivesWay = Colliders.Any(collider => collider.GivesWay && !Ignores(collider));
-        var moving = new List<int>();
-        var unbounded = new List<int>();
-        var leaves = new List<int>();
-        for (int i = 0; i < Colliders.Length; i++)
-        {
-            // A collider that the ball ignores keeps its index, but searches never find it.
-            Collider collider = Colliders[i];
-            if (Ignores(collider))
-            {
-                continue;
-            }
-
-            if (!collider.Moves)
-            {
-                (collider.Bounds.IsFinite ? leaves : unbounded).Add(i);
-            }
-            else if (Engine is null || !Engine.Has(i))
-            {
-                moving.Add(i);
-                if (!collider.IsBody)
-                {
-                    _movers.Add(collider.BoundsAt(0), collider.Velocity);
-                }
-            }
-        }
-
-        // Nets and goals are stationary, so they are also in the tree.
-        for (int i = 0; i < Nets.Length + Goals.Length; i++)
-        {
-            leaves.Add(FirstPassage + i);
-        }
-
-        Moving = moving.ToArray();
-        Moves = Moving.Length > 0 || Engine is not null;
-        Unbounded = unbounded.ToArray();
-        Leaves = leaves.ToArray();
-
-        // The broad phase of all bounded stationary objects.
-        var boxes = new Bounds3d[Leaves.Length];
-        for (int i = 0; i < boxes.Length; i++)
-        {
-            boxes[i] = BoundsOf(Leaves[i]);
-        }
-
-        Tree = new BoundsTree(boxes);
+        NetForces = new NetForces(Nets);
+        BroadPhase = new BroadPhase(this);
+        Moves = BroadPhase.Moving.Length > 0 || Engine is not null;
         _names = IsBare && _zones == 0 ? ["ground"] : NamesOf(scene);
     }
 
@@ -133,20 +82,14 @@ internal sealed partial class World
     /// <summary>True if an index belongs to a net, a goal or a zone, and not to a collider.</summary>
     public bool IsPassage(int thing) => (uint)(thing - FirstPassage) < (uint)(Nets.Length + Goals.Length + _zones);
 
-    /// <summary>The colliders that move.</summary>
-    public int[] Moving { get; }
-
-    /// <summary>The stationary colliders without bounds.</summary>
-    public int[] Unbounded { get; }
-
-    /// <summary>Bounding boxes of all other stationary objects.</summary>
-    public BoundsTree Tree { get; }
-
-    /// <summary>Objects in the boxes of the tree, by index: colliders, then nets, then goals.</summary>
-    public int[] Leaves { get; }
+    /// <summary>The objects by their bounds.</summary>
+    public BroadPhase BroadPhase { get; }
 
     /// <summary>Nets.</summary>
     public NetSheet[] Nets { get; } = [];
+
+    /// <summary>The forces of the nets.</summary>
+    public NetForces NetForces { get; }
 
     /// <summary>Goals.</summary>
     public GoalMouth[] Goals { get; } = [];
@@ -169,7 +112,7 @@ internal sealed partial class World
         get
         {
             double fastest = Engine?.GreatestSpeed ?? 0;
-            foreach (int mover in Moving)
+            foreach (int mover in BroadPhase.Moving)
             {
                 fastest = Math.Max(fastest, Colliders[mover].GreatestSpeed);
             }
@@ -183,7 +126,7 @@ internal sealed partial class World
     {
         get
         {
-            foreach (int mover in Moving)
+            foreach (int mover in BroadPhase.Moving)
             {
                 if (!Colliders[mover].StandsStill)
                 {
@@ -301,77 +244,6 @@ internal sealed partial class World
         .. scene.Zones.Select(zone => zone.Name),
     ];
 
-    /// <summary>Returns the time for which a straight path is clear of all objects except level ground and bodies, s; at most its duration.</summary>
-    public double FreeFor(in StraightWay way)
-    {
-        // Most paths reach no box at all, so test this first.
-        Bounds3d box = way.Box;
-        int node = 0;
-        double free = Tree.Next(in box, ref node, out _) ? Tree.FirstMet(in way, way.Duration) : way.Duration;
-
-        // For shapes without a bounding box, compare their distance from the midpoint of the path.
-        Vector3d middle = way.Middle;
-        double half = 0.5 * way.Duration;
-        double reach = (half * way.Velocity.Length) + way.Around;
-        for (int i = 0; i < Unbounded.Length; i++)
-        {
-            Collider collider = Colliders[Unbounded[i]];
-            if (!collider.IsLevelGround && !(collider.At(in middle).Distance > reach))
-            {
-                // If this distance is too small, use the distance from the start: the ball must cover it before it can reach the shape.
-                double distance = collider.At(way.From).Distance - way.Around;
-                free = Math.Min(free, Math.Max(0, distance / way.Velocity.Length));
-            }
-        }
-
-        KnowObstacles();
-        for (int i = 0; _movers.Next(in middle, reach, way.Time + half, half, ref i); i++)
-        {
-            Collider collider = Colliders[Moving[i]];
-            free = Math.Min(free, way.SeenFrom(collider.Velocity).Meets(collider.BoundsAt(way.Time)));
-        }
-
-        return free;
-    }
-
-    /// <summary>Prepares the fast query for pushed obstacles.</summary>
-    private void KnowObstacles()
-    {
-        if (_known == Obstacles.Version)
-        {
-            return;
-        }
-
-        _known = Obstacles.Version;
-        for (int i = 0; i < Moving.Length && !Colliders[Moving[i]].IsBody; i++)
-        {
-            _movers.Set(i, Colliders[Moving[i]].BoundsAt(0), Colliders[Moving[i]].Velocity);
-        }
-    }
-
-    /// <summary>Hashes all objects that are stationary or move on their own.</summary>
-    public void AddTo(ref ClearKey key)
-    {
-        key.Add(Ball.Radius);
-        for (int i = 0; i < Leaves.Length; i++)
-        {
-            key.Add(BoundsOf(Leaves[i]));
-        }
-
-        foreach (Collider collider in Colliders.Where(collider => !collider.IsBody && !Ignores(collider)))
-        {
-            // Hash an unbounded shape by sampling it at two points.
-            ShapePoint low = collider.At(Vector3d.Zero);
-            ShapePoint high = collider.At(new Vector3d(11, 7, 5));
-            key.Add(low.Distance);
-            key.Add(low.Normal);
-            key.Add(high.Distance);
-            key.Add(high.Normal);
-            key.Add(in collider.Bounds);
-            key.Add(collider.Given.Velocity);
-        }
-    }
-
     /// <summary>The names of all objects, the ground first.</summary>
     public IReadOnlyList<string> Names => _names;
 
@@ -420,11 +292,6 @@ internal sealed partial class World
     /// <summary>Returns the index of a zone in the scene.</summary>
     public int ThingOfZone(int zone) => ThingOfGoal(Goals.Length) + zone;
 
-    private Bounds3d BoundsOf(int thing) =>
-        thing < FirstPassage ? Colliders[thing].Bounds
-        : thing < FirstPassage + Nets.Length ? Nets[thing - FirstPassage].Bounds
-        : Goals[thing - FirstPassage - Nets.Length].Bounds;
-
     /// <summary>Returns the carrier of the ball; the first collider if a state of another scene names an unknown one.</summary>
     public Collider CarrierOf(in BallState s)
     {
@@ -460,67 +327,6 @@ internal sealed partial class World
     public Vector3d SurfaceVelocity(Collider collider, in Vector3d position, in Vector3d normal, double time) =>
         collider.SurfaceVelocity(position - (Ball.Radius * normal), in normal, time);
 
-    /// <summary>Returns the accelerations by the nets that the ball is in.</summary>
-    public MotionRates PushOfNets(ulong nets, ulong sides, in Motion at)
-    {
-        Vector3d acceleration = default;
-        Vector3d spinAcceleration = default;
-        for (int i = 0; i < Nets.Length; i++)
-        {
-            if ((nets >> i & 1) != 0)
-            {
-                MotionRates push = Nets[i].Push(in at, SideOf(sides, i));
-                acceleration += push.Acceleration;
-                spinAcceleration += push.SpinAcceleration;
-            }
-        }
-
-        return new MotionRates(in acceleration, in spinAcceleration);
-    }
-
-    /// <summary>Returns the longest part of a step in nets that is accurate, in s.</summary>
-    public double LongestPartInNets(ulong nets, ulong sides, in Motion at) => LongestInNets(nets, sides, at.Position, at.Velocity, ChangeInNets);
-
-    /// <summary>Returns the longest piece that needs at most this number of such parts, in s.</summary>
-    public double LongestPieceInNets(in BallState s, int parts) => LongestInNets(s.Nets, s.NetSides, s.Position, s.Velocity, parts * ChangeInNets);
-
-    /// <summary>Returns the time in which nets change the motion by a multiple of itself, in s.</summary>
-    private double LongestInNets(ulong nets, ulong sides, Vector3d position, Vector3d velocity, double change)
-    {
-        double longest = double.PositiveInfinity;
-        double speed = velocity.Length;
-        for (int i = 0; i < Nets.Length && nets >> i != 0; i++)
-        {
-            if ((nets >> i & 1) != 0)
-            {
-                // The greatest depth that the ball can reach in the time p satisfies p λ(δ + p v) = c, which is quadratic in p.
-                double rate = Nets[i].RateAt(Math.Max(0, Nets[i].Depth(in position, SideOf(sides, i))));
-                double bend = Nets[i].RatePerDepth * speed;
-                longest = Math.Min(longest, 2.0 * change / (rate + Math.Sqrt((rate * rate) + (4.0 * bend * change))));
-            }
-        }
-
-        return longest;
-    }
-
     /// <summary>True if the ball rests in a net and on no other object.</summary>
     public bool HangsInNet(in BallState s) => s.Motion == MotionState.Rest && s.Carrier >= ThingOfNet(0) && s.Carrier < ThingOfGoal(0) && s.Nets != 0;
-
-    /// <summary>Returns the net in which the ball is deepest; −1 if it is in none.</summary>
-    public int DeepestNet(in BallState s)
-    {
-        int deepest = -1;
-        double most = double.NegativeInfinity;
-        for (int i = 0; i < Nets.Length && s.Nets >> i != 0; i++)
-        {
-            double depth = (s.Nets >> i & 1) != 0 ? Nets[i].Depth(s.Position, SideOf(s.NetSides, i)) : double.NegativeInfinity;
-            deepest = depth > most ? i : deepest;
-            most = Math.Max(most, depth);
-        }
-
-        return deepest;
-    }
-
-    /// <summary>Returns σ of a net.</summary>
-    public static double SideOf(ulong sides, int net) => (sides >> net & 1) != 0 ? 1.0 : -1.0;
 }

@@ -69,7 +69,7 @@ internal sealed class ClearFlight
         key.Add(_shareInPath);
         key.Add(in wind);
         key.Add(_friction);
-        world.AddTo(ref key);
+        world.BroadPhase.AddTo(ref key);
         Key = key.Value;
     }
 
@@ -142,16 +142,16 @@ internal sealed class ClearFlight
         double radius = (1.0 - Narrower) * _world.Ball.Radius;
         var way = new StraightWay(s.Position, s.Velocity, s.Time, ahead, radius);
         Vector3d end = s.Position + (ahead * s.Velocity);
-        for (int i = 0; i < _world.Unbounded.Length; i++)
+        for (int i = 0; i < _world.BroadPhase.Unbounded.Length; i++)
         {
-            Collider collider = _world.Colliders[_world.Unbounded[i]];
+            Collider collider = _world.Colliders[_world.BroadPhase.Unbounded[i]];
             if (!collider.IsLevelGround && !(collider.At(in end).Distance >= radius))
             {
                 return false;
             }
         }
 
-        return _world.Tree.FirstMet(in way, ahead) >= (1.0 - Narrower) * ahead;
+        return _world.BroadPhase.Tree.FirstMet(in way, ahead) >= (1.0 - Narrower) * ahead;
     }
 
     /// <inheritdoc cref="Stepper.FliesClear"/>
@@ -161,7 +161,7 @@ internal sealed class ClearFlight
         double most = airSpeed + (duration * _weight);
         double bend = 0.125 * (_weight + (RateAtMost(most, spinRate) * most)) * duration * duration;
         var way = new StraightWay(in from, (to - from) / duration, 0, duration, _world.Ball.Radius + bend + Rounding);
-        return _world.FreeFor(in way) >= duration;
+        return _world.BroadPhase.FreeFor(in way) >= duration;
     }
 
     private bool IsFree(ref BallState s, double dt, double steps, in Push push)
@@ -170,7 +170,7 @@ internal sealed class ClearFlight
 
         // The query radius is the ball's radius plus the deviation of the path from a straight line.
         double around = _world.Ball.Radius + Bend(in push, ahead, ahead);
-        double free = _world.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
+        double free = _world.BroadPhase.FreeFor(new StraightWay(s.Position, s.Velocity, s.Time, ahead, around));
         s.ClearUntil = s.Time + free;
         s.ClearIn = Key;
         return dt <= free;

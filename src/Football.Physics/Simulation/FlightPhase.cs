@@ -298,7 +298,7 @@ internal sealed class FlightPhase<TIntegrator>
         run.Log.Evaluations++;
         if (rests)
         {
-            _contact.RestInNet(ref s, _world.DeepestNet(in s), ref run);
+            _contact.RestInNet(ref s, _world.NetForces.Deepest(in s), ref run);
         }
 
         return rests;

@@ -182,7 +182,7 @@ public sealed class Simulator
         still.Motion = MotionState.Rest;
         if (hangs && placed.Motion == MotionState.Airborne && placed.Nets != 0)
         {
-            still.Carrier = _world.ThingOfNet(_world.DeepestNet(in placed));
+            still.Carrier = _world.ThingOfNet(_world.NetForces.Deepest(in placed));
             still.SetGroundSpin(Vector3d.Zero);
         }
         else if (placed.Motion != MotionState.Rolling)

@@ -308,13 +308,13 @@ internal sealed class NetGuard
     /// <summary>Returns the longest piece whose path in the nets follows from its ends, s.</summary>
     public double LongestPiece(in BallState s, double h)
     {
-        h = s.Nets == 0 ? h : Math.Min(h, _world.LongestPieceInNets(in s, MostParts));
+        h = s.Nets == 0 ? h : Math.Min(h, _world.NetForces.LongestPiece(in s, MostParts));
         for (int i = 0; i < _world.Nets.Length && s.Nets != 0; i++)
         {
             if ((s.Nets >> i & 1) != 0)
             {
                 // The deviation of the path scales with the sixth power of the piece's length.
-                while (_world.Nets[i].Bends(s.Position, s.Velocity, World.SideOf(s.NetSides, i), h) > ContactTolerances.NetBend)
+                while (_world.Nets[i].Bends(s.Position, s.Velocity, NetSheet.SideOf(s.NetSides, i), h) > ContactTolerances.NetBend)
                 {
                     h *= Shorter;
                 }
@@ -332,7 +332,7 @@ internal sealed class NetGuard
         {
             if ((s.Nets >> i & 1) != 0)
             {
-                rate += _world.Nets[i].RateAt(Math.Max(0, _world.Nets[i].Depth(in position, World.SideOf(s.NetSides, i))));
+                rate += _world.Nets[i].RateAt(Math.Max(0, _world.Nets[i].Depth(in position, NetSheet.SideOf(s.NetSides, i))));
             }
         }
 
@@ -351,7 +351,7 @@ internal sealed class NetGuard
             }
 
             // The kink is where 1 + b δ̇ changes sign. A piece that starts at a kink has already passed it.
-            double side = World.SideOf(s.NetSides, i);
+            double side = NetSheet.SideOf(s.NetSides, i);
             double start = _world.Nets[i].Tension(s.Velocity, side);
             double end = _world.Nets[i].Tension(sweep.Velocity, side);
             if (Math.Abs(start) > ContactTolerances.AtNetSlack && start < 0 != end < 0)

@@ -170,7 +170,7 @@ public sealed class PassageTests
         BallState state = ball.State;
         int net = simulator.World.Nets.ToList().FindIndex(sheet => Math.Abs(sheet.PlaceInFrame(state.Position).Z) < 0.05);
         Assert.Equal(1UL, state.Nets >> net & 1);
-        Assert.Equal(0.11 - 0.04, simulator.World.Nets[net].Depth(state.Position, World.SideOf(state.NetSides, net)), 1e-9);
+        Assert.Equal(0.11 - 0.04, simulator.World.Nets[net].Depth(state.Position, NetSheet.SideOf(state.NetSides, net)), 1e-9);
         Assert.Equal(MotionState.Rolling, state.Motion);
 
         // The net pushes it away, off that side.
@@ -343,7 +343,7 @@ public sealed class PassageTests
 
     private static int Goals(EventBuffer events) => events.Span.ToArray().Count(item => item.Kind == BallEventKind.Goal);
 
-    private static string? NetOf(Simulator simulator, in BallState s) => simulator.NameOf(simulator.World.ThingOfNet(simulator.World.DeepestNet(in s)));
+    private static string? NetOf(Simulator simulator, in BallState s) => simulator.NameOf(simulator.World.ThingOfNet(simulator.World.NetForces.Deepest(in s)));
 
     private static BallState DeepInTheBackNet(Simulator simulator)
     {

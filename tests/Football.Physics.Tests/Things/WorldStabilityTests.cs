@@ -158,7 +158,7 @@ public sealed class WorldStabilityTests
         {
             if ((state.Nets >> i & 1) != 0)
             {
-                double depth = Math.Max(0, world.Nets[i].Depth(state.Position, World.SideOf(state.NetSides, i)));
+                double depth = Math.Max(0, world.Nets[i].Depth(state.Position, NetSheet.SideOf(state.NetSides, i)));
                 energy += 0.5 * 400 * depth * depth;
             }
         }

@@ -1,0 +1,185 @@
+namespace FootballPhysics.Contacts;
+
+/// <summary>Enumerates the objects whose bounds intersect a box, in no defined order: unbounded objects, the tree, and movers.</summary>
+internal struct NearThings
+{
+    private readonly World _world;
+    private readonly BroadPhase _objects;
+    private readonly Bounds3d _box;
+    private readonly double _time;
+    private readonly double _duration;
+    private int _unbounded;
+    private int _node;
+    private int _moving;
+    private int _engine;
+
+    /// <summary>Starts an enumeration, with the engine colliders that the last cast found.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="box">The box.</param>
+    /// <param name="time">The time, s.</param>
+    /// <param name="duration">The duration, s.</param>
+    public NearThings(World world, in Bounds3d box, double time, double duration)
+    {
+        _world = world;
+        _objects = world.BroadPhase;
+        _box = box;
+        _time = time;
+        _duration = duration;
+        _unbounded = 0;
+        _node = 0;
+        _moving = 0;
+        _engine = 0;
+    }
+
+    /// <summary>Enumerates the objects that may touch a ball at a position.</summary>
+    public static NearThings At(World world, in Vector3d position, double time) => Within(world, in position, time, ContactTolerances.Touching);
+
+    /// <summary>Enumerates the objects that may be within a distance of a ball at a position, m.</summary>
+    public static NearThings Within(World world, in Vector3d position, double time, double distance)
+    {
+        world.Engine?.LookAt(in position, time, distance);
+        return new NearThings(world, new Bounds3d(in position, in position).Expanded(world.Ball.Radius + (2.0 * distance)), time, 0);
+    }
+
+    /// <summary>Returns the collider with the deepest overlap, except the carrier; −1 if there is none.</summary>
+    /// <param name="world">The world.</param>
+    /// <param name="s">The ball.</param>
+    /// <param name="overlapsBody">Whether the ball overlaps a body.</param>
+    public static int Deepest(World world, in BallState s, out bool overlapsBody)
+    {
+        overlapsBody = false;
+        double depth = ContactTolerances.Touching;
+        int deepest = -1;
+        Vector3d side = default;
+        long carrier = s.Motion == MotionState.Airborne ? -1 : s.Carrier - world.FirstCollider;
+        NearThings near = At(world, s.Position, s.Time);
+        while (near.NextCollider(out int i))
+        {
+            if (i == carrier)
+            {
+                continue;
+            }
+
+            // Use the deepest overlap. Break ties by the normals, because the orders of the traversal and of the scene are arbitrary.
+            ShapePoint at = world.Colliders[i].At(s.Position, s.Time);
+            double overlap = world.Ball.Radius - at.Distance;
+            overlapsBody |= overlap > ContactTolerances.Touching && world.Colliders[i].IsBody;
+            if (overlap > depth || (overlap == depth && IsBefore(at.Normal, i, side, deepest)))
+            {
+                depth = overlap;
+                deepest = i;
+                side = at.Normal;
+            }
+        }
+
+        return deepest;
+    }
+
+    /// <summary>True if the first of two contacts has priority: by normal, and for equal normals by scene order.</summary>
+    /// <remarks>
+    /// The lower normal comes first, then the smaller |x| and |z|. A mirrored scene thus has the same order, unless the two normals are
+    /// mirror images.
+    /// </remarks>
+    public static bool IsBefore(in Vector3d normal, int collider, in Vector3d other, int otherCollider)
+    {
+        double x = Math.Abs(normal.X) - Math.Abs(other.X);
+        double z = Math.Abs(normal.Z) - Math.Abs(other.Z);
+        return normal.Y != other.Y ? normal.Y < other.Y
+            : x != 0 ? x < 0
+            : z != 0 ? z < 0
+            : normal.X != other.X ? normal.X < other.X
+            : normal.Z != other.Z ? normal.Z < other.Z
+            : collider < otherCollider;
+    }
+
+    /// <summary>Advances to the next collider.</summary>
+    /// <param name="collider">Index of the collider.</param>
+    /// <returns>False at the end.</returns>
+    public bool NextCollider(out int collider)
+    {
+        while (Next(out collider))
+        {
+            if (!_world.IsPassage(collider))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Advances to the next net or goal.</summary>
+    /// <param name="thing">Index of the net or goal.</param>
+    /// <returns>False at the end.</returns>
+    public bool NextPassage(out int thing)
+    {
+        // Nets and goals are stationary and bounded, so they are in the tree.
+        while (_objects.Tree.Next(in _box, ref _node, out int leaf))
+        {
+            thing = _objects.Leaves[leaf];
+            if (_world.IsPassage(thing))
+            {
+                return true;
+            }
+        }
+
+        thing = -1;
+        return false;
+    }
+
+    /// <summary>Advances to the next object.</summary>
+    /// <param name="thing">Index of the object: colliders first, then nets, then goals.</param>
+    /// <returns>False at the end.</returns>
+    public bool Next(out int thing)
+    {
+        while (_unbounded < _objects.Unbounded.Length)
+        {
+            thing = _objects.Unbounded[_unbounded++];
+            if (_world.Colliders[thing].Bounds.Intersects(in _box))
+            {
+                return true;
+            }
+        }
+
+        if (_objects.Tree.Next(in _box, ref _node, out int leaf))
+        {
+            thing = _objects.Leaves[leaf];
+            return true;
+        }
+
+        while (_moving < _objects.Moving.Length)
+        {
+            thing = _objects.Moving[_moving++];
+            if (Touches(thing))
+            {
+                return true;
+            }
+        }
+
+        while (_world.Engine is { } engine && _engine < engine.Count)
+        {
+            thing = engine.Found(_engine++);
+            if (Touches(thing))
+            {
+                return true;
+            }
+        }
+
+        thing = -1;
+        return false;
+    }
+
+    private readonly bool Touches(int moving)
+    {
+        Collider collider = _world.Colliders[moving];
+
+        // The box that the collider sweeps during this time.
+        Bounds3d bounds = collider.BoundsDuring(_time, _duration);
+        if (_duration > 0)
+        {
+            bounds = bounds.Union(bounds.Translated(_duration * collider.Velocity));
+        }
+
+        return bounds.Intersects(in _box);
+    }
+}
