@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using FootballPhysics.Contacts;
 using FootballPhysics.State;
 
@@ -28,11 +29,46 @@ internal readonly struct PlaneMaterial(in ContactMaterial of, BallProperties bal
     public readonly double Damping = of.SpinDamping / ball.MomentOfInertia;
 }
 
+/// <summary>The axes of a plane: x and z along the plane, y along its normal. On level ground, they are the world axes.</summary>
+internal readonly struct PlaneAxes
+{
+    public readonly bool IsLevel;
+    public readonly Vector3d X;
+    public readonly Vector3d Normal;
+    public readonly Vector3d Z;
+
+    public PlaneAxes(Ground ground)
+    {
+        IsLevel = ground.IsLevel;
+        Normal = ground.Normal.Normalized();
+        Vector3d along = Math.Abs(Normal.X) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
+        X = (along - (Vector3d.Dot(in along, in Normal) * Normal)).Normalized();
+        Z = Vector3d.Cross(in X, in Normal);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3d InWorld(double x, double y, double z) => IsLevel ? new Vector3d(x, y, z) : (x * X) + (y * Normal) + (z * Z);
+
+    public PlaneMotion InPlane(in FlightMotion motion)
+    {
+        PlaneMotion at;
+        at.VX = Vector3d.Dot(in motion.Velocity, in X);
+        at.VZ = Vector3d.Dot(in motion.Velocity, in Z);
+        at.WX = Vector3d.Dot(in motion.Axis, in X);
+        at.WY = Vector3d.Dot(in motion.Axis, in Normal);
+        at.WZ = Vector3d.Dot(in motion.Axis, in Z);
+        return at;
+    }
+}
+
 /// <summary>Constants of a step.</summary>
 internal struct PlaneStart
 {
     public Vector3d From;
     public double Time;
+
+    /// <summary>Speed of the roll or the slip at the start, m/s.</summary>
+    public double Size;
 
     /// <summary>Direction of the roll or the slip at the start. Friction keeps this direction if a stage passes zero.</summary>
     public double X;
@@ -66,6 +102,8 @@ internal struct PlaneMotion
     public double WZ;
 
     public readonly Vector3d Spin => new(WX, WY, WZ);
+
+    public readonly double SpinSquared => (WX * WX) + (WY * WY) + (WZ * WZ);
 }
 
 /// <summary>Rates of change of the motion, the load per mass, the squared traction of a roll per mass, and the squared braking of the
@@ -80,4 +118,19 @@ internal struct PlaneRates
     public double Load;
     public double TractionSquared;
     public double BrakingSquared;
+}
+
+/// <summary>A step to its end: the motion there, the means of the motion, and the last stage of the integrator.</summary>
+internal struct PlaneStep
+{
+    /// <summary>The motion at the end.</summary>
+    public PlaneMotion End;
+
+    /// <summary>The velocity that moves the ball, and the spin that turns it.</summary>
+    public PlaneMotion Mean;
+
+    /// <summary>The motion at the last stage, its load and its squared traction.</summary>
+    public PlaneMotion Stage;
+    public double Load;
+    public double TractionSquared;
 }
